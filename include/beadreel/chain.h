@@ -1,0 +1,57 @@
+/* Chains: beads, contacts and forces, made from a scene; not changed afterwards, so threads may share one.
+ *
+ * Bead 0 is the striker, beads 1..N the chain. Contact k is between beads k and k+1; the contact with
+ * the wall, where there is one, is the last. Displacement u_j is from the rest position, positive
+ * towards the wall. Compression of contact k: d_k = d0_k + u_k - u_{k+1} (the wall's u is 0). */
+#ifndef BEADREEL_CHAIN_H
+#define BEADREEL_CHAIN_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/error.h"
+#include "beadreel/scene.h"
+
+struct bead_chain;
+
+struct bead_sensor {
+    const char *name;
+    size_t bead;
+};
+
+/* Chain `index` of the scene. The scene must outlive the chain. Errors: SCENE (with its place), MEMORY. */
+BEAD_API BEAD_CHECK enum bead_error bead_chain_create(const struct bead_scene *scene, size_t index,
+                                           struct bead_chain **chain, struct bead_message *msg);
+BEAD_API void bead_chain_destroy(struct bead_chain *chain);
+
+BEAD_API const char *bead_chain_name(const struct bead_chain *chain);  /* "" where it has none */
+BEAD_API const struct bead_chain_spec *bead_chain_spec(const struct bead_chain *chain);
+BEAD_API const struct bead_scene *bead_chain_scene(const struct bead_chain *chain);
+BEAD_API size_t bead_chain_beads(const struct bead_chain *chain);    /* with the striker: N + 1 */
+BEAD_API size_t bead_chain_contacts(const struct bead_chain *chain); /* N, and one more with a wall */
+
+/* Arrays of length beads. */
+BEAD_API const double *bead_chain_mass(const struct bead_chain *chain);     /* kg */
+BEAD_API const double *bead_chain_radius(const struct bead_chain *chain);   /* m */
+BEAD_API const double *bead_chain_position(const struct bead_chain *chain); /* m: centre at rest, from the centre of bead 1 */
+BEAD_API const size_t *bead_chain_material(const struct bead_chain *chain); /* index into scene->materials */
+/* Arrays of length contacts. */
+BEAD_API const double *bead_chain_stiffness(const struct bead_chain *chain);    /* A_k, N/m^power, physics of Hertz: see law.h */
+BEAD_API const double *bead_chain_static_force(const struct bead_chain *chain); /* N: precompression and weight */
+BEAD_API const double *bead_chain_static_compression(const struct bead_chain *chain); /* m */
+
+/* Spins of all segments with cells of two or more beads, left to right, as '0' and '1'; "" where there are none. */
+BEAD_API const char *bead_chain_spins(const struct bead_chain *chain);
+/* M = |N_up - N_down| / (N_up + N_down) of those spins (1 where there are none). */
+BEAD_API double bead_chain_magnetism(const struct bead_chain *chain);
+
+BEAD_API const struct bead_sensor *bead_chain_sensors(const struct bead_chain *chain, size_t *count);
+
+/* Upper bound of the frequency of small vibrations about any state that energy allows, rad/s:
+ * every compression d_k is bounded by A_k d^{5/2} 2/5 <= E, every stiffness by that, omega by
+ * Gershgorin's circles. `energy` in J above the static state; pass bead_chain_energy(). */
+BEAD_API double bead_chain_omega(const struct bead_chain *chain, double energy);
+/* Energy put in by the striker, J. */
+BEAD_API double bead_chain_energy(const struct bead_chain *chain);
+
+#endif

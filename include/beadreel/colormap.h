@@ -1,0 +1,32 @@
+/* Colour maps: from numbers to palette indices to colours. */
+#ifndef BEADREEL_COLORMAP_H
+#define BEADREEL_COLORMAP_H
+
+#include <stdint.h>
+
+#include "beadreel/error.h"
+#include "beadreel/scene.h"
+
+struct bead_colormap {
+    char name[32];
+    uint8_t rgb[256][3]; /* sRGB */
+};
+
+/* NULL-terminated names with a line about each. */
+struct bead_colormap_info {
+    const char *name, *description;
+};
+BEAD_API const struct bead_colormap_info *bead_colormap_list(void);
+BEAD_API BEAD_CHECK enum bead_error bead_colormap_load(const char *name, struct bead_colormap *map, struct bead_message *msg);
+
+/* A scale of colours: values low..high to indices 0..255 of a map; outside, clamped. */
+struct bead_colours {
+    const struct bead_colormap *map;
+    enum bead_scale scale;
+    double low, high;
+};
+/* 0..1 along the colour bar, not clamped. */
+BEAD_API double bead_colours_place(const struct bead_colours *colours, double value);
+BEAD_API uint8_t bead_colours_index(const struct bead_colours *colours, double value);
+
+#endif

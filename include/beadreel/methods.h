@@ -1,0 +1,24 @@
+/* Integrators: one const row each; coefficients are data. */
+#ifndef BEADREEL_METHODS_H
+#define BEADREEL_METHODS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/api.h"
+
+struct bead_method_info {
+    const char *name;        /* as in scenes: "rkn8" */
+    const char *description; /* one line with its source */
+    int order;               /* for smooth forces */
+    int evaluations;         /* of the force, per step */
+    bool damping;            /* forces may depend on velocities */
+    double theta;            /* default step in units of 1/omega */
+    double theta_max;        /* largest stable step in units of 1/omega */
+};
+
+/* Row `index`, NULL behind the last. */
+BEAD_API const struct bead_method_info *bead_method_info(size_t index);
+BEAD_API const struct bead_method_info *bead_method_find(const char *name);
+
+#endif

@@ -1,0 +1,29 @@
+/* Pipes: a bounded ring of slots between a producer and one worker thread.
+ * With threads == 1 the worker runs inside bead_pipe_submit, in order: the results are the same. */
+#ifndef BEADREEL_PIPE_H
+#define BEADREEL_PIPE_H
+
+#include <stddef.h>
+
+#include "beadreel/error.h"
+
+struct bead_pipe;
+
+/* The worker: takes one slot's contents in order of submission. Called with slot NULL once before the
+ * first slot, in the worker's thread (to create what belongs to that thread, overlapped with the
+ * producer) and with `last` true once behind the last, also after an error (to destroy it). */
+typedef enum bead_error (*bead_pipe_work)(void *context, void *slot, int last, struct bead_message *msg);
+
+/* `slot_bytes` each, zeroed, 64-byte aligned. Errors: MEMORY, IO (no thread). */
+BEAD_API BEAD_CHECK enum bead_error bead_pipe_create(size_t slots, size_t slot_bytes, int threads, bead_pipe_work work, void *context,
+                                          struct bead_pipe **pipe, struct bead_message *msg);
+/* A free slot to fill; waits for one. NULL after the worker has failed: then finish tells why. */
+BEAD_API void *bead_pipe_slot(struct bead_pipe *pipe);
+/* Hand over the slot got last. */
+BEAD_API void bead_pipe_submit(struct bead_pipe *pipe);
+/* Wait until everything is done; returns the worker's first error. May be called once. */
+BEAD_API BEAD_CHECK enum bead_error bead_pipe_finish(struct bead_pipe *pipe, struct bead_message *msg);
+/* Without finish: the rest is thrown away. */
+BEAD_API void bead_pipe_destroy(struct bead_pipe *pipe);
+
+#endif

@@ -1,0 +1,63 @@
+/* Samples: the state of one chain at one time, as outputs get it. */
+#ifndef BEADREEL_SAMPLE_H
+#define BEADREEL_SAMPLE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/api.h"
+
+/* name in scenes, unit, long name, one value for each BEAD or CONTACT */
+#define BEAD_FIELDS(X)                                             \
+    X(FORCE, "force", "N", "bead force", BEAD)                     \
+    X(CONTACT_FORCE, "contact-force", "N", "contact force", CONTACT) \
+    X(VELOCITY, "velocity", "m/s", "velocity", BEAD)               \
+    X(DISPLACEMENT, "displacement", "m", "displacement", BEAD)     \
+    X(ENERGY, "energy", "J", "energy", BEAD)
+
+enum bead_field {
+#define BEAD_FIELD_ENUM(id, name, unit, title, place) BEAD_FIELD_##id,
+    BEAD_FIELDS(BEAD_FIELD_ENUM)
+#undef BEAD_FIELD_ENUM
+    BEAD_FIELD_COUNT
+};
+
+struct bead_field_info {
+    const char *name;  /* as in scenes: "contact-force" */
+    const char *unit;  /* SI: "N" */
+    const char *title; /* for axes and colour bars: "contact force" */
+    int of_contacts;   /* 1: one value a contact; 0: one a bead */
+};
+/* One row a field, in the order of the enum. */
+BEAD_API const struct bead_field_info *bead_field_info(enum bead_field field);
+
+/* Bit of a field in a set of fields. */
+#define BEAD_FIELD_BIT(field) (1u << (field))
+
+/* An inclusive range of beads; bead 0 is the striker. A contact has the number of its left bead. */
+struct bead_span {
+    size_t first, last;
+};
+
+/* Equally spaced times start, start + every, ... <= end (seconds). every == 0: no samples. */
+struct bead_grid {
+    double start, every, end;
+};
+
+/* Number of times on the grid; an end that misses a grid point by rounding only counts. */
+BEAD_API size_t bead_grid_count(const struct bead_grid *grid);
+/* Time of sample `index`. */
+BEAD_API double bead_grid_time(const struct bead_grid *grid, size_t index);
+
+/* One chain at one time. Arrays are borrowed until the call returns. They have one value for every
+ * bead (or contact) of the chain, are indexed by its number, and are valid in the spans asked for;
+ * a field that nobody asked for is NULL. SI units. */
+struct bead_sample {
+    size_t chain;   /* index in the scene */
+    size_t index;   /* of the receiving sink's own grid */
+    double time;    /* s */
+    size_t active;  /* beads >= active are exactly at rest, all their values 0 (or static) */
+    const double *field[BEAD_FIELD_COUNT];
+};
+
+#endif

@@ -1,0 +1,155 @@
+/* Scenes: what chain to strike and what pictures are wanted.
+ *
+ *   struct bead_scene *scene;
+ *   err = bead_scene_load(path, settings, n_settings, &scene, &msg);
+ *   ... read it, make chains from it (chain.h), run it (session.h) ...
+ *   bead_scene_free(scene);
+ *
+ * A scene is plain data, checked and with every default filled in; it is not changed after loading.
+ * All numbers are SI. The keys, units, defaults, ranges and help of the settings below stand in one
+ * table for each structure (options.h), from which parser, help and error messages are made. */
+#ifndef BEADREEL_SCENE_H
+#define BEADREEL_SCENE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/error.h"
+#include "beadreel/sample.h"
+
+/* Where something stands in the scene's text, from 1; for messages `file:line:column: key: ...`. */
+struct bead_place {
+    size_t line, column;
+};
+
+struct bead_material {
+    char *name;
+    double mass;     /* kg, of one bead; from density and radius where not given; NaN for walls only */
+    double radius;   /* m; NaN where the material serves for walls only */
+    double modulus;  /* Pa, Young's */
+    double poisson;
+    double colour[3]; /* sRGB 0..1, how beads of it are drawn */
+};
+
+enum bead_spins { BEAD_SPINS_UP, BEAD_SPINS_DOWN, BEAD_SPINS_DIGITS, BEAD_SPINS_RANDOM };
+
+/* One entry of `beads`: `count` cells of the same beads. Spin 1 ("up") is the cell as written, 0 reversed. */
+struct bead_segment {
+    size_t *cell;       /* material indices, left to right */
+    size_t cell_beads;  /* >= 1 */
+    size_t count;       /* cells, >= 1 */
+    enum bead_spins spins;
+    char *digits;       /* BEAD_SPINS_DIGITS: '0' and '1', one a cell */
+    double magnetism;   /* BEAD_SPINS_RANDOM: the nearest that `count` allows is taken, majority up */
+    uint64_t seed;
+    char *sensor;       /* name of the sensor on this (single) bead, or NULL */
+    struct bead_place place;
+};
+
+enum bead_wall { BEAD_WALL_NONE, BEAD_WALL_RIGID, BEAD_WALL_MATERIAL };
+enum bead_law_kind { BEAD_LAW_HERTZ, BEAD_LAW_POWER, BEAD_LAW_FPU_ALPHA, BEAD_LAW_THESIS_APPENDIX };
+
+struct bead_law_spec {
+    enum bead_law_kind kind;
+    double power;       /* exponent of the compression, BEAD_LAW_POWER */
+    double coefficient; /* N/m^power for BEAD_LAW_POWER (of every contact); N/m for BEAD_LAW_FPU_ALPHA */
+    double alpha;       /* 1/m, BEAD_LAW_FPU_ALPHA: force k d (1 - alpha d), two-sided */
+};
+
+struct bead_chain_spec {
+    char *name;  /* "" for a single unnamed chain */
+    char *label; /* a line under the name, or "" */
+    size_t striker_material;
+    double striker_velocity; /* m/s */
+    struct bead_segment *segments;
+    size_t segment_count;
+    enum bead_wall wall;
+    size_t wall_material; /* BEAD_WALL_MATERIAL */
+    struct bead_law_spec law;
+    double precompression;      /* N, >= 0: static force in every contact */
+    double tilt;                /* rad, >= 0: the wall end is the lower one */
+    double damping_coefficient; /* N (s/m)^exponent */
+    double damping_exponent;
+    struct bead_place place;
+};
+
+struct bead_simulate {
+    double until;    /* s; NaN: until the front reaches the end of the chain */
+    double accuracy; /* relative error wanted in first-passage peak forces */
+    char *method;    /* "auto" or a name from methods.h */
+    double step;     /* s; 0: chosen from accuracy */
+};
+
+enum bead_output_kind {
+    BEAD_OUTPUT_TRAJECTORY,
+    BEAD_OUTPUT_IMAGE,
+    BEAD_OUTPUT_MOVIE,
+    BEAD_OUTPUT_PLOT,
+    BEAD_OUTPUT_TABLE,
+    BEAD_OUTPUT_KINDS
+};
+enum bead_show { BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_BEAD_PEAKS };
+enum bead_scale { BEAD_SCALE_LINEAR, BEAD_SCALE_SQRT, BEAD_SCALE_LOG };
+enum bead_quality { BEAD_QUALITY_DRAFT, BEAD_QUALITY_STANDARD, BEAD_QUALITY_HIGH, BEAD_QUALITY_LOSSLESS };
+enum bead_theme { BEAD_THEME_AUTO, BEAD_THEME_LIGHT, BEAD_THEME_DARK };
+enum bead_view_kind { BEAD_VIEW_BEADS, BEAD_VIEW_PROFILE, BEAD_VIEW_SPACETIME, BEAD_VIEW_SENSORS, BEAD_VIEW_KINDS };
+
+/* One entry of `outputs`. A key that does not belong to the kind is an error in the scene; the
+ * field here then has its default. */
+struct bead_output {
+    enum bead_output_kind kind;
+    char *path;      /* as written; relative to the output directory */
+    unsigned fields; /* BEAD_FIELD_BITs: trajectory */
+    enum bead_field field;
+    double time[2];         /* s; NaN: start or end of the run */
+    struct bead_span beads; /* {0, SIZE_MAX}: all */
+    double every;           /* s; 0: what the output needs */
+    enum bead_show show;
+    double size[2];    /* pixels, or metres where size_is_length; 0: the kind's own default */
+    bool size_is_length;
+    double dpi;        /* of lengths, and of rasters in vector files */
+    char *colormap;
+    enum bead_scale scale;
+    double range[2];   /* SI; NaN: automatic */
+    bool axes;
+    double fps, duration; /* 1/s, s: movie; duration is that of the film, not of the motion */
+    enum bead_view_kind views[8];
+    size_t view_count;
+    enum bead_quality quality;
+    enum bead_theme theme;
+    double magnify;    /* factor on displacements; 0: automatic */
+    double at;         /* s; time of a still with views other than spacetime; NaN: end */
+    struct bead_place place;
+};
+
+struct bead_scene {
+    char *file;  /* name for messages */
+    char *text;  /* the whole YAML as run, settings of the command line applied (a copy that parses to this scene) */
+    char *title; /* "" where none */
+    struct bead_material *materials;
+    size_t material_count;
+    struct bead_chain_spec *chains;
+    size_t chain_count;
+    struct bead_simulate simulate;
+    struct bead_output *outputs;
+    size_t output_count;
+};
+
+/* Load a scene from a file. `settings` are `key.path=value` overrides (`simulate.step=0.1 us`,
+ * `chain.striker.velocity=1 m/s`, `outputs.0.size=[640, 360]`), applied in order. On success
+ * *scene belongs to the caller; on failure it is NULL and the message reads
+ * `file:line:column: key: what is wrong and what is allowed`. Errors: SCENE, IO, MEMORY. */
+BEAD_API BEAD_CHECK enum bead_error bead_scene_load(const char *path, const char *const *settings, size_t setting_count,
+                                         struct bead_scene **scene, struct bead_message *msg);
+/* The same from memory; `name` stands for the file in messages. */
+BEAD_API BEAD_CHECK enum bead_error bead_scene_parse(const char *name, const char *text, size_t length,
+                                          const char *const *settings, size_t setting_count,
+                                          struct bead_scene **scene, struct bead_message *msg);
+BEAD_API void bead_scene_free(struct bead_scene *scene);
+
+/* Find a ready scene ("clean-vs-delocalised", "thesis/fig5") or keep a path as it is: fills
+ * `path` (size bytes). A name that is neither is an error that suggests the nearest. */
+BEAD_API BEAD_CHECK enum bead_error bead_scene_find(const char *name, char *path, size_t size, struct bead_message *msg);
+
+#endif

@@ -1,0 +1,77 @@
+/* Sessions: a scene, or a trajectory, played into its outputs.
+ *
+ *   struct bead_job job;
+ *   bead_job_default(&job);
+ *   job.input = "scene.yaml"; job.sinks = bead_data_sinks();
+ *   err = bead_session_open(&job, &session, &msg);
+ *   bead_session_plan(session, &print, file, ...);   or   err = bead_session_run(session, &msg);
+ *   bead_session_close(session);
+ *
+ * The session makes the chains and sinks, takes the union of the sinks' needs, scouts what must be
+ * known in advance (end, ranges), plays the source once and finishes every sink. */
+#ifndef BEADREEL_SESSION_H
+#define BEADREEL_SESSION_H
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "beadreel/error.h"
+#include "beadreel/scene.h"
+#include "beadreel/sink.h"
+
+/* Told now and then (at most some ten times a second) while a session runs. */
+struct bead_progress {
+    const char *what;     /* "scouting", "simulating", "drawing beads.mp4" */
+    double done;          /* 0..1 */
+    double time;          /* s of physical time reached */
+};
+
+struct bead_job {
+    const char *input;              /* scene.yaml, a ready scene's name, or a trajectory (.h5) */
+    const char *const *settings;    /* key.path=value */
+    size_t setting_count;
+    const char *output;             /* -o: a directory (scenes) or a file (trajectories); NULL: "." */
+    const char *const *only;        /* names of outputs to make; all others are skipped */
+    size_t only_count;
+    int threads;                    /* 0: all cores; 1: everything in one thread; same results for any */
+    const char *instructions;       /* NULL: the best; or sse2, avx2, avx512: same results for any */
+    bool full_window;               /* compute beads at rest too (for checks; same results) */
+    const struct bead_sink_type *const *const *sinks; /* NULL-terminated list of NULL-terminated lists */
+    const volatile sig_atomic_t *stop; /* non-zero: finish files and return STOPPED; may be NULL */
+    void (*progress)(void *context, const struct bead_progress *progress); /* may be NULL */
+    void *progress_context;
+};
+
+struct bead_session;
+
+BEAD_API void bead_job_default(struct bead_job *job);
+/* Reads and checks everything; simulates only as far as needed to know times (default `until`).
+ * Errors: SCENE, USAGE, IO, FORMAT, MEMORY. On failure *session is NULL. */
+BEAD_API BEAD_CHECK enum bead_error bead_session_open(const struct bead_job *job, struct bead_session **session, struct bead_message *msg);
+/* What will be computed, what is skipped, and why: lines of text into `out`. */
+BEAD_API BEAD_CHECK enum bead_error bead_session_plan(const struct bead_session *session, FILE *out, struct bead_message *msg);
+BEAD_API BEAD_CHECK enum bead_error bead_session_run(struct bead_session *session, struct bead_message *msg);
+
+/* After a run: the files made, in the order of the scene; and the counts that --plan promised. */
+struct bead_result {
+    const char *path;
+    uint64_t bytes, items;
+};
+BEAD_API size_t bead_session_results(const struct bead_session *session, const struct bead_result **results);
+
+struct bead_counts {
+    uint64_t evaluations; /* of one contact's force, in steps */
+    uint64_t steps;
+    uint64_t samples;     /* sample times computed, of all chains */
+    uint64_t sample_values; /* bead values interpolated for samples */
+    uint64_t passes;      /* times the chains were simulated: 1, or more with scouting */
+    uint64_t state_hash;  /* FNV-1a over displacement and velocity bits of all chains after every step */
+};
+BEAD_API const struct bead_counts *bead_session_counts(const struct bead_session *session);
+BEAD_API const struct bead_outcome *bead_session_outcomes(const struct bead_session *session, size_t *chain_count);
+BEAD_API void bead_session_close(struct bead_session *session);
+
+#endif

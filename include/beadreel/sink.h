@@ -1,0 +1,93 @@
+/* Sinks: where samples go. A trajectory, a table, an image and a movie are each one const table
+ * `struct bead_sink_type`, found by the kind of output and the extension of its file name.
+ *
+ * Life of a sink, for outputs in the order of the scene:
+ *   create   learns the output's settings and the stage (what is known before the run), decides what it needs,
+ *            takes no time and touches no file that a failed run would leave behind;
+ *   begin    once, when the run starts: ranges found by a scouting pass are known now; opens `name.part`;
+ *   sample   once for each time on its grid and each chain, chains in order within a time;
+ *   end      once after the last sample: finish, fsync, rename to `name`;
+ *   destroy  always; where end was not reached, removes or (trajectory) closes the .part file properly. */
+#ifndef BEADREEL_SINK_H
+#define BEADREEL_SINK_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/chain.h"
+#include "beadreel/error.h"
+#include "beadreel/sample.h"
+#include "beadreel/scene.h"
+
+/* What a sink reads; the run computes the union and nothing else. */
+struct bead_needs {
+    unsigned fields;        /* BEAD_FIELD_BITs of samples; 0 with grid.every == 0: no samples */
+    struct bead_span beads; /* valid part of the samples' arrays; contacts first..last likewise */
+    struct bead_grid grid;
+    bool contact_peaks, bead_peaks; /* maxima of every contact's / bead's force: in the outcome */
+    bool range;             /* wants the range of `range_field` over beads and times before begin (a scouting pass) */
+    enum bead_field range_field;
+    double until;           /* s: nothing after this time is needed (tables of peaks: INFINITY = whole run) */
+    const char *why;        /* a few words for --plan: "600 frames of 1920 x 1080, every 5 us" (owned by the sink) */
+};
+
+/* What is known before the first sample. */
+struct bead_stage {
+    const struct bead_scene *scene;
+    const struct bead_chain *const *chains;
+    size_t chain_count;
+    double end;              /* s: the end of the run */
+    struct bead_grid native; /* every > 0: use these samples (those of the trajectory); 0: choose */
+    double resolution;       /* s: samples this close show every oscillation */
+    int threads;             /* 1: do everything in the calling thread */
+    const char *directory;   /* where relative paths of outputs go */
+};
+
+/* Found by scouting: of the sink's range_field, over all chains. */
+struct bead_range {
+    double low, high;
+};
+
+struct bead_peak {
+    double value; /* N: largest maximum within first passage */
+    double time;  /* s; NaN where the contact was never loaded */
+    bool open;    /* still loading at the end of the run */
+};
+
+/* What is known about one chain after the run. */
+struct bead_outcome {
+    double end;             /* s: simulated until here */
+    double front_arrival;   /* s: last contact exceeded 1e-4 of the largest force so far; NaN: never */
+    const char *method;
+    double step;            /* s, nominal */
+    uint64_t steps, evaluations; /* evaluations of one bead's force */
+    double energy_start, energy_end;     /* J */
+    double momentum_start, momentum_end; /* kg m/s */
+    double energy_error;                 /* largest relative deviation seen */
+    const struct bead_peak *contact_peaks; /* [contacts], NULL where not asked */
+    const struct bead_peak *bead_peaks;    /* [beads], NULL where not asked */
+};
+
+struct bead_sink; /* each type's own */
+
+struct bead_sink_type {
+    const char *name; /* "image" */
+    const char *help; /* one line */
+    enum bead_output_kind kind;
+    const char *const *extensions; /* NULL-terminated, without the dot; NULL: any */
+    enum bead_error (*create)(const struct bead_output *output, const struct bead_stage *stage, struct bead_sink **sink,
+                              struct bead_message *msg);
+    void (*needs)(const struct bead_sink *sink, struct bead_needs *needs);
+    enum bead_error (*begin)(struct bead_sink *sink, struct bead_range range, struct bead_message *msg);
+    enum bead_error (*sample)(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg);
+    enum bead_error (*end)(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg);
+    void (*destroy)(struct bead_sink *sink);
+    /* For the result line: bytes written so far, and a work measure such as frames; may be NULL. */
+    void (*result)(const struct bead_sink *sink, uint64_t *bytes, uint64_t *items);
+};
+
+/* The sinks that need no graphics: trajectory, tables. NULL-terminated. */
+BEAD_API const struct bead_sink_type *const *bead_data_sinks(void);
+
+#endif

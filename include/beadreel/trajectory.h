@@ -1,0 +1,42 @@
+/* Trajectories: H5MD 1.1 files that explain themselves.
+ *
+ * Reading: bead_trajectory_open checks the file (it is not trusted), rebuilds the scene and its chains from
+ * the stored text, and gives the samples in order. Writing is the sink for `trajectory:` outputs.
+ * Several chains of a scene stand in one particles group one after the other; /parameters/beadreel/chains
+ * says where each begins. */
+#ifndef BEADREEL_TRAJECTORY_H
+#define BEADREEL_TRAJECTORY_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/chain.h"
+#include "beadreel/error.h"
+#include "beadreel/sample.h"
+#include "beadreel/sink.h"
+
+struct bead_trajectory;
+
+/* True where the file looks like HDF5, whatever it is called. */
+BEAD_API bool bead_trajectory_is(const char *path);
+/* `settings` change the stored scene's outputs (not its physics). On failure *trajectory is NULL; errors: IO, FORMAT, MEMORY, SCENE. */
+BEAD_API BEAD_CHECK enum bead_error bead_trajectory_open(const char *path, const char *const *settings, size_t setting_count,
+                                              struct bead_trajectory **trajectory, struct bead_message *msg);
+BEAD_API void bead_trajectory_close(struct bead_trajectory *trajectory);
+
+BEAD_API const struct bead_scene *bead_trajectory_scene(const struct bead_trajectory *trajectory);
+BEAD_API const struct bead_chain *const *bead_trajectory_chains(const struct bead_trajectory *trajectory, size_t *count);
+BEAD_API const struct bead_grid *bead_trajectory_grid(const struct bead_trajectory *trajectory); /* of the samples really there */
+BEAD_API unsigned bead_trajectory_fields(const struct bead_trajectory *trajectory); /* BEAD_FIELD_BITs stored or derivable */
+BEAD_API struct bead_span bead_trajectory_beads(const struct bead_trajectory *trajectory);
+BEAD_API bool bead_trajectory_complete(const struct bead_trajectory *trajectory); /* false: its run was stopped or killed */
+BEAD_API double bead_trajectory_end(const struct bead_trajectory *trajectory);    /* s: end of the run that wrote it (planned end) */
+/* Outcome of chain `c` as stored (peaks NULL). */
+BEAD_API BEAD_CHECK enum bead_error bead_trajectory_outcome(const struct bead_trajectory *trajectory, size_t chain, struct bead_outcome *outcome, struct bead_message *msg);
+
+/* Read sample `index` of chain `chain` into `sample` (borrowed until the next call); reads whole chunks ahead, so go in order. */
+BEAD_API BEAD_CHECK enum bead_error bead_trajectory_read(struct bead_trajectory *trajectory, size_t index, size_t chain, unsigned fields,
+                                              struct bead_sample *sample, struct bead_message *msg);
+
+#endif

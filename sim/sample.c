@@ -1,0 +1,32 @@
+#include "beadreel/sample.h"
+
+#include <math.h>
+
+static const struct bead_field_info fields[BEAD_FIELD_COUNT] = {
+#define PLACE_BEAD 0
+#define PLACE_CONTACT 1
+#define BEAD_FIELD_ROW(id, name, unit, title, place) {name, unit, title, PLACE_##place},
+    BEAD_FIELDS(BEAD_FIELD_ROW)
+#undef BEAD_FIELD_ROW
+};
+
+const struct bead_field_info *bead_field_info(enum bead_field field)
+{
+    return &fields[field];
+}
+
+/* A grid point is inside when it lies at most this fraction of a spacing behind the end: grids are given in
+ * decimal units whose quotients are not exact. */
+static const double slack = 1e-6;
+
+size_t bead_grid_count(const struct bead_grid *grid)
+{
+    if (!(grid->every > 0) || !(grid->end >= grid->start))
+        return 0;
+    return (size_t)floor((grid->end - grid->start) / grid->every + slack) + 1;
+}
+
+double bead_grid_time(const struct bead_grid *grid, size_t index)
+{
+    return grid->start + (double)index * grid->every;
+}
