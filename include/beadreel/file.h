@@ -1,0 +1,34 @@
+/* Files that appear whole or not at all: written as `name.part`, renamed to `name` when they are finished.
+ *
+ *   bead_file_join(directory, output->path, &path, msg);
+ *   bead_file_part_name(path, &part, msg);
+ *   ... write `part`, close it ...
+ *   bead_file_commit(part, path, msg);     or   bead_file_discard(part);
+ *   free(part); free(path);
+ *
+ * Messages of IO errors begin with the path. */
+#ifndef BEADREEL_FILE_H
+#define BEADREEL_FILE_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+#include "beadreel/error.h"
+
+/* `path` seen from `directory` (NULL or "": the working directory; absolute paths stay as they are).
+ * *joined belongs to the caller (free), NULL on failure. Errors: MEMORY, IO (empty path). */
+BEAD_API BEAD_CHECK enum bead_error bead_file_join(const char *directory, const char *path, char **joined, struct bead_message *msg);
+/* Name of the unfinished file: `path` and ".part". *part belongs to the caller (free). Errors: MEMORY. */
+BEAD_API BEAD_CHECK enum bead_error bead_file_part_name(const char *path, char **part, struct bead_message *msg);
+/* Open `part` for writing, emptied. On failure *file is NULL and no file is left. Errors: IO. */
+BEAD_API BEAD_CHECK enum bead_error bead_file_create(const char *part, FILE **file, struct bead_message *msg);
+/* Flush and close `file`, reporting any write error since it was opened (a full disk, say). Closes it in any case. Errors: IO. */
+BEAD_API BEAD_CHECK enum bead_error bead_file_close(FILE *file, const char *part, struct bead_message *msg);
+/* The closed file `part` becomes `path`, for good: fsync, rename, fsync of the directory. On failure `part` is removed. Errors: IO. */
+BEAD_API BEAD_CHECK enum bead_error bead_file_commit(const char *part, const char *path, struct bead_message *msg);
+/* Remove `part` (NULL, or not there: nothing happens). */
+BEAD_API void bead_file_discard(const char *part);
+/* Bytes in the file, 0 where there is none. */
+BEAD_API uint64_t bead_file_bytes(const char *path);
+
+#endif
