@@ -10,15 +10,15 @@ struct bead_chain {
     const struct bead_chain_spec *spec;
     const struct bead_law *law;
     size_t beads, contacts;
-    size_t *material;       /* [beads] */
-    double *mass;           /* [beads] kg */
-    double *inverse_mass;   /* [beads] 1/kg */
-    double *radius;         /* [beads] m */
-    double *position;       /* [beads] m */
-    double *stiffness;      /* [contacts] */
-    double *static_force;   /* [contacts] N */
+    size_t *material;           /* [beads] */
+    double *mass;               /* [beads] kg */
+    double *inverse_mass;       /* [beads] 1/kg */
+    double *radius;             /* [beads] m */
+    double *position;           /* [beads] m */
+    double *stiffness;          /* [contacts] */
+    double *static_force;       /* [contacts] N */
     double *static_compression; /* [contacts] m */
-    double striker_force;   /* N: constant force on the striker beyond balance (its weight on a tilt) */
+    double striker_force;       /* N: constant force on the striker beyond balance (its weight on a tilt) */
     char *spins;
     double magnetism;
     struct bead_sensor *sensors;

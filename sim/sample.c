@@ -3,8 +3,8 @@
 #include <math.h>
 
 static const struct bead_field_info fields[BEAD_FIELD_COUNT] = {
-#define PLACE_BEAD 0
-#define PLACE_CONTACT 1
+#define PLACE_BEAD                                   0
+#define PLACE_CONTACT                                1
 #define BEAD_FIELD_ROW(id, name, unit, title, place) {name, unit, title, PLACE_##place},
     BEAD_FIELDS(BEAD_FIELD_ROW)
 #undef BEAD_FIELD_ROW

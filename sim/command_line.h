@@ -1,0 +1,79 @@
+/* The command line of both programs: options, help, lists, progress and results.
+ * Linked into the two programs only; the libraries neither print nor exit. */
+#ifndef SIM_COMMAND_LINE_H
+#define SIM_COMMAND_LINE_H
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include "beadreel/error.h"
+#include "beadreel/session.h"
+#include "beadreel/sink.h"
+
+/* One thing that --list can show: a line each with a name and a description. */
+struct command_list {
+    const char *name;
+    enum bead_error (*print)(FILE *out, struct bead_message *msg);
+};
+
+/* What differs between the programs. */
+struct command_program {
+    const char *name;                                 /* "beadreel" */
+    const char *purpose;                              /* one line for --help */
+    const char *usage, *examples;                     /* paragraphs for --help */
+    const struct command_list *lists;                 /* ends with a NULL name */
+    const struct bead_sink_type *const *const *sinks; /* for the job, NULL-terminated */
+};
+
+enum command_action { COMMAND_RUN, COMMAND_PLAN, COMMAND_LIST, COMMAND_INFO, COMMAND_HELP, COMMAND_MAN, COMMAND_VERSION };
+enum command_progress { COMMAND_PROGRESS_AUTO, COMMAND_PROGRESS_PLAIN, COMMAND_PROGRESS_JSON, COMMAND_PROGRESS_NONE };
+
+/* A parsed command line; strings are borrowed from argv. */
+struct command {
+    const struct command_program *program;
+    enum command_action action;
+    const struct command_list *list;
+    const char *input, *output, *instructions;
+    const char **settings, **only; /* owned arrays */
+    size_t setting_count, only_count;
+    int threads;
+    enum command_progress progress;
+};
+
+/* All of it: returns the exit status (0 done, 1 failed while running, 2 wrong command line or scene, 128+n signal n). */
+int command_main(const struct command_program *program, int argc, char **argv);
+
+/* The actions. Errors: those of session.h, scene.h, trajectory.h; IO where stdout fails. */
+enum bead_error command_run(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
+enum bead_error command_plan(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
+enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg);
+
+/* Lists that need no graphics. */
+enum bead_error command_list_scenes(FILE *out, struct bead_message *msg);
+enum bead_error command_list_materials(FILE *out, struct bead_message *msg);
+enum bead_error command_list_methods(FILE *out, struct bead_message *msg);
+enum bead_error command_list_laws(FILE *out, struct bead_message *msg);
+
+/* Progress on stderr. */
+struct command_meter {
+    enum command_progress mode; /* AUTO stands for a bar on a terminal */
+    double began, said;         /* s, monotonic clock: this stage began, the last line was written */
+    char what[160];
+    bool drawn; /* the terminal's line is not empty */
+};
+void command_meter_init(struct command_meter *meter, enum command_progress mode);
+/* `context` is the meter; fits bead_job.progress. */
+void command_meter_tell(void *context, const struct bead_progress *progress);
+/* Clear the terminal's line, so that other text can be written. */
+void command_meter_clear(struct command_meter *meter);
+/* Seconds of a clock that only runs forward. */
+double command_clock(void);
+
+/* The nearest of `count` names by edit distance, or NULL where none is near. */
+const char *command_nearest(const char *word, const char *const *names, size_t count);
+/* "4.76 mm", "470 kB": number with an SI prefix and unit into `text`; returns text. */
+const char *command_quantity(double value, const char *unit, char *text, size_t size);
+
+#endif

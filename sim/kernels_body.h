@@ -1,0 +1,126 @@
+/* Included by kernels_<set>.c, which defines KERNELS_NAME, KERNELS_DESCRIPTION and KERNELS_TABLE.
+ * Plain C that the compiler vectorises for the set. */
+#include <math.h>
+
+#include "sim/kernels.h"
+
+static void hertz(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f)
+{
+    const double *restrict a = table->stiffness;
+    double *restrict out = f;
+    (void)v;
+    for (size_t k = 0; k < n; k++) {
+        double d = u[k] - u[k + 1];
+        d = d > 0 ? d : 0;
+        out[k] = a[k] * (d * sqrt(d));
+    }
+}
+
+static void hertz_static(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f)
+{
+    const double *restrict a = table->stiffness, *restrict d0 = table->static_compression, *restrict f0 = table->static_force;
+    double *restrict out = f;
+    (void)v;
+    for (size_t k = 0; k < n; k++) {
+        double d = d0[k] + (u[k] - u[k + 1]);
+        d = d > 0 ? d : 0;
+        out[k] = a[k] * (d * sqrt(d)) - f0[k];
+    }
+}
+
+static void accelerations(size_t n, const double *f, const double *inverse_mass, double *a)
+{
+    const double *restrict right = f, *restrict left = f - 1, *restrict w = inverse_mass;
+    double *restrict out = a;
+    for (size_t j = 0; j < n; j++)
+        out[j] = (left[j] - right[j]) * w[j];
+}
+
+/* One fused loop for each number of terms: the sum stays in registers. */
+#define TERM(i) s += c##i * t##i[j];
+#define LOAD(i)                                                                                                                    \
+    const double c##i = c[i];                                                                                                      \
+    const double *restrict t##i = t[i];
+#define COMBINE(count, loads, terms)                                                                                               \
+    static void combine_##count(size_t n, double *restrict y, const double *base, double scale, const double *v, const double *c,  \
+                                const double *const *t)                                                                            \
+    {                                                                                                                              \
+        loads for (size_t j = 0; j < n; j++)                                                                                       \
+        {                                                                                                                          \
+            double s = base[j] + scale * v[j];                                                                                     \
+            terms y[j] = s;                                                                                                        \
+        }                                                                                                                          \
+    }
+COMBINE(1, LOAD(0), TERM(0))
+COMBINE(2, LOAD(0) LOAD(1), TERM(0) TERM(1))
+COMBINE(3, LOAD(0) LOAD(1) LOAD(2), TERM(0) TERM(1) TERM(2))
+COMBINE(4, LOAD(0) LOAD(1) LOAD(2) LOAD(3), TERM(0) TERM(1) TERM(2) TERM(3))
+COMBINE(5, LOAD(0) LOAD(1) LOAD(2) LOAD(3) LOAD(4), TERM(0) TERM(1) TERM(2) TERM(3) TERM(4))
+COMBINE(6, LOAD(0) LOAD(1) LOAD(2) LOAD(3) LOAD(4) LOAD(5), TERM(0) TERM(1) TERM(2) TERM(3) TERM(4) TERM(5))
+COMBINE(7, LOAD(0) LOAD(1) LOAD(2) LOAD(3) LOAD(4) LOAD(5) LOAD(6), TERM(0) TERM(1) TERM(2) TERM(3) TERM(4) TERM(5) TERM(6))
+COMBINE(8, LOAD(0) LOAD(1) LOAD(2) LOAD(3) LOAD(4) LOAD(5) LOAD(6) LOAD(7),
+        TERM(0) TERM(1) TERM(2) TERM(3) TERM(4) TERM(5) TERM(6) TERM(7))
+
+typedef void (*combine_function)(size_t, double *restrict, const double *, double, const double *, const double *,
+                                 const double *const *);
+static const combine_function combines[] = {combine_1, combine_2, combine_3, combine_4, combine_5, combine_6, combine_7, combine_8};
+
+static void start(size_t n, double *y, const double *base, double scale, const double *v)
+{
+    if (!v) {
+        for (size_t j = 0; j < n; j++)
+            y[j] = base[j];
+        return;
+    }
+    for (size_t j = 0; j < n; j++)
+        y[j] = base[j] + scale * v[j];
+}
+
+static void add(size_t n, double *restrict y, double c, const double *restrict t)
+{
+    for (size_t j = 0; j < n; j++)
+        y[j] += c * t[j];
+}
+
+static void combine(size_t n, double *y, const double *base, double scale, const double *v, size_t count, const double *coefficient,
+                    const double *const *term)
+{
+    const size_t fused = sizeof combines / sizeof *combines;
+    size_t done = 0;
+    if (v && count > 0) {
+        done = count < fused ? count : fused;
+        combines[done - 1](n, y, base, scale, v, coefficient, term);
+    } else {
+        start(n, y, base, scale, v);
+    }
+    for (; done < count; done++)
+        add(n, y, coefficient[done], term[done]);
+}
+
+static double largest(size_t n, const double *f)
+{
+    double lane[8] = {0};
+    size_t k = 0;
+    for (; k + 8 <= n; k += 8)
+        for (size_t i = 0; i < 8; i++)
+            lane[i] = f[k + i] > lane[i] ? f[k + i] : lane[i];
+    for (; k < n; k++)
+        lane[0] = f[k] > lane[0] ? f[k] : lane[0];
+    double most = 0;
+    for (size_t i = 0; i < 8; i++)
+        most = lane[i] > most ? lane[i] : most;
+    return most;
+}
+
+static bool turns(size_t n, const double *before, const double *after, unsigned char *mark)
+{
+    unsigned any = 0;
+    for (size_t k = 0; k < n; k++) {
+        mark[k] = (before[k] > before[k + 1]) & (after[k] <= after[k + 1]);
+        any |= mark[k];
+    }
+    return any != 0;
+}
+
+const struct bead_kernels KERNELS_TABLE = {KERNELS_NAME, KERNELS_DESCRIPTION, hertz, hertz_static, accelerations, combine, largest,
+                                           turns};

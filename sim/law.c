@@ -1,0 +1,133 @@
+#include "beadreel/law.h"
+
+#include <math.h>
+#include <stddef.h>
+
+/* f = A d^{3/2}; Hertz 1881, thesis Eq. 13. */
+static double hertz_energy(double a, const struct bead_law_spec *spec, double d)
+{
+    (void)spec;
+    return d > 0 ? 0.4 * a * (d * d * sqrt(d)) : 0;
+}
+
+static double hertz_force(double a, const struct bead_law_spec *spec, double d)
+{
+    (void)spec;
+    return d > 0 ? a * (d * sqrt(d)) : 0;
+}
+
+static double hertz_stiffness(double a, const struct bead_law_spec *spec, double d)
+{
+    (void)spec;
+    return d > 0 ? 1.5 * a * sqrt(d) : 0;
+}
+
+static double hertz_compression(double a, const struct bead_law_spec *spec, double f)
+{
+    (void)spec;
+    return f > 0 && a > 0 ? cbrt((f / a) * (f / a)) : 0;
+}
+
+static double hertz_energy_compression(double a, const struct bead_law_spec *spec, double e)
+{
+    (void)spec;
+    return e > 0 && a > 0 ? pow(2.5 * e / a, 0.4) : 0;
+}
+
+/* f = A d^p, d > 0. */
+static double power_energy(double a, const struct bead_law_spec *spec, double d)
+{
+    return d > 0 ? a * pow(d, spec->power + 1) / (spec->power + 1) : 0;
+}
+
+static double power_force(double a, const struct bead_law_spec *spec, double d)
+{
+    return d > 0 ? a * pow(d, spec->power) : 0;
+}
+
+static double power_stiffness(double a, const struct bead_law_spec *spec, double d)
+{
+    return d > 0 ? a * spec->power * pow(d, spec->power - 1) : 0;
+}
+
+static double power_compression(double a, const struct bead_law_spec *spec, double f)
+{
+    return f > 0 && a > 0 ? pow(f / a, 1 / spec->power) : 0;
+}
+
+static double power_energy_compression(double a, const struct bead_law_spec *spec, double e)
+{
+    return e > 0 && a > 0 ? pow((spec->power + 1) * e / a, 1 / (spec->power + 1)) : 0;
+}
+
+/* f = k d (1 - alpha d) for both signs of d: thesis Eq. 5 written for the compression d = x_j - x_{j+1}. */
+static double fpu_energy(double a, const struct bead_law_spec *spec, double d)
+{
+    return a * (d * d) * (0.5 - spec->alpha * d / 3);
+}
+
+static double fpu_force(double a, const struct bead_law_spec *spec, double d)
+{
+    return a * (d * (1 - spec->alpha * d));
+}
+
+static double fpu_stiffness(double a, const struct bead_law_spec *spec, double d)
+{
+    return a * (1 - 2 * spec->alpha * d);
+}
+
+static double fpu_compression(double a, const struct bead_law_spec *spec, double f)
+{
+    if (!(a > 0))
+        return 0;
+    double under = 1 - 4 * spec->alpha * f / a;
+    return under > 0 ? 2 * f / (a * (1 + sqrt(under))) : NAN;
+}
+
+/* The largest |d| that energy e allows while the spring stays near its linear range; doubled for the cubic term. */
+static double fpu_energy_compression(double a, const struct bead_law_spec *spec, double e)
+{
+    (void)spec;
+    return e > 0 && a > 0 ? 2 * sqrt(2 * e / a) : 0;
+}
+
+static const struct bead_law laws[] = {
+    [BEAD_LAW_HERTZ] = {"hertz", "A d^(3/2), Hertz's contact of spheres (thesis Eq. 13)", true, hertz_energy, hertz_force,
+                        hertz_stiffness, hertz_compression, hertz_energy_compression},
+    [BEAD_LAW_POWER] = {"power", "coefficient d^power in every contact, one-sided", true, power_energy, power_force,
+                        power_stiffness, power_compression, power_energy_compression},
+    [BEAD_LAW_FPU_ALPHA] = {"fpu-alpha", "k d (1 - alpha d), two-sided (Fermi, Pasta, Ulam, Tsingou 1955; thesis Eq. 5)", false,
+                            fpu_energy, fpu_force, fpu_stiffness, fpu_compression, fpu_energy_compression},
+    [BEAD_LAW_THESIS_APPENDIX] =
+        {"thesis-appendix", "Hertz with A as printed in Appendix 4, 4 sqrt(R1 R2)/(R1+R2): too stiff by 10.25 for 4.76 mm beads",
+         true, hertz_energy, hertz_force, hertz_stiffness, hertz_compression, hertz_energy_compression},
+};
+
+const struct bead_law *bead_law_find(enum bead_law_kind kind)
+{
+    return &laws[kind];
+}
+
+const struct bead_law *bead_law_info(size_t index)
+{
+    return index < sizeof laws / sizeof *laws ? &laws[index] : NULL;
+}
+
+/* Elastic part of A: 4 E1 E2 / (3 [E2 (1 - nu1^2) + E1 (1 - nu2^2)]). */
+static double elastic(const struct bead_material *a, const struct bead_material *b)
+{
+    double flat_a = 1 - a->poisson * a->poisson, flat_b = 1 - b->poisson * b->poisson;
+    return 4 * a->modulus * b->modulus / (3 * (b->modulus * flat_a + a->modulus * flat_b));
+}
+
+double bead_hertz_spheres(const struct bead_material *a, const struct bead_material *b)
+{
+    return elastic(a, b) * sqrt(a->radius * b->radius / (a->radius + b->radius));
+}
+
+double bead_hertz_wall(const struct bead_material *bead, const struct bead_material *wall)
+{
+    if (wall)
+        return elastic(bead, wall) * sqrt(bead->radius);
+    return 4 * bead->modulus / (3 * (1 - bead->poisson * bead->poisson)) * sqrt(bead->radius);
+}

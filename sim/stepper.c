@@ -1,0 +1,178 @@
+#include "sim/stepper.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <xmmintrin.h>
+
+#include "sim/events.h"
+#include "sim/tableau.h"
+
+/* Elements before and behind each array: f[-1], u[n], and whole vectors for the aligned ends. */
+enum { MARGIN = 8, ALIGN = 64 };
+
+static size_t padded(size_t beads)
+{
+    return (beads + 2 * MARGIN + 7) / 8 * 8;
+}
+
+static size_t stage_count(const struct bead_method *method)
+{
+    return method->tableau ? method->tableau->stages : 1;
+}
+
+/* All arrays from one block. */
+static double *take(double **at, size_t beads)
+{
+    double *array = *at + MARGIN;
+    *at += padded(beads);
+    return array;
+}
+
+static enum bead_error allocate(struct bead_stepper *s, struct bead_message *msg)
+{
+    size_t stages = stage_count(s->method), arrays = 2 * 4 + 2 * stages + 4;
+    size_t bytes;
+    if (__builtin_mul_overflow(padded(s->beads) * sizeof(double), arrays, &bytes) ||
+        !(s->memory = aligned_alloc(ALIGN, (bytes + ALIGN - 1) / ALIGN * ALIGN)))
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the state of %zu beads", s->beads);
+    memset(s->memory, 0, bytes);
+    double *at = s->memory;
+    struct bead_state *state[2] = {&s->start, &s->end};
+    for (int i = 0; i < 2; i++) {
+        state[i]->u = take(&at, s->beads);
+        state[i]->v = take(&at, s->beads);
+        state[i]->a = take(&at, s->beads);
+        state[i]->f = take(&at, s->beads);
+        state[i]->f[-1] = s->chain->striker_force;
+    }
+    for (size_t i = 0; i < stages; i++) {
+        s->stage_a[i] = take(&at, s->beads);
+        s->stage_f[i] = take(&at, s->beads);
+        s->stage_f[i][-1] = s->chain->striker_force;
+    }
+    s->y = take(&at, s->beads);
+    for (int i = 0; i < 3; i++)
+        s->w[i] = take(&at, s->beads);
+    return BEAD_OK;
+}
+
+static bool has_static(const struct bead_chain *chain)
+{
+    for (size_t k = 0; k < chain->contacts; k++) {
+        if (chain->static_force[k] != 0)
+            return true;
+    }
+    return false;
+}
+
+static bead_force_kernel choose_force(const struct bead_chain *chain, const struct bead_kernels *kernels)
+{
+    enum bead_law_kind law = chain->spec->law.kind;
+    if (chain->spec->damping_coefficient > 0)
+        return bead_force_damped;
+    if (law != BEAD_LAW_HERTZ && law != BEAD_LAW_THESIS_APPENDIX)
+        return bead_force_general;
+    return has_static(chain) ? kernels->hertz_static : kernels->hertz;
+}
+
+/* Beads that one step may move: those that move now, and one more for each evaluation of the force. */
+static void open_window(struct bead_stepper *s, const struct bead_state *from)
+{
+    size_t reach = (size_t)s->method->info.evaluations + 2, last = s->active;
+    /* The old window opened further than the wave went. */
+    while (last > 1 && from->u[last - 1] == 0 && from->v[last - 1] == 0)
+        last--;
+    last = s->full ? s->beads : last + reach;
+    size_t active = last < s->beads ? last : s->beads;
+    if (active > s->active)
+        s->active = active;
+}
+
+enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct bead_method *method,
+                                    const struct bead_kernels *kernels, bool full, struct bead_stepper **stepper,
+                                    struct bead_message *msg)
+{
+    *stepper = NULL;
+    struct bead_stepper *s = calloc(1, sizeof *s);
+    if (!s)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a stepper");
+    s->chain = chain;
+    s->method = method;
+    s->kernels = kernels;
+    s->beads = chain->beads;
+    s->full = full;
+    s->force = choose_force(chain, kernels);
+    s->table = (struct bead_contact_table){chain->stiffness,  chain->static_compression,        chain->static_force,
+                                           &chain->spec->law, chain->spec->damping_coefficient, chain->spec->damping_exponent};
+    enum bead_error err = allocate(s, msg);
+    if (!err && method->events)
+        err = bead_events_create(s, &s->events, msg);
+    if (err) {
+        bead_stepper_destroy(s);
+        return err;
+    }
+    s->end.v[0] = chain->spec->striker_velocity;
+    s->active = 1;
+    open_window(s, &s->end);
+    bead_stepper_evaluate(s, s->end.u, s->end.v, s->end.f, s->end.a);
+    *stepper = s;
+    return BEAD_OK;
+}
+
+void bead_stepper_destroy(struct bead_stepper *stepper)
+{
+    if (!stepper)
+        return;
+    bead_events_destroy(stepper->events);
+    free(stepper->memory);
+    free(stepper);
+}
+
+void bead_stepper_evaluate(struct bead_stepper *s, const double *u, const double *v, double *f, double *a)
+{
+    s->force(s->active, &s->table, u, v, f);
+    s->kernels->accelerations(s->active, f, s->chain->inverse_mass, a);
+    s->evaluations += s->active;
+}
+
+void bead_stepper_advance(struct bead_stepper *s, double t1)
+{
+    struct bead_state end = s->start;
+    s->start = s->end;
+    s->end = end;
+    s->t0 = s->t1;
+    s->t1 = t1;
+    open_window(s, &s->start);
+    /* Ahead of the front displacements fall doubly exponentially: below 1e-308 they are nothing, not slow
+     * subnormal numbers. The flags are the caller's again afterwards. */
+    unsigned flags = _mm_getcsr();
+    _mm_setcsr(flags | 0x8040);
+    s->method->step(s, s->t1 - s->t0);
+    if (s->events)
+        bead_events_correct(s->events, s);
+    _mm_setcsr(flags);
+    s->steps++;
+}
+
+double bead_stepper_energy(const struct bead_stepper *s, const struct bead_state *state)
+{
+    const struct bead_chain *c = s->chain;
+    double energy = -c->striker_force * state->u[0];
+    for (size_t j = 0; j < s->active; j++) {
+        double d0 = c->static_compression[j], d = d0 + (state->u[j] - state->u[j + 1]);
+        energy += 0.5 * c->mass[j] * (state->v[j] * state->v[j]);
+        if (c->stiffness[j] > 0)
+            energy += c->law->energy(c->stiffness[j], &c->spec->law, d) - c->law->energy(c->stiffness[j], &c->spec->law, d0) -
+                      c->static_force[j] * (d - d0);
+    }
+    return energy;
+}
+
+double bead_stepper_momentum(const struct bead_stepper *s, const struct bead_state *state)
+{
+    double momentum = 0;
+    for (size_t j = 0; j < s->active; j++)
+        momentum += s->chain->mass[j] * state->v[j];
+    return momentum;
+}
