@@ -1,0 +1,63 @@
+/* beadreel: does everything a scene asks for, pictures and movies included; draws existing trajectories. */
+#include "beadreel/colormap.h"
+#include "beadreel/movie.h"
+#include "beadreel/render.h"
+#include "beadreel/view.h"
+#include "sim/command_line.h"
+
+static enum bead_error list_colormaps(FILE *out, struct bead_message *msg)
+{
+    (void)msg;
+    for (const struct bead_colormap_info *map = bead_colormap_list(); map->name; map++)
+        fprintf(out, "%-14s  %s\n", map->name, map->description);
+    return BEAD_OK;
+}
+
+static enum bead_error list_codecs(FILE *out, struct bead_message *msg)
+{
+    (void)msg;
+    for (const struct bead_codec_info *codec = bead_movie_codecs(); codec->extension; codec++)
+        fprintf(out, "%-14s  %s\n", codec->extension, codec->description);
+    return BEAD_OK;
+}
+
+static enum bead_error list_views(FILE *out, struct bead_message *msg)
+{
+    (void)msg;
+    for (int kind = 0; kind < BEAD_VIEW_KINDS; kind++) {
+        const struct bead_view_type *view = bead_view_find((enum bead_view_kind)kind);
+        if (view)
+            fprintf(out, "%-14s  %s\n", view->name, view->help);
+    }
+    return BEAD_OK;
+}
+
+static const struct command_list lists[] = {
+    {"scenes", command_list_scenes},
+    {"materials", command_list_materials},
+    {"methods", command_list_methods},
+    {"laws", command_list_laws},
+    {"colormaps", list_colormaps},
+    {"codecs", list_codecs},
+    {"views", list_views},
+    {NULL, NULL},
+};
+
+int main(int argc, char **argv)
+{
+    const struct bead_sink_type *const *const sinks[] = {bead_data_sinks(), bead_render_sinks(), NULL};
+    const struct command_program program = {
+        .name = "beadreel",
+        .purpose = "strikes chains of beads and makes pictures and movies of the waves in them",
+        .usage = "Usage:\n"
+                 "  beadreel [OPTION]... SCENE.yaml           make everything the scene asks for\n"
+                 "  beadreel [OPTION]... RUN.h5 -o out.png    draw an existing trajectory (png, pdf, svg, mp4, ...)\n"
+                 "A name without a path is a ready scene (--list scenes).\n",
+        .examples = "Examples:\n"
+                    "  beadreel clean-vs-delocalised -o demo\n"
+                    "  beadreel scene.yaml --only beads.mp4 --set outputs.0.size='[640, 360]'\n",
+        .lists = lists,
+        .sinks = sinks,
+    };
+    return command_main(&program, argc, argv);
+}

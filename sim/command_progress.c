@@ -1,0 +1,166 @@
+/* Progress on stderr, names that are nearly right, numbers with units. */
+#include "sim/command_line.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#define REDRAW    0.1 /* s between redraws of a terminal's line */
+#define SAY_EVERY 3   /* s between plain lines */
+
+double command_clock(void)
+{
+    struct timespec now;
+    if (clock_gettime(CLOCK_MONOTONIC, &now))
+        return 0;
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+void command_meter_init(struct command_meter *meter, enum command_progress mode)
+{
+    *meter = (struct command_meter){.mode = mode};
+    const char *terminal = getenv("TERM");
+    if (mode == COMMAND_PROGRESS_AUTO && (!isatty(STDERR_FILENO) || (terminal && strcmp(terminal, "dumb") == 0)))
+        meter->mode = COMMAND_PROGRESS_NONE;
+}
+
+/* "3 s", "2:05" into text. */
+static const char *duration(double seconds, char *text, size_t size)
+{
+    if (!(seconds < 360000))
+        snprintf(text, size, "?");
+    else if (seconds < 99.5)
+        snprintf(text, size, "%.0f s", seconds);
+    else
+        snprintf(text, size, "%d:%02d", (int)seconds / 60, (int)seconds % 60);
+    return text;
+}
+
+static void draw_bar(struct command_meter *meter, double done, double left)
+{
+    enum { WIDTH = 24 };
+    char bar[WIDTH + 1], time[32];
+    for (int i = 0; i < WIDTH; i++)
+        bar[i] = i < (int)(done * WIDTH + 0.5) ? '#' : '.';
+    bar[WIDTH] = 0;
+    fprintf(stderr, "\r\033[K[%s] %3.0f %%  %.40s", bar, 100 * done, meter->what);
+    if (left >= 0)
+        fprintf(stderr, ", %s left", duration(left, time, sizeof time));
+    fflush(stderr);
+    meter->drawn = true;
+}
+
+static void write_plain(const struct command_meter *meter, double done, double left)
+{
+    char time[32];
+    if (left >= 0)
+        fprintf(stderr, "%s: %.0f %%, %s left\n", meter->what, 100 * done, duration(left, time, sizeof time));
+    else
+        fprintf(stderr, "%s: %.0f %%\n", meter->what, 100 * done);
+}
+
+static void write_json(const struct command_meter *meter, double done, double left, double elapsed, double time)
+{
+    fputs("{\"what\": \"", stderr);
+    for (const unsigned char *c = (const unsigned char *)meter->what; *c; c++)
+        if (*c == '"' || *c == '\\' || *c < ' ')
+            fprintf(stderr, "\\u%04x", *c);
+        else
+            fputc(*c, stderr);
+    fprintf(stderr, "\", \"done\": %.4f, \"elapsed_s\": %.3f", done, elapsed);
+    if (left >= 0)
+        fprintf(stderr, ", \"left_s\": %.3f", left);
+    if (isfinite(time))
+        fprintf(stderr, ", \"time_s\": %.9g", time);
+    fputs("}\n", stderr);
+}
+
+void command_meter_tell(void *context, const struct bead_progress *progress)
+{
+    struct command_meter *meter = context;
+    if (meter->mode == COMMAND_PROGRESS_NONE)
+        return;
+    double now = command_clock();
+    bool fresh = strncmp(meter->what, progress->what, sizeof meter->what - 1) != 0;
+    if (fresh) {
+        snprintf(meter->what, sizeof meter->what, "%s", progress->what);
+        meter->began = now;
+        if (meter->mode == COMMAND_PROGRESS_PLAIN)
+            meter->said = now; /* what takes no time needs no line */
+    }
+    bool wait = now - meter->said < (meter->mode == COMMAND_PROGRESS_PLAIN ? SAY_EVERY : REDRAW);
+    if (wait && !(fresh && meter->mode == COMMAND_PROGRESS_JSON))
+        return;
+    meter->said = now;
+    double done = progress->done >= 0 ? fmin(progress->done, 1) : 0, elapsed = now - meter->began;
+    double left = elapsed > 0.5 && done > 0.005 ? elapsed * (1 - done) / done : -1;
+    if (meter->mode == COMMAND_PROGRESS_JSON)
+        write_json(meter, done, left, elapsed, progress->time);
+    else if (meter->mode == COMMAND_PROGRESS_PLAIN)
+        write_plain(meter, done, left);
+    else
+        draw_bar(meter, done, left);
+}
+
+void command_meter_clear(struct command_meter *meter)
+{
+    if (meter->drawn)
+        fputs("\r\033[K", stderr);
+    meter->drawn = false;
+}
+
+/* Levenshtein's distance, swaps of neighbours counted once; words longer than the table are far from everything. */
+static size_t distance(const char *a, const char *b)
+{
+    enum { LONGEST = 32 };
+    size_t n = strlen(a), m = strlen(b), d[LONGEST + 1][LONGEST + 1];
+    if (n > LONGEST || m > LONGEST)
+        return LONGEST;
+    for (size_t i = 0; i <= n; i++)
+        d[i][0] = i;
+    for (size_t j = 0; j <= m; j++)
+        d[0][j] = j;
+    for (size_t i = 1; i <= n; i++)
+        for (size_t j = 1; j <= m; j++) {
+            size_t best = d[i - 1][j - 1] + (a[i - 1] != b[j - 1]);
+            if (d[i - 1][j] + 1 < best)
+                best = d[i - 1][j] + 1;
+            if (d[i][j - 1] + 1 < best)
+                best = d[i][j - 1] + 1;
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] && d[i - 2][j - 2] + 1 < best)
+                best = d[i - 2][j - 2] + 1;
+            d[i][j] = best;
+        }
+    return d[n][m];
+}
+
+const char *command_nearest(const char *word, const char *const *names, size_t count)
+{
+    const char *nearest = NULL;
+    size_t best = strlen(word) / 3 + 1; /* a third of the letters may be wrong */
+    for (size_t i = 0; i < count; i++) {
+        size_t d = distance(word, names[i]);
+        if (d <= best && d < strlen(names[i])) {
+            best = d - (d > 0);
+            nearest = names[i];
+        }
+    }
+    return nearest;
+}
+
+const char *command_quantity(double value, const char *unit, char *text, size_t size)
+{
+    static const char *const prefixes[] = {"f", "p", "n", "µ", "m", "", "k", "M", "G", "T"};
+    double scale = value;
+    int prefix = 5;
+    if (isfinite(value) && value != 0) {
+        while (fabs(scale) >= 999.95 && prefix < 9)
+            scale /= 1000, prefix++;
+        while (fabs(scale) < 0.99995 && prefix > 0)
+            scale *= 1000, prefix--;
+    }
+    snprintf(text, size, "%.4g%s%s%s", scale, *unit || prefix != 5 ? " " : "", prefixes[prefix], unit);
+    return text;
+}

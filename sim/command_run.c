@@ -1,0 +1,104 @@
+/* Running and planning: a session with progress on stderr and results on stdout. */
+#include "sim/command_line.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+#include "beadreel/chain.h"
+
+static void fill_job(const struct command *command, const volatile sig_atomic_t *stop, struct bead_job *job)
+{
+    bead_job_default(job);
+    job->input = command->input;
+    job->settings = command->settings;
+    job->setting_count = command->setting_count;
+    job->output = command->output;
+    job->only = command->only;
+    job->only_count = command->only_count;
+    job->threads = command->threads;
+    job->instructions = command->instructions;
+    job->sinks = command->program->sinks;
+    job->stop = stop;
+}
+
+enum bead_error command_plan(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg)
+{
+    struct bead_job job;
+    struct bead_session *session;
+    fill_job(command, stop, &job);
+    enum bead_error err = bead_session_open(&job, &session, msg);
+    if (err)
+        return err;
+    err = bead_session_plan(session, stdout, msg);
+    bead_session_close(session);
+    return err;
+}
+
+/* One line a file: name and size, in columns. */
+static void print_results(const struct bead_result *results, size_t count)
+{
+    char size[32];
+    int width = 0;
+    for (size_t i = 0; i < count; i++)
+        if ((int)strlen(results[i].path) > width && strlen(results[i].path) < 80)
+            width = (int)strlen(results[i].path);
+    for (size_t i = 0; i < count; i++)
+        printf("%-*s  %8s\n", width, results[i].path, command_quantity((double)results[i].bytes, "B", size, sizeof size));
+}
+
+/* "2 files, 1.8 MB, in 2.1 s: 2 chains to 1.05 ms with rkn8, step 0.36 us" */
+static void print_summary(const struct bead_session *session, size_t files, uint64_t bytes, double seconds)
+{
+    char size[32], time[32], step[32];
+    size_t chains = 0;
+    const struct bead_outcome *outcomes = bead_session_outcomes(session, &chains);
+    printf("%zu file%s, %s, in %.2f s", files, files == 1 ? "" : "s", command_quantity((double)bytes, "B", size, sizeof size),
+           seconds);
+    if (outcomes && chains > 0) {
+        double end = outcomes[0].end;
+        for (size_t i = 1; i < chains; i++)
+            end = fmax(end, outcomes[i].end);
+        printf(": %zu chain%s to %s", chains, chains == 1 ? "" : "s", command_quantity(end, "s", time, sizeof time));
+        if (outcomes[0].method)
+            printf(" with %s, step %s", outcomes[0].method, command_quantity(outcomes[0].step, "s", step, sizeof step));
+    }
+    putchar('\n');
+}
+
+static enum bead_error play(struct bead_session *session, struct command_meter *meter, double began, struct bead_message *msg)
+{
+    enum bead_error err = bead_session_run(session, msg);
+    command_meter_clear(meter);
+    if (err && err != BEAD_ERROR_STOPPED)
+        return err;
+    const struct bead_result *results = NULL;
+    size_t count = bead_session_results(session, &results);
+    uint64_t bytes = 0;
+    for (size_t i = 0; i < count; i++)
+        bytes += results[i].bytes;
+    print_results(results, count);
+    if (!err)
+        print_summary(session, count, bytes, command_clock() - began);
+    return err;
+}
+
+enum bead_error command_run(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg)
+{
+    struct command_meter meter;
+    struct bead_job job;
+    struct bead_session *session;
+    double began = command_clock();
+    command_meter_init(&meter, command->progress);
+    fill_job(command, stop, &job);
+    job.progress = command_meter_tell;
+    job.progress_context = &meter;
+    enum bead_error err = bead_session_open(&job, &session, msg);
+    command_meter_clear(&meter);
+    if (err)
+        return err;
+    err = play(session, &meter, began, msg);
+    bead_session_close(session);
+    return err;
+}
