@@ -1,72 +1,216 @@
 # Beadreel: `make help` lists what there is.
 PREFIX  ?= /usr/local
+LIBDIR  ?= $(PREFIX)/lib
 DESTDIR ?=
 BUILD   ?= build
+DEMO    ?= demo
 CC      ?= cc
 CFLAGS  ?= -O2 -g
 WERROR  ?= -Werror
+VERSION := $(shell sed -n 's/^\#define BEADREEL_VERSION "\(.*\)"/\1/p' include/beadreel/api.h)
+SOVERSION = 0
+STRICT_LINK ?= -Wl,-z,defs
+
+.DEFAULT_GOAL = all
+# All cores, unless a number of jobs is given.
+ifeq ($(MAKELEVEL)$(filter -j%,$(MAKEFLAGS)),0)
+MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
+endif
+
+# Debian 12 packages: to build, to build and run the tests, and what .ci/run uses beyond those.
+BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libosmesa6-dev libpng-dev \
+             libavformat-dev libavcodec-dev libswscale-dev libavutil-dev libcairo2-dev libpango1.0-dev fonts-stix fonts-lato
+TEST_DEPS  = libcmocka-dev binutils hdf5-tools
+CI_DEPS    = clang-format cppcheck ffmpeg poppler-utils man-db
 
 SIM_PACKAGES    = hdf5 yaml-0.1 udunits
 RENDER_PACKAGES = osmesa libpng libavformat libavcodec libswscale libavutil cairo pangocairo
-pkg-cflags      = $(shell pkg-config --cflags $(1) 2>/dev/null)
-pkg-libs        = $(shell pkg-config --libs $(1) 2>/dev/null)
 
-# Same bits on every machine: no contraction, no fast-math; see CONTRIBUTING in the README.
+# Asked once, when a recipe first needs it: after `deps` has run in `make deps all`.
+once              = $(eval $(1) := $(2))$($(1))
+sim_cflags        = $(call once,sim_cflags,$(shell pkg-config --cflags $(SIM_PACKAGES)))
+sim_libs          = $(call once,sim_libs,$(shell pkg-config --libs $(SIM_PACKAGES)) -lhdf5_hl -lm -pthread)
+render_cflags     = $(call once,render_cflags,$(shell pkg-config --cflags $(RENDER_PACKAGES)))
+render_libs       = $(call once,render_libs,$(shell pkg-config --libs $(RENDER_PACKAGES)) -ldl)
+test_libs         = $(call once,test_libs,$(shell pkg-config --libs cmocka))
+
+# Same bits on every machine: no contraction, no fast-math.
 WARN  = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla -Wpointer-arith -Wwrite-strings $(WERROR)
 MODE  = -std=c17 -D_GNU_SOURCE -fPIC -fvisibility=hidden -ffp-contract=off -fno-math-errno -fno-trapping-math -pthread
-FLAGS = $(MODE) $(WARN) -Iinclude -I. -DBEAD_DATADIR='"$(PREFIX)/share/beadreel"' $(CPPFLAGS) $(CFLAGS) -MMD -MP
-
-sim_cflags    := $(call pkg-cflags,$(SIM_PACKAGES))
-sim_libs      := $(call pkg-libs,$(SIM_PACKAGES)) -lm -pthread
-render_cflags := $(call pkg-cflags,$(RENDER_PACKAGES))
-render_libs   := $(call pkg-libs,$(RENDER_PACKAGES)) -ldl
+FLAGS = $(MODE) $(WARN) -Iinclude -I. $(CPPFLAGS) $(CFLAGS) -MMD -MP
 
 # The two mains and what they share (command line) stay out of the libraries.
-SIM_SOURCES    = $(filter-out sim/beadsim.c sim/command_line.c, $(wildcard sim/*.c))
-RENDER_SOURCES = $(filter-out render/beadreel.c, $(wildcard render/*.c))
-SIM_OBJECTS    = $(SIM_SOURCES:%.c=$(BUILD)/%.o)
-RENDER_OBJECTS = $(RENDER_SOURCES:%.c=$(BUILD)/%.o)
-LIBRARIES      = $(BUILD)/libbeadsim.a $(BUILD)/libbeadreel.a $(BUILD)/libbeadsim.so $(BUILD)/libbeadreel.so
-PROGRAMS       = $(BUILD)/beadsim $(BUILD)/beadreel
+COMMAND_SOURCES = $(wildcard sim/command_*.c)
+SIM_SOURCES     = $(filter-out sim/beadsim.c $(COMMAND_SOURCES),$(wildcard sim/*.c))
+RENDER_SOURCES  = $(filter-out render/beadreel.c,$(wildcard render/*.c))
+COMMAND_OBJECTS = $(COMMAND_SOURCES:%.c=$(BUILD)/%.o)
+SIM_OBJECTS     = $(SIM_SOURCES:%.c=$(BUILD)/%.o)
+RENDER_OBJECTS  = $(RENDER_SOURCES:%.c=$(BUILD)/%.o)
+LIBRARIES       = $(BUILD)/libbeadsim.a $(BUILD)/libbeadreel.a $(BUILD)/libbeadsim.so $(BUILD)/libbeadreel.so
+PROGRAMS        = $(BUILD)/beadsim $(BUILD)/beadreel
 
-all: $(PROGRAMS) $(LIBRARIES)
+# Unit tests: every tests/test_*.c is one cmocka program; other C files there are linked into all of them.
+TESTS        = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/test_*.c))
+TEST_SUPPORT = $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(filter-out tests/test_%.c,$(wildcard tests/*.c)))
+EXAMPLES     = $(patsubst tests/examples/%.c,$(BUILD)/tests/examples/%,$(wildcard tests/examples/*.c))
+BENCHES      = $(patsubst tests/bench/%.c,$(BUILD)/tests/bench/%,$(wildcard tests/bench/*.c))
+STATIC       = $(BUILD)/libbeadreel.a $(BUILD)/libbeadsim.a
+FORMATTED    = $(wildcard include/beadreel/*.h sim/*.[ch] render/*.[ch] tests/*.[ch] tests/*/*.[ch])
 
-$(BUILD)/sim/%.o: sim/%.c
+# `make V=1` shows the commands.
+say = @$(if $(V),,printf '  %-5s %s\n' $(1) $(2);)
+run = $(if $(V),set -x;)
+
+all: $(PROGRAMS) $(LIBRARIES) ## both programs and both libraries, optimised (the default)
+
+help: ## this list
+	@echo "Targets (variables: PREFIX, DESTDIR, BUILD, CC, CFLAGS; V=1 shows the commands):"
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1|\2/p' $(firstword $(MAKEFILE_LIST)) | awk -F'|' '{printf "%-12s %s\n", $$1, $$2}'
+
+# Install what is missing of the Debian packages $(1): as root, with sudo, or say what to run.
+define install_packages
+	@missing=; for p in $(1); do \
+	    case "$$(dpkg-query -W -f='$${Status}' "$$p" 2>/dev/null)" in *" ok installed") ;; *) missing="$$missing $$p";; esac; \
+	done; \
+	if [ -z "$$missing" ]; then echo "All packages are there."; exit 0; fi; \
+	if [ "$$(id -u)" = 0 ]; then as=; elif command -v sudo >/dev/null; then as=sudo; else as=none; fi; \
+	if [ "$$as" != none ] && command -v apt-get >/dev/null; then \
+	    apt="$$as env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300"; \
+	    echo "Installing:$$missing"; \
+	    $$apt update -q && $$apt install -q -y --no-install-recommends $$missing && exit 0; \
+	fi; \
+	echo >&2 "Packages are missing. As root, run:"; \
+	echo >&2 "  apt-get update && apt-get install --no-install-recommends$$missing"; \
+	exit 1
+endef
+
+deps: ## install the Debian packages needed to build, run and test (only what is missing)
+	$(call install_packages,$(BUILD_DEPS) $(TEST_DEPS))
+deps-ci: ## the same for lint and .ci/run
+	$(call install_packages,$(CI_DEPS))
+
+# Where `deps` is asked for, everything waits for it; the first thing built checks that what it needs is there.
+WAIT = $(filter deps deps-ci,$(MAKECMDGOALS))
+$(BUILD)/.ready: | $(WAIT)
 	@mkdir -p $(@D)
-	$(CC) $(FLAGS) $(sim_cflags) $(extra_$*) -c $< -o $@
-$(BUILD)/render/%.o: render/%.c
+	@pkg-config --version >/dev/null 2>&1 || { echo >&2 "pkg-config is missing: run 'make deps' first."; exit 1; }
+	@missing=; for p in $(SIM_PACKAGES) $(RENDER_PACKAGES); do pkg-config --exists $$p || missing="$$missing $$p"; done; \
+	echo '#include <Random123/philox.h>' | $(CC) -E - >/dev/null 2>&1 || missing="$$missing Random123"; \
+	[ -z "$$missing" ] || { echo >&2 "Libraries are missing:$$missing. Run 'make deps' first."; exit 1; }
+	@touch $@
+
+$(BUILD)/sim/%.o: sim/%.c $(BUILD)/.ready | $(WAIT)
 	@mkdir -p $(@D)
-	$(CC) $(FLAGS) $(sim_cflags) $(render_cflags) -c $< -o $@
+	$(call say,CC,$<) $(run) $(CC) $(FLAGS) $(sim_cflags) $(extra_$*) -c $< -o $@
+$(BUILD)/render/%.o: render/%.c $(BUILD)/.ready | $(WAIT)
+	@mkdir -p $(@D)
+	$(call say,CC,$<) $(run) $(CC) $(FLAGS) $(sim_cflags) $(render_cflags) -c $< -o $@
 
 # One source of the force kernels, compiled for each instruction set and chosen at run time.
 extra_kernels_sse2   = -O3 -msse2
 extra_kernels_avx2   = -O3 -mavx2
 extra_kernels_avx512 = -O3 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512
 
-$(BUILD)/libbeadsim.a: $(SIM_OBJECTS)
-	rm -f $@ && ar rcs $@ $^
-$(BUILD)/libbeadreel.a: $(RENDER_OBJECTS)
-	rm -f $@ && ar rcs $@ $^
-$(BUILD)/libbeadsim.so: $(SIM_OBJECTS)
-	$(CC) -shared -Wl,-soname,libbeadsim.so $(CFLAGS) -o $@ $^ $(sim_libs)
-$(BUILD)/libbeadreel.so: $(RENDER_OBJECTS) $(BUILD)/libbeadsim.so
-	$(CC) -shared -Wl,-soname,libbeadreel.so $(CFLAGS) -o $@ $(RENDER_OBJECTS) -L$(BUILD) -lbeadsim $(render_libs) $(sim_libs)
-$(BUILD)/beadsim: $(BUILD)/sim/beadsim.o $(BUILD)/sim/command_line.o $(BUILD)/libbeadsim.a
-	$(CC) $(CFLAGS) -o $@ $^ $(sim_libs)
-$(BUILD)/beadreel: $(BUILD)/render/beadreel.o $(BUILD)/sim/command_line.o $(BUILD)/libbeadreel.a $(BUILD)/libbeadsim.a
-	$(CC) $(CFLAGS) -o $@ $^ $(render_libs) $(sim_libs)
-
-# Unit tests: every tests/test_*.c is one cmocka program.
-TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/test_*.c))
-$(BUILD)/tests/%: tests/%.c $(BUILD)/libbeadreel.a $(BUILD)/libbeadsim.a
+# The only place that knows where things get installed; compiled again when that changes.
+extra_assets = -DBEAD_DATADIR='"$(PREFIX)/share/beadreel"'
+$(BUILD)/sim/assets.o: $(BUILD)/.prefix
+$(BUILD)/.prefix: always
 	@mkdir -p $(@D)
-	$(CC) $(FLAGS) -Itests $(sim_cflags) $(render_cflags) -o $@ $< $(BUILD)/libbeadreel.a $(BUILD)/libbeadsim.a $(render_libs) $(sim_libs) $(call pkg-libs,cmocka)
+	@echo '$(PREFIX)' | cmp -s - $@ || echo '$(PREFIX)' > $@
 
-test: all $(TESTS)
-	tests/run.sh $(BUILD)
+$(BUILD)/libbeadsim.a: $(SIM_OBJECTS)
+	$(call say,AR,$@) rm -f $@ && ar rcs $@ $^
+$(BUILD)/libbeadreel.a: $(RENDER_OBJECTS)
+	$(call say,AR,$@) rm -f $@ && ar rcs $@ $^
+$(BUILD)/libbeadsim.so: $(SIM_OBJECTS)
+	$(call say,LD,$@) $(run) $(CC) -shared -Wl,-soname,$(@F).$(SOVERSION) $(STRICT_LINK) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(sim_libs)
+	@ln -sf $(@F) $@.$(SOVERSION)
+$(BUILD)/libbeadreel.so: $(RENDER_OBJECTS) $(BUILD)/libbeadsim.so
+	$(call say,LD,$@) $(run) $(CC) -shared -Wl,-soname,$(@F).$(SOVERSION) $(STRICT_LINK) $(CFLAGS) $(LDFLAGS) -o $@ $(RENDER_OBJECTS) \
+	    -L$(BUILD) -lbeadsim $(render_libs) $(sim_libs)
+	@ln -sf $(@F) $@.$(SOVERSION)
+$(BUILD)/beadsim: $(BUILD)/sim/beadsim.o $(COMMAND_OBJECTS) $(BUILD)/libbeadsim.a
+	$(call say,LD,$@) $(run) $(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(sim_libs)
+$(BUILD)/beadreel: $(BUILD)/render/beadreel.o $(COMMAND_OBJECTS) $(BUILD)/libbeadreel.a $(BUILD)/libbeadsim.a
+	$(call say,LD,$@) $(run) $(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(render_libs) $(sim_libs)
 
-clean:
-	rm -rf $(BUILD)
+demo: $(BUILD)/beadreel ## a clean beside a delocalised wave: movie, pictures, data into demo/
+	BEADREEL_ASSETS=assets $(BUILD)/beadreel clean-vs-delocalised -o $(DEMO)
 
-.PHONY: all test clean
+compile_test = $(CC) $(FLAGS) -Itests $(sim_cflags) $(render_cflags)
+$(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT)
+	@mkdir -p $(@D)
+	$(call say,CC,$<) $(run) $(compile_test) -c $< -o $@
+$(TESTS): $(BUILD)/tests/%: tests/%.c $(TEST_SUPPORT) $(STATIC) | $(WAIT)
+	@mkdir -p $(@D)
+	$(call say,TEST,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(TEST_SUPPORT) $(STATIC) $(render_libs) $(sim_libs) $(test_libs)
+# As a user's program: public headers and shared libraries only.
+$(EXAMPLES): $(BUILD)/tests/examples/%: tests/examples/%.c $(LIBRARIES)
+	@mkdir -p $(@D)
+	$(call say,TEST,$<) $(run) $(CC) -std=c17 $(WARN) -Iinclude $(CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< -L$(BUILD) -lbeadsim \
+	    -Wl,-rpath,$(abspath $(BUILD))
+$(BENCHES): $(BUILD)/tests/bench/%: tests/bench/%.c $(STATIC)
+	@mkdir -p $(@D)
+	$(call say,BENCH,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(STATIC) $(render_libs) $(sim_libs)
+
+test: all $(TESTS) $(EXAMPLES) ## unit tests and tests of the programs; ends with `N passed, M failed`
+	@tests/run.sh $(BUILD)
+
+asan: ## the tests under address and undefined-behaviour sanitizers
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)-asan STRICT_LINK= \
+	    CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all" test
+
+bench: all $(BENCHES) ## measure: every program and script of tests/bench
+	@set -e; for b in $(sort $(BENCHES) $(wildcard tests/bench/*.sh)); do echo "== $$b"; BEADREEL_ASSETS=assets $$b $(BUILD); done
+
+lint: ## formatting, static analysis
+	clang-format --dry-run -Werror $(FORMATTED)
+	cppcheck --quiet --std=c11 --language=c --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
+	    --suppressions-list=tests/cppcheck.txt -j $$(nproc) -Iinclude -I. -D__linux__ -D__x86_64__ -DBEAD_DATADIR='""' sim render tests
+	@for s in .ci/run tests/*.sh tests/*/*.sh; do [ ! -e $$s ] || bash -n $$s || exit 1; done
+
+man: $(BUILD)/beadreel ## write the options into the man page again
+	@tests/man_options.sh $(BUILD)/beadreel assets/beadreel.1
+
+ASSETS = $(shell cd assets && find . -type f ! -name '*.png' ! -name '*.1' ! -path './completions/*' | sed 's,^\./,,')
+SHARE  = $(DESTDIR)$(PREFIX)/share
+
+install: all ## install to PREFIX (default /usr/local), below DESTDIR
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(PREFIX)/include/beadreel
+	install -d $(SHARE)/man/man1 $(SHARE)/bash-completion/completions
+	install -m 755 $(PROGRAMS) $(DESTDIR)$(PREFIX)/bin
+	install -m 644 include/beadreel/*.h $(DESTDIR)$(PREFIX)/include/beadreel
+	for l in beadsim beadreel; do \
+	    install -m 644 $(BUILD)/lib$$l.a $(DESTDIR)$(LIBDIR) && \
+	    install -m 755 $(BUILD)/lib$$l.so $(DESTDIR)$(LIBDIR)/lib$$l.so.$(VERSION) && \
+	    ln -sf lib$$l.so.$(VERSION) $(DESTDIR)$(LIBDIR)/lib$$l.so.$(SOVERSION) && \
+	    ln -sf lib$$l.so.$(SOVERSION) $(DESTDIR)$(LIBDIR)/lib$$l.so || exit 1; \
+	done
+	printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: beadsim' \
+	    'Description: Waves in chains of beads: simulation' 'Version: $(VERSION)' 'Requires.private: $(SIM_PACKAGES)' \
+	    'Libs: -L$${libdir} -lbeadsim' 'Libs.private: -lm -pthread' 'Cflags: -I$${includedir}' \
+	    > $(DESTDIR)$(LIBDIR)/pkgconfig/beadsim.pc
+	printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: beadreel' \
+	    'Description: Waves in chains of beads: pictures and movies' 'Version: $(VERSION)' 'Requires: beadsim cairo' \
+	    'Requires.private: $(RENDER_PACKAGES)' 'Libs: -L$${libdir} -lbeadreel' 'Libs.private: -ldl' 'Cflags: -I$${includedir}' \
+	    > $(DESTDIR)$(LIBDIR)/pkgconfig/beadreel.pc
+	for a in $(ASSETS); do install -D -m 644 assets/$$a $(SHARE)/beadreel/$$a || exit 1; done
+	install -m 644 assets/beadreel.1 $(SHARE)/man/man1
+	echo '.so man1/beadreel.1' > $(SHARE)/man/man1/beadsim.1
+	install -m 644 assets/completions/beadreel.bash $(SHARE)/bash-completion/completions/beadreel
+	ln -sf beadreel $(SHARE)/bash-completion/completions/beadsim
+
+uninstall: ## remove what `make install` put there
+	rm -f $(DESTDIR)$(PREFIX)/bin/beadsim $(DESTDIR)$(PREFIX)/bin/beadreel
+	rm -f $(foreach l,beadsim beadreel,$(DESTDIR)$(LIBDIR)/lib$(l).a $(DESTDIR)$(LIBDIR)/lib$(l).so $(DESTDIR)$(LIBDIR)/lib$(l).so.*)
+	rm -f $(DESTDIR)$(LIBDIR)/pkgconfig/beadsim.pc $(DESTDIR)$(LIBDIR)/pkgconfig/beadreel.pc
+	rm -f $(SHARE)/man/man1/beadsim.1 $(SHARE)/man/man1/beadreel.1
+	rm -f $(SHARE)/bash-completion/completions/beadsim $(SHARE)/bash-completion/completions/beadreel
+	rm -rf $(DESTDIR)$(PREFIX)/include/beadreel $(SHARE)/beadreel
+
+clean: ## remove what was built
+	rm -rf $(BUILD) $(BUILD)-asan
+
+.PHONY: all help deps deps-ci demo test asan bench lint man install uninstall clean always
+.DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,0 +1,27 @@
+# bash completion for beadreel and beadsim
+_beadreel()
+{
+    local cur prev words cword
+    _init_completion -n = 2>/dev/null || { cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]}; }
+    local program=${COMP_WORDS[0]} lists="scenes materials methods laws"
+    [[ $program == *beadsim ]] || lists+=" colormaps codecs views"
+    local option=$prev value=$cur prefix=
+    if [[ $cur == --*=* ]]; then
+        option=${cur%%=*} value=${cur#*=} prefix=$option=
+    fi
+    case $option in
+        --list) mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "$lists" -- "$value"); return ;;
+        --progress) mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "auto plain json none" -- "$value"); return ;;
+        --instructions) mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "sse2 avx2 avx512" -- "$value"); return ;;
+        --threads | --set | --only) return ;;
+        -o | --output | --info) mapfile -t COMPREPLY < <(compgen -P "$prefix" -f -- "$value"); return ;;
+    esac
+    if [[ $cur == -* ]]; then
+        mapfile -t COMPREPLY < <(compgen -W "--output --set --only --plan --list --info --threads --instructions --progress \
+            --help --version -o -h -V" -- "$cur")
+        return
+    fi
+    mapfile -t COMPREPLY < <(compgen -W "$("$program" --list scenes 2>/dev/null | cut -d' ' -f1)" -- "$cur"; compgen -d -- "$cur"
+        compgen -f -X '!*.@(yaml|yml|h5)' -- "$cur")
+}
+complete -o filenames -F _beadreel beadreel beadsim

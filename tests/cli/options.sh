@@ -1,0 +1,80 @@
+#!/bin/bash
+# The command line: help, lists, near misses, wrong values.
+source "$(dirname "$0")/../shell.bash"
+cd "$T" || exit 1
+
+for program in beadreel beadsim; do
+    p=$BUILD/$program
+    ok "$program --help" exits 0 "$p" --help
+    ok "$program --help fits a screen" test "$(wc -l <out)" -le 40
+    ok "$program --help fits 132 columns" test "$(wc -L <out)" -le 132
+    ok "$program --help has examples" prints "Examples:"
+    ok "$program -h is --help" cmp <("$p" -h) <("$p" --help)
+    ok "$program --version" exits 0 "$p" --version
+    ok "$program --version names itself" prints "$program $(sed -n 's/^#define BEADREEL_VERSION "\(.*\)"/\1/p' "$top/include/beadreel/api.h")"
+    ok "$program without arguments" fails 2 "$p"
+    ok "$program without arguments points to --help" says --help
+    ok "$program starts its error with its name" grep -q "^$program: " err
+    ok "$program stdout closed" fails 1 bash -c "'$p' --help >/dev/full"
+done
+
+for what in scenes materials methods laws colormaps codecs views; do
+    ok "--list $what" exits 0 "$beadreel" --list $what
+    ok "--list $what has lines" test -s out
+    ok "--list $what is quiet on stderr" test ! -s err
+done
+ok "materials: brass" bash -c "'$beadreel' --list materials | grep -q '^brass'"
+ok "scenes: clean-vs-delocalised" bash -c "'$beadreel' --list scenes | grep -q '^clean-vs-delocalised'"
+ok "methods: rkn8" bash -c "'$beadreel' --list methods | grep -q '^rkn8'"
+ok "laws: thesis-appendix" bash -c "'$beadreel' --list laws | grep -q '^thesis-appendix'"
+ok "colormaps: viridis" bash -c "'$beadreel' --list colormaps | grep -q '^viridis'"
+ok "codecs: mp4" bash -c "'$beadreel' --list codecs | grep -q '^mp4'"
+ok "beadsim lists no codecs" fails 2 "$beadsim" --list codecs
+
+# near_miss EXPECTED ARGUMENT... : exit 2, one line that suggests.
+near_miss() {
+    local expected=$1
+    shift
+    fails 2 "$beadreel" "$@" && says "did you mean '$expected'"
+}
+ok "unknown long option" near_miss --threads --thraeds 2 scene.yaml
+ok "unknown long option with a value" near_miss --progress --progres5=plain scene.yaml
+ok "unknown long option far from all" fails 2 "$beadreel" --frobnicate scene.yaml
+ok "... says so" says "unknown option '--frobnicate'"
+ok "unknown short option" fails 2 "$beadreel" -x scene.yaml
+ok "... says so" says "'-x'"
+ok "missing value" fails 2 "$beadreel" clean-vs-delocalised --set
+ok "... says so" says "--set: needs a value"
+ok "missing value of a short option" fails 2 "$beadreel" clean-vs-delocalised -o
+ok "value where none belongs" fails 2 "$beadreel" --plan=yes clean-vs-delocalised
+ok "unknown list" near_miss colormaps --list colourmaps
+ok "unknown progress" near_miss json --progress=jsn clean-vs-delocalised
+ok "unknown instructions" near_miss avx2 --instructions=avx3 clean-vs-delocalised
+for threads in -1 two 1.5 99999999999999999999 ''; do
+    ok "--threads '$threads'" fails 2 "$beadreel" "--threads=$threads" clean-vs-delocalised
+done
+ok "--set without =" fails 2 "$beadreel" clean-vs-delocalised --set simulate.step
+ok "--set with an empty key" fails 2 "$beadreel" clean-vs-delocalised --set =1
+ok "--set of an unknown key" fails 2 "$beadreel" clean-vs-delocalised --set simulate.stpe=1us
+ok "... names it" says stpe
+ok "--set with a wrong unit" fails 2 "$beadreel" clean-vs-delocalised --set simulate.until=3kg
+ok "--only of no output" fails 2 "$beadreel" clean-vs-delocalised --only nothing.png
+ok "... names it" says nothing.png
+ok "two scenes" fails 2 "$beadreel" one.yaml two.yaml
+ok "a ready scene nearly named" fails 2 "$beadreel" clean-vs-delocalized
+ok "... suggests" says clean-vs-delocalised
+ok "--info of a ready scene" exits 0 "$beadreel" --info clean-vs-delocalised
+ok "--info says M" prints "M = "
+ok "--plan of a ready scene" exits 0 "$beadreel" --plan clean-vs-delocalised
+ok "--plan prints lines" test -s out
+rm -f out err
+ok "nothing was written" empty "$T"
+
+ok "the man page has the options of the program" "$top/tests/man_options.sh" --check "$beadreel" "$top/assets/beadreel.1"
+completion_knows() {
+    "$beadreel" --help | grep -oE -- '--[a-z]+' | sort -u | while read -r option; do
+        grep -q -- "$option" "$top/assets/completions/beadreel.bash" || { echo "$option"; return 1; }
+    done
+}
+ok "the completion knows every option" completion_knows
+finish

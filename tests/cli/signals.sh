@@ -1,0 +1,57 @@
+#!/bin/bash
+# Stopped runs: status 128+n, files closed; a trajectory stays readable up to there.
+source "$(dirname "$0")/../shell.bash"
+cat >"$T/long.yaml" <<'YAML'
+chain:
+  striker: {bead: large-steel, velocity: 0.443 m/s}
+  beads: [{cell: [large-steel, aluminium], count: 400, spins: random, magnetism: 0.2, seed: 3}]
+  wall: brass
+simulate: {until: 2 s, method: rk4, step: 0.1 us}
+outputs:
+  - {trajectory: run.h5, every: 100 us, fields: [displacement, velocity]}
+  - {table: peaks.csv, show: peaks}
+  - {image: force.png, field: force, size: [320, 200], range: [0, 30]}
+YAML
+
+# stopped SIGNAL DIRECTORY PROGRAM : start, wait until it writes, signal, leave $status.
+stopped() {
+    mkdir "$2"
+    "$3" "$T/long.yaml" -o "$2" >"$T/out" 2>"$T/err" &
+    local pid=$! i
+    for ((i = 0; i < 200; i++)); do
+        [ -s "$2/run.h5.part" ] || [ -s "$2/run.h5" ] && break
+        kill -0 $pid 2>/dev/null || break
+        sleep 0.1
+    done
+    sleep 1
+    kill -s "$1" $pid
+    wait $pid
+    status=$?
+}
+status_is() { [ "$status" -eq "$1" ] || { echo "status $status"; cat "$T/err"; return 1; }; }
+one_line() { [ "$(wc -l <"$T/err")" -eq 1 ] || { cat "$T/err"; return 1; }; }
+# Only the trajectory may be left, whole or as .part, and it can be read.
+left_readable() {
+    local others trajectory
+    others=$(find "$1" -type f ! -name 'run.h5*')
+    [ -z "$others" ] || { echo "left: $others"; return 1; }
+    for trajectory in "$1"/run.h5*; do
+        "$beadreel" --info "$trajectory" >"$T/info" || return 1
+        grep -q 'stopped or killed' "$T/info" || { cat "$T/info"; return 1; }
+    done
+}
+
+# In a script, background jobs ignore SIGINT unless job control is on.
+set -m
+stopped INT "$T/int" "$beadreel"
+ok "SIGINT: status 130" status_is 130
+ok "SIGINT: one line on stderr" one_line
+ok "SIGINT: what is left can be read" left_readable "$T/int"
+stopped TERM "$T/term" "$beadsim"
+ok "SIGTERM: status 143" status_is 143
+ok "SIGTERM: what is left can be read" left_readable "$T/term"
+stopped KILL "$T/kill" "$beadsim"
+ok "SIGKILL: status 137" status_is 137
+killed_readable() { "$beadreel" --info "$T/kill/run.h5.part" >"$T/info" && grep -q 'stopped or killed' "$T/info"; }
+ok "SIGKILL: the .part can be read" killed_readable
+finish

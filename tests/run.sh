@@ -1,0 +1,57 @@
+#!/bin/bash
+# Run all tests of a build and count them: tests/run.sh BUILD [NAME...]
+# Unit tests are the programs BUILD/tests/test_*, the others tests/*.sh and tests/cli/*.sh; each prints TAP.
+# Ends with `N passed, M failed`; exit status 1 if any failed. JOBS=n runs n at a time.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+build=$(realpath "${1:-build}")
+shift
+work=$(mktemp -d "${TMPDIR:-/tmp}/beadreel-tests.XXXXXX") || exit 1
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/log" "$work/tmp"
+export BUILD="$build" BEADREEL_ASSETS="$PWD/assets" TMPDIR="$work/tmp" CMOCKA_MESSAGE_OUTPUT=TAP
+export LSAN_OPTIONS="suppressions=$PWD/tests/lsan.txt:print_suppressions=0${LSAN_OPTIONS:+:$LSAN_OPTIONS}" UBSAN_OPTIONS="print_stacktrace=1"
+
+names=()
+for t in "$build"/tests/test_* tests/test_*.sh tests/cli/*.sh; do
+    [ -f "$t" ] && [ -x "$t" ] || continue
+    case "$t" in "$build"/tests/*.*) continue ;; esac
+    name=$(basename "$t" .sh)
+    # A program whose source is gone is left from an earlier build.
+    case "$t" in *.sh) ;; *) [ -e "tests/$name.c" ] || continue ;; esac
+    [ $# -eq 0 ] || [[ " $* " == *" $name "* ]] || continue
+    names+=("$t")
+done
+
+one() {
+    log=$1/log/$(basename "$2")
+    start=$(date +%s.%N)
+    timeout -k 10 "${TEST_TIMEOUT:-600}" "$2" >"$log.out" 2>"$log.err" </dev/null
+    echo $? >"$log.status"
+    echo "$(date +%s.%N) - $start" | awk '{printf "%.1f\n", $1 - $3}' >"$log.seconds"
+}
+export -f one
+printf '%s\0' "${names[@]}" | xargs -0 -r -P "${JOBS:-$(nproc)}" -I{} bash -c 'one "$1" "$2"' - "$work" {}
+
+passed=0 failed=0
+for t in "${names[@]}"; do
+    log=$work/log/$(basename "$t")
+    status=$(cat "$log.status" 2>/dev/null || echo 99)
+    good=$(grep -c '^ok ' "$log.out")
+    bad=$(grep -c '^not ok ' "$log.out")
+    planned=$(sed -n 's/^1\.\.\([0-9]*\).*/\1/p' "$log.out" | awk '{n += $1} END {print n + 0}')
+    # A program that died, or said nothing of its failure, counts as one more.
+    if [ "$bad" -eq 0 ] && { [ "$status" -ne 0 ] || [ $((good + bad)) -lt "$planned" ] || [ $((good + bad)) -eq 0 ]; }; then
+        bad=1
+        echo "not ok - ended with status $status after $good of $planned tests" >>"$log.out"
+    fi
+    passed=$((passed + good)) failed=$((failed + bad))
+    printf '%-28s %4d passed %s %6s s\n' "$(basename "$t")" "$good" \
+        "$([ "$bad" -eq 0 ] && echo '           ' || printf '%4d failed' "$bad")" "$(cat "$log.seconds" 2>/dev/null)"
+    if [ "$bad" -ne 0 ]; then
+        grep -A 12 '^not ok ' "$log.out" | sed 's/^/    /' | head -60
+        tail -n 30 "$log.err" | sed 's/^/    | /'
+    fi
+done
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

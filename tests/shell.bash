@@ -1,0 +1,61 @@
+# For shell tests: `source "$(dirname "$0")/../shell.bash"`. Prints TAP; everything is written below $T, which is removed.
+set -u
+top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+BUILD=${BUILD:-$top/build}
+export BEADREEL_ASSETS=${BEADREEL_ASSETS:-$top/assets}
+beadreel=$BUILD/beadreel
+beadsim=$BUILD/beadsim
+T=$(mktemp -d "${TMPDIR:-/tmp}/beadreel.XXXXXX") || exit 1
+trap 'rm -rf "$T"' EXIT
+tests=0 failures=0
+
+# ok DESCRIPTION COMMAND... : passes where the command does.
+ok() {
+    local what=$1
+    shift
+    tests=$((tests + 1))
+    if "$@" >"$T/.said" 2>&1; then
+        echo "ok $tests - $what"
+    else
+        failures=$((failures + 1))
+        echo "not ok $tests - $what"
+        echo "# failed: $*"
+        sed 's/^/#   /' "$T/.said" | head -10
+    fi
+}
+# skip DESCRIPTION : counts as passed; for what this machine lacks.
+skip() {
+    tests=$((tests + 1))
+    echo "ok $tests - $1 # SKIP"
+}
+# run COMMAND... : leaves $status, $T/out and $T/err.
+run() {
+    "$@" >"$T/out" 2>"$T/err" </dev/null
+    status=$?
+}
+# exits STATUS COMMAND...
+exits() {
+    local expected=$1
+    shift
+    run "$@"
+    [ "$status" -eq "$expected" ] || { echo "status $status, not $expected"; cat "$T/err"; return 1; }
+}
+# fails STATUSES COMMAND... : one line on stderr, none on stdout, one of the statuses ("1 2").
+fails() {
+    local expected=" $1 "
+    shift
+    run "$@"
+    [[ "$expected" == *" $status "* ]] || { echo "status $status, not$expected"; cat "$T/out" "$T/err"; return 1; }
+    [ "$(wc -l <"$T/err")" -eq 1 ] || { echo "stderr is not one line:"; cat "$T/err"; return 1; }
+    [ ! -s "$T/out" ] || { echo "stdout is not empty:"; cat "$T/out"; return 1; }
+}
+# says TEXT : stderr of the last run has it.
+says() { grep -qF -- "$1" "$T/err" || { echo "'$1' is not in:"; cat "$T/err"; return 1; }; }
+prints() { grep -qF -- "$1" "$T/out" || { echo "'$1' is not in:"; cat "$T/out"; return 1; }; }
+# empty DIRECTORY
+empty() { [ -z "$(ls -A "$1" 2>/dev/null)" ] || { ls -lA "$1"; return 1; }; }
+# finish : the last command of a test.
+finish() {
+    echo "1..$tests"
+    exit $((failures > 0))
+}

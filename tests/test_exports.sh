@@ -1,0 +1,30 @@
+#!/bin/bash
+# What the shared libraries export and need.
+source "$(dirname "$0")/shell.bash"
+only_bead() {
+    nm -D --defined-only "$1" | awk '$2 ~ /[A-Z]/ {print $3}' | grep -vE '^(bead_|__asan_|__odr_asan|_init$|_fini$)' >"$T/others"
+    [ ! -s "$T/others" ] || { cat "$T/others"; return 1; }
+    nm -D --defined-only "$1" | grep -q ' T bead_'
+}
+# Every function marked BEAD_API in a public header is there.
+declared_are_there() {
+    cat "$BUILD"/libbead{sim,reel}.so >/dev/null || return 1
+    { nm -D --defined-only "$BUILD/libbeadsim.so"; nm -D --defined-only "$BUILD/libbeadreel.so"; } | awk '{print $3}' | sort -u >"$T/have"
+    cat "$top"/include/beadreel/*.h | tr '\n' ' ' | grep -oE 'BEAD_API[^;]*;' | grep -oE 'bead_[a-z0-9_]+\(' | tr -d '(' | sort -u >"$T/want"
+    comm -13 "$T/have" "$T/want" >"$T/missing"
+    [ ! -s "$T/missing" ] || { cat "$T/missing"; return 1; }
+}
+no_graphics() { ! readelf -d "$1" | grep NEEDED | grep -iE 'osmesa|libgl|png|avcodec|avformat|avutil|swscale|cairo|pango|libx11'; }
+soname() { readelf -d "$1" | grep SONAME | grep -qF "[$2]"; }
+no_direct_exit() { ! nm "$1" | grep -E ' U (exit|abort|_exit|printf|puts|putchar|perror)$'; }
+
+ok "libbeadsim.so exports bead_* only" only_bead "$BUILD/libbeadsim.so"
+ok "libbeadreel.so exports bead_* only" only_bead "$BUILD/libbeadreel.so"
+ok "every function of the public headers is exported" declared_are_there
+ok "libbeadsim.so needs no graphics" no_graphics "$BUILD/libbeadsim.so"
+ok "beadsim needs no graphics" no_graphics "$BUILD/beadsim"
+ok "soname of libbeadsim" soname "$BUILD/libbeadsim.so" libbeadsim.so.0
+ok "soname of libbeadreel" soname "$BUILD/libbeadreel.so" libbeadreel.so.0
+ok "libbeadsim neither exits nor prints" no_direct_exit "$BUILD/libbeadsim.a"
+ok "libbeadreel neither exits nor prints" no_direct_exit "$BUILD/libbeadreel.a"
+finish

@@ -1,0 +1,75 @@
+#!/bin/bash
+# The Makefile: dependencies, a machine on which nothing is installed, installation.
+source "$(dirname "$0")/shell.bash"
+cd "$top" || exit 1
+unset MAKEFLAGS MAKELEVEL MFLAGS
+quiet() { run "$@"; [ "$status" -eq 0 ] || { tail -n 5 "$T/out" "$T/err"; return 1; }; }
+
+# Stand-ins for a machine without packages: until apt-get has run, dpkg-query and pkg-config know nothing.
+mkdir "$T/bin"
+cat >"$T/bin/dpkg-query" <<SH
+#!/bin/sh
+[ -e "$T/installed" ] && printf 'install ok installed'
+SH
+cat >"$T/bin/pkg-config" <<SH
+#!/bin/sh
+[ -e "$T/installed" ] || exit 127
+PATH=${PATH}
+exec pkg-config "\$@"
+SH
+cat >"$T/bin/apt-get" <<SH
+#!/bin/sh
+echo "\$@" >>"$T/apt"
+case " \$* " in *" install "*) sleep 1; touch "$T/installed" ;; esac
+SH
+printf '#!/bin/sh\nexec "$@"\n' >"$T/bin/sudo"
+chmod +x "$T"/bin/*
+bare() { PATH="$T/bin:$PATH" quiet "$@"; }
+bare_fails() { ! PATH="$T/bin:$PATH" make --no-print-directory "$@" >"$T/out" 2>"$T/err" && grep -q 'make deps' "$T/err"; }
+object=$T/b/sim/law.o
+
+ok "make before make deps says what to do" bare_fails BUILD="$T/b" "$object"
+ok "make deps all in one command" bare make -j4 BUILD="$T/b" deps "$object"
+ok "... installed with apt-get" grep -q 'install .*libhdf5-dev' "$T/apt"
+ok "... and compiled afterwards" test -s "$object"
+rm -f "$T/apt"
+ok "make deps where all is there" bare make deps
+ok "... installs nothing" test ! -e "$T/apt"
+ok "make help lists the targets" bash -c "make help | grep -q '^  install '"
+no_root() {
+    rm -f "$T/installed" "$T/bin/sudo"
+    printf '#!/bin/sh\necho 1000\n' >"$T/bin/id"
+    chmod +x "$T/bin/id"
+    mkdir "$T/few"
+    for tool in sh bash make sed awk nproc find mkdir printf echo cat; do ln -s "$(command -v $tool)" "$T/few/$tool"; done
+    ! PATH="$T/bin:$T/few" make deps >"$T/out" 2>"$T/err" && grep -q '^  apt-get .*install .*libhdf5-dev' "$T/err"
+}
+ok "make deps without root says what to run" no_root
+
+# Installed programs, used from elsewhere.
+install_to() { quiet make --no-print-directory -o all BUILD="$BUILD" DESTDIR="$T/root" install; }
+ok "make install" install_to
+root=$T/root${PREFIX:-/usr/local}
+relative() { [ "$(readlink "$root/lib/libbeadsim.so")" = libbeadsim.so.0 ] && [ -e "$root/lib/libbeadsim.so" ]; }
+ok "library links are relative" relative
+no_asset_env() { cd "$T" && env -u BEADREEL_ASSETS "$@"; }
+ok "the installed program finds its scenes" no_asset_env "$root/bin/beadreel" --info clean-vs-delocalised
+ok "manual page" test -s "$root/share/man/man1/beadreel.1"
+compile_example() {
+    local flags
+    flags=$(PKG_CONFIG_PATH="$root/lib/pkgconfig" PKG_CONFIG_SYSROOT_DIR= pkg-config --define-variable=prefix="$root" \
+        --define-variable=libdir="$root/lib" --cflags --libs beadsim) || return 1
+    # shellcheck disable=SC2086
+    "${CC:-cc}" ${TEST_CFLAGS:-} -o "$T/minimal" "$top/tests/examples/minimal.c" $flags -Wl,-rpath,"$root/lib"
+}
+sanitized() { nm "$BUILD/libbeadsim.a" 2>/dev/null | grep -q __asan_; }
+sanitized && TEST_CFLAGS=-fsanitize=address,undefined
+ok "a program compiles with the installed library" compile_example
+cat >"$T/small.yaml" <<'YAML'
+chain: {striker: {bead: large-steel, velocity: 1 m/s}, beads: [{bead: large-steel, count: 5}]}
+outputs: [{table: peaks.csv, show: peaks}]
+YAML
+ok "... and runs" bash -c "cd '$T' && BEADREEL_ASSETS= ./minimal small.yaml . | grep 'peak force'"
+ok "make uninstall" quiet make --no-print-directory BUILD="$BUILD" DESTDIR="$T/root" uninstall
+ok "... leaves no file" bash -c "[ -z \"\$(find '$T/root' -type f -o -type l)\" ]"
+finish
