@@ -38,6 +38,7 @@ struct bead_job {
     size_t only_count;
     int threads;                    /* 0: all cores; 1: everything in one thread; same results for any */
     const char *instructions;       /* NULL: the best; or sse2, avx2, avx512: same results for any */
+    bool hash;                      /* fill bead_counts.state_hash */
     bool full_window;               /* compute beads at rest too (for checks; same results) */
     const struct bead_sink_type *const *const *sinks; /* NULL-terminated list of NULL-terminated lists */
     const volatile sig_atomic_t *stop; /* non-zero: finish files and return STOPPED; may be NULL */
@@ -61,6 +62,9 @@ struct bead_result {
     uint64_t bytes, items;
 };
 BEAD_API size_t bead_session_results(const struct bead_session *session, const struct bead_result **results);
+
+/* Name of the `index`-th output that none of the job's sinks can make (pictures in beadsim); NULL behind the last. */
+BEAD_API const char *bead_session_skipped(const struct bead_session *session, size_t index);
 
 struct bead_counts {
     uint64_t evaluations; /* of one contact's force, in steps */

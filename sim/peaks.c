@@ -1,0 +1,163 @@
+#include "sim/peaks.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/dense.h"
+
+struct bead_peaks {
+    bool of_beads;
+    size_t count;
+    struct bead_peak *best;
+    unsigned char *mark;   /* [beads]: has a maximum in this step */
+    double *rate0, *rate1; /* [beads]: of the bead forces at the ends of the step, N/s */
+};
+
+enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_beads, struct bead_peaks **peaks,
+                                  struct bead_message *msg)
+{
+    size_t beads = stepper->beads;
+    struct bead_peaks *p = *peaks = calloc(1, sizeof *p);
+    if (p) {
+        p->of_beads = of_beads;
+        p->count = of_beads ? beads : stepper->chain->contacts;
+        p->best = calloc(beads, sizeof *p->best);
+        p->mark = calloc(beads + 8, 1);
+        p->rate0 = calloc(beads, sizeof(double));
+        p->rate1 = calloc(beads, sizeof(double));
+    }
+    if (!p || !p->best || !p->mark || !p->rate0 || !p->rate1) {
+        bead_peaks_destroy(p);
+        *peaks = NULL;
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu beads", beads);
+    }
+    for (size_t i = 0; i < beads; i++)
+        p->best[i].time = NAN;
+    return BEAD_OK;
+}
+
+void bead_peaks_destroy(struct bead_peaks *peaks)
+{
+    if (!peaks)
+        return;
+    free(peaks->best);
+    free(peaks->mark);
+    free(peaks->rate0);
+    free(peaks->rate1);
+    free(peaks);
+}
+
+const struct bead_peak *bead_peaks_found(const struct bead_peaks *peaks)
+{
+    return peaks->best;
+}
+
+/* Force over the step: of one contact, or the mean of a bead's two. */
+struct force_curve {
+    const struct bead_chain *chain;
+    size_t count;
+    size_t contact[2];
+    struct bead_polynomial compression[2];
+};
+
+static struct force_curve curve_of(const struct bead_peaks *p, const struct bead_stepper *s, size_t index)
+{
+    struct force_curve curve = {s->chain, 0, {0, 0}, {{{0}}}};
+    size_t first = p->of_beads && index > 0 ? index - 1 : index;
+    for (size_t k = first; k <= index && k < s->chain->contacts; k++) {
+        curve.contact[curve.count] = k;
+        curve.compression[curve.count++] = bead_dense_compression(s, k);
+    }
+    return curve;
+}
+
+static double curve_force(const struct bead_peaks *p, const struct force_curve *curve, double x)
+{
+    double force = 0;
+    for (size_t i = 0; i < curve->count; i++) {
+        double d = bead_polynomial_value(&curve->compression[i], x);
+        force += curve->chain->law->force(curve->chain->stiffness[curve->contact[i]], &curve->chain->spec->law, d);
+    }
+    return p->of_beads ? 0.5 * force : force;
+}
+
+static double curve_rate(const void *context, double x)
+{
+    const struct force_curve *curve = context;
+    double rate = 0;
+    for (size_t i = 0; i < curve->count; i++) {
+        double d = bead_polynomial_value(&curve->compression[i], x);
+        double stiffness = curve->chain->law->stiffness(curve->chain->stiffness[curve->contact[i]], &curve->chain->spec->law, d);
+        /* Of one contact alone the sign is that of d', also where its force vanishes. */
+        rate += (curve->count > 1 ? stiffness : 1) * bead_polynomial_slope(&curve->compression[i], x);
+    }
+    return rate;
+}
+
+static void keep(struct bead_peak *best, double value, double time, bool open)
+{
+    if (value > best->value)
+        *best = (struct bead_peak){value, time, open};
+}
+
+static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
+{
+    struct force_curve curve = curve_of(p, s, index);
+    double rate0 = curve_rate(&curve, 0), rate1 = curve_rate(&curve, 1);
+    if (!(rate0 > 0 && rate1 <= 0))
+        return;
+    double x = bead_find_root(curve_rate, &curve, rate0, rate1), time = s->t0 + x * (s->t1 - s->t0);
+    if (time <= limit)
+        keep(&p->best[index], curve_force(p, &curve, x), time, false);
+}
+
+/* The force at the limit, where it was still rising. */
+static void find_open(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
+{
+    struct force_curve curve = curve_of(p, s, index);
+    double x = (limit - s->t0) / (s->t1 - s->t0);
+    if (curve_rate(&curve, x) > 0)
+        keep(&p->best[index], curve_force(p, &curve, x), limit, true);
+}
+
+/* Rates of all bead forces in a state. */
+static void find_rates(const struct bead_stepper *s, const struct bead_state *state, double *rate)
+{
+    double before = 0;
+    for (size_t j = 0; j < s->active; j++) {
+        double here = bead_dense_force_rate(s, state, j);
+        rate[j] = 0.5 * (before + here);
+        before = here;
+    }
+}
+
+static bool mark_beads(struct bead_peaks *p, const struct bead_stepper *s)
+{
+    double *rate = p->rate0;
+    p->rate0 = p->rate1;
+    p->rate1 = rate;
+    if (s->steps == 1)
+        find_rates(s, &s->start, p->rate0);
+    find_rates(s, &s->end, p->rate1);
+    bool any = false;
+    for (size_t j = 0; j < s->active; j++) {
+        p->mark[j] = p->rate0[j] > 0 && p->rate1[j] <= 0;
+        any = any || p->mark[j];
+    }
+    return any;
+}
+
+void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double limit)
+{
+    size_t n = s->active < p->count ? s->active : p->count;
+    if (s->t0 > limit)
+        return;
+    bool any = p->of_beads ? mark_beads(p, s) : s->kernels->turns(n, s->start.v, s->end.v, p->mark);
+    for (size_t i = 0; any && i < n; i++) {
+        if (p->mark[i])
+            find_peak(p, s, i, limit);
+    }
+    for (size_t i = 0; limit <= s->t1 && i < n; i++)
+        find_open(p, s, i, limit);
+}

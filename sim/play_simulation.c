@@ -1,0 +1,173 @@
+/* Samples from a simulation: all chains advance together, none further than the next sample needs. */
+#include <math.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "sim/play.h"
+#include "sim/run.h"
+
+struct pass {
+    const struct bead_play *play;
+    struct bead_counts *counts;
+    struct bead_passed *passed;
+    double told; /* s, clock at the last progress */
+    unsigned turn;
+};
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Once in a while: tell how far it is; look whether to stop. */
+static enum bead_error look_up(struct pass *pass, double time, struct bead_message *msg)
+{
+    const struct bead_play *p = pass->play;
+    if (p->stop && *p->stop) {
+        pass->passed->stopped = true;
+        return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped at %.4g s", time);
+    }
+    if (!p->progress || pass->turn++ % 64 != 0 || now() - pass->told < 0.1)
+        return BEAD_OK;
+    pass->told = now();
+    double end = fmin(p->end, p->needed);
+    struct bead_progress progress = {p->what, isfinite(end) && end > 0 ? fmin(time / end, 1) : 0, time};
+    p->progress(p->progress_context, &progress);
+    return BEAD_OK;
+}
+
+static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
+{
+    const struct bead_play *p = pass->play;
+    struct bead_passed *passed = pass->passed;
+    *passed = (struct bead_passed){calloc(p->chain_count, sizeof *passed->runs), calloc(p->chain_count, sizeof *passed->outcomes),
+                                   0, 0, false};
+    if (!passed->runs || !passed->outcomes)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu chains", p->chain_count);
+    passed->count = p->chain_count;
+    struct bead_run_settings settings = {
+        .kernels = p->kernels, .end = p->end, .passage = p->passage, .full_window = p->full_window, .hash = p->hash};
+    for (size_t i = 0; i < p->consumer_count; i++) {
+        settings.contact_peaks |= p->consumers[i].needs.contact_peaks;
+        settings.bead_peaks |= p->consumers[i].needs.bead_peaks;
+    }
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < p->chain_count; i++) {
+        settings.chain = p->chains[i];
+        err = bead_run_create(&settings, &passed->runs[i], msg);
+    }
+    return err;
+}
+
+/* A front that takes this many times longer than a wave needs for the chain never comes. */
+static const double patience = 400;
+
+static enum bead_error lost_front(const struct bead_play *p, size_t chain, double time, struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: chain %s: after %.4g s the front has not reached the end: give simulate.until",
+                     bead_chain_scene(p->chains[chain])->file, bead_chain_name(p->chains[chain]), time);
+}
+
+static enum bead_error advance(struct pass *pass, size_t chain, double time, struct bead_message *msg)
+{
+    struct bead_run *run = pass->passed->runs[chain];
+    enum bead_error err = BEAD_OK;
+    while (!err && bead_run_time(run) < time && bead_run_time(run) < pass->play->end) {
+        err = bead_run_step(run, msg);
+        if (!err)
+            err = look_up(pass, bead_run_time(run), msg);
+    }
+    return err;
+}
+
+/* Without a known end: until the front is there. */
+static enum bead_error advance_to_arrival(struct pass *pass, size_t chain, struct bead_message *msg)
+{
+    struct bead_run *run = pass->passed->runs[chain];
+    const struct bead_chain *c = pass->play->chains[chain];
+    double give_up = patience * ((double)bead_chain_beads(c) + 10) / bead_chain_omega(c, bead_chain_energy(c));
+    enum bead_error err = BEAD_OK;
+    while (!err && isnan(bead_run_arrival(run))) {
+        err = bead_run_step(run, msg);
+        if (!err)
+            err = look_up(pass, bead_run_time(run), msg);
+        if (!err && bead_run_time(run) > give_up)
+            err = lost_front(pass->play, chain, bead_run_time(run), msg);
+    }
+    return err;
+}
+
+static enum bead_error give_samples(struct pass *pass, struct bead_message *msg)
+{
+    const struct bead_play *p = pass->play;
+    struct bead_due due;
+    enum bead_error err = BEAD_OK;
+    while (!err && bead_play_due(p, &due)) {
+        if (due.time > p->end * (1 + 1e-9)) /* grids end with the run but for rounding */
+            break;
+        double time = fmin(due.time, p->end);
+        for (size_t i = 0; !err && i < p->chain_count; i++) {
+            struct bead_sample sample = {.chain = i};
+            err = advance(pass, i, time, msg);
+            if (!err)
+                err = bead_run_sample(pass->passed->runs[i], time, due.fields, due.span, &sample, msg);
+            sample.time = due.time;
+            if (!err)
+                err = bead_play_deliver(p, &due, &sample, i + 1 == p->chain_count, msg);
+            size_t last = due.span.last < bead_chain_beads(p->chains[i]) ? due.span.last + 1 : bead_chain_beads(p->chains[i]);
+            last = last < sample.active ? last : sample.active;
+            pass->counts->samples++;
+            pass->counts->sample_values += last > due.span.first ? last - due.span.first : 0;
+        }
+        if (!err)
+            err = look_up(pass, time, msg);
+    }
+    return err;
+}
+
+static void finish(struct pass *pass)
+{
+    struct bead_passed *passed = pass->passed;
+    double end = pass->play->end;
+    passed->end = INFINITY;
+    for (size_t i = 0; i < passed->count; i++) {
+        if (!passed->runs[i])
+            continue;
+        double reached = fmin(bead_run_time(passed->runs[i]), end);
+        if (!isfinite(end) && !isnan(bead_run_arrival(passed->runs[i])))
+            reached = bead_run_arrival(passed->runs[i]);
+        bead_run_finish(passed->runs[i], reached, &passed->outcomes[i]);
+        passed->end = fmin(passed->end, reached);
+        pass->counts->steps += bead_run_steps(passed->runs[i]);
+        pass->counts->evaluations += bead_run_evaluations(passed->runs[i]);
+        pass->counts->state_hash += bead_run_hash(passed->runs[i]) * (2 * i + 1);
+    }
+    pass->counts->passes++;
+}
+
+enum bead_error bead_play_simulation(const struct bead_play *play, struct bead_counts *counts, struct bead_passed *passed,
+                                     struct bead_message *msg)
+{
+    struct pass pass = {play, counts, passed, now(), 0};
+    enum bead_error err = create_runs(&pass, msg);
+    if (err)
+        return err;
+    bead_play_start(play);
+    err = give_samples(&pass, msg);
+    double rest = fmin(play->end, play->needed);
+    for (size_t i = 0; !err && i < play->chain_count; i++)
+        err = isfinite(rest) ? advance(&pass, i, rest, msg) : advance_to_arrival(&pass, i, msg);
+    finish(&pass);
+    return err;
+}
+
+void bead_passed_free(struct bead_passed *passed)
+{
+    for (size_t i = 0; passed->runs && i < passed->count; i++)
+        bead_run_destroy(passed->runs[i]);
+    free(passed->runs);
+    free(passed->outcomes);
+    *passed = (struct bead_passed){NULL, NULL, 0, 0, false};
+}

@@ -1,0 +1,311 @@
+#include "sim/run.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/dense.h"
+#include "sim/peaks.h"
+#include "sim/stepper.h"
+
+/* The front has arrived when the last contact's force first exceeds this part of the largest force so far. */
+static const double front_part = 1e-4;
+/* How often energy is looked at, in steps, and how far it may be off, of all that was put in. */
+enum { CHECK_EVERY = 64 };
+static const double energy_limit = 1e-2;
+/* A step ends at the end of the run where it would miss it by this part of itself only. */
+static const double last_sliver = 1e-6;
+
+struct bead_run {
+    struct bead_run_settings settings;
+    struct bead_stepping stepping;
+    struct bead_stepper *stepper;
+    double arrival;                                           /* s, NaN before */
+    double largest_force;                                     /* N, of all contacts so far (at the ends of steps) */
+    double energy_start, momentum_start, energy_error, input; /* input: energy that counts as 1 */
+    struct bead_peaks *contact_peaks, *bead_peaks;
+    double *state_memory, *u, *v, *f; /* samples: state between steps */
+    double *field[BEAD_FIELD_COUNT];
+    uint64_t hash;
+};
+
+static const char *chosen_method(const struct bead_chain *chain)
+{
+    const char *asked = chain->scene->simulate.method;
+    if (strcmp(asked, "auto") != 0)
+        return asked;
+    return chain->spec->damping_coefficient > 0 ? "rk4" : "rkn8";
+}
+
+enum bead_error bead_run_stepping(const struct bead_chain *chain, struct bead_stepping *stepping, struct bead_message *msg)
+{
+    const char *name = chosen_method(chain);
+    const struct bead_method *method = bead_method_row(name);
+    const char *file = chain->scene->file;
+    if (!method)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: there is no method `%s`: see --list methods", file, name);
+    if (chain->spec->damping_coefficient > 0 && !method->info.damping)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: `%s` is for forces without damping; use rk4 or auto", file,
+                         name);
+    double omega = bead_chain_omega(chain, bead_chain_energy(chain)), step = chain->scene->simulate.step;
+    *stepping = (struct bead_stepping){method, step > 0 ? step : method->info.theta / omega, omega};
+    /* The bound is generous: a step is hopeless only when it exceeds the limit twice over. */
+    if (step * omega > 2 * method->info.theta_max)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.step: %.3g s is too long for `%s` to be stable: at most %.3g s", file,
+                         step, name, method->info.theta_max / omega);
+    if (!(stepping->step > 0) || !isfinite(stepping->step))
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.step: no step can be chosen (nothing moves?): give one", file);
+    return BEAD_OK;
+}
+
+static enum bead_error allocate(struct bead_run *run, struct bead_message *msg)
+{
+    size_t beads = run->settings.chain->beads, stride = beads + 16;
+    run->state_memory = calloc(stride * (3 + BEAD_FIELD_COUNT), sizeof(double));
+    if (!run->state_memory)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the samples of %zu beads", beads);
+    double *at = run->state_memory + 8;
+    double **array[3] = {&run->u, &run->v, &run->f};
+    for (size_t i = 0; i < 3; i++, at += stride)
+        *array[i] = at;
+    for (size_t i = 0; i < BEAD_FIELD_COUNT; i++, at += stride)
+        run->field[i] = at;
+    return BEAD_OK;
+}
+
+enum bead_error bead_run_create(const struct bead_run_settings *settings, struct bead_run **run, struct bead_message *msg)
+{
+    *run = NULL;
+    struct bead_run *r = calloc(1, sizeof *r);
+    if (!r)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a run");
+    r->settings = *settings;
+    r->arrival = NAN;
+    enum bead_error err = bead_run_stepping(settings->chain, &r->stepping, msg);
+    if (!err)
+        err = bead_stepper_create(settings->chain, r->stepping.method, settings->kernels, settings->full_window, &r->stepper, msg);
+    if (!err)
+        err = allocate(r, msg);
+    if (!err && settings->contact_peaks)
+        err = bead_peaks_create(r->stepper, false, &r->contact_peaks, msg);
+    if (!err && settings->bead_peaks)
+        err = bead_peaks_create(r->stepper, true, &r->bead_peaks, msg);
+    if (err) {
+        bead_run_destroy(r);
+        return err;
+    }
+    r->energy_start = bead_stepper_energy(r->stepper, &r->stepper->end);
+    r->momentum_start = bead_stepper_momentum(r->stepper, &r->stepper->end);
+    r->input = bead_chain_energy(settings->chain);
+    *run = r;
+    return BEAD_OK;
+}
+
+void bead_run_destroy(struct bead_run *run)
+{
+    if (!run)
+        return;
+    bead_peaks_destroy(run->contact_peaks);
+    bead_peaks_destroy(run->bead_peaks);
+    bead_stepper_destroy(run->stepper);
+    free(run->state_memory);
+    free(run);
+}
+
+double bead_run_time(const struct bead_run *run)
+{
+    return run->stepper->t1;
+}
+
+double bead_run_arrival(const struct bead_run *run)
+{
+    return run->arrival;
+}
+
+uint64_t bead_run_evaluations(const struct bead_run *run)
+{
+    return run->stepper->evaluations;
+}
+
+uint64_t bead_run_steps(const struct bead_run *run)
+{
+    return run->stepper->steps;
+}
+
+uint64_t bead_run_hash(const struct bead_run *run)
+{
+    return run->hash;
+}
+
+struct threshold {
+    struct bead_polynomial compression;
+    double level; /* compression at which the front counts as arrived, m */
+};
+
+static double above(const void *context, double x)
+{
+    const struct threshold *t = context;
+    return bead_polynomial_value(&t->compression, x) - t->level;
+}
+
+/* Has the front reached the last contact in this step? Forces less their static part count. */
+static void watch_front(struct bead_run *run)
+{
+    const struct bead_stepper *s = run->stepper;
+    const struct bead_chain *c = s->chain;
+    if (!isnan(run->arrival))
+        return;
+    size_t last = c->contacts - 1;
+    double force = s->kernels->largest(s->active < c->contacts ? s->active : c->contacts, s->end.f);
+    run->largest_force = force > run->largest_force ? force : run->largest_force;
+    double level = front_part * run->largest_force;
+    if (last >= s->active || !(s->end.f[last] > level))
+        return;
+    struct threshold t = {bead_dense_compression(s, last),
+                          c->law->compression(c->stiffness[last], &c->spec->law, level + c->static_force[last])};
+    double at0 = above(&t, 0), at1 = above(&t, 1);
+    double x = at0 >= 0 ? 0 : at1 <= 0 ? 1 : bead_find_root(above, &t, at0, at1);
+    run->arrival = s->t0 + x * (s->t1 - s->t0);
+}
+
+/* A number that every bit of the state goes into, and beads at rest do not: the same with and without window. */
+static void hash_state(struct bead_run *run)
+{
+    const struct bead_stepper *s = run->stepper;
+    for (size_t j = 0; j < s->active; j++) {
+        uint64_t word[2];
+        memcpy(&word[0], &s->end.u[j], sizeof word[0]);
+        memcpy(&word[1], &s->end.v[j], sizeof word[1]);
+        for (int i = 0; i < 2; i++) {
+            if (word[i] << 1 == 0) /* zero of either sign */
+                continue;
+            uint64_t h = (word[i] ^ (s->steps * 0x9e3779b97f4a7c15u)) + (2 * j + (uint64_t)i) * 0xc2b2ae3d27d4eb4fu;
+            h = (h ^ (h >> 31)) * 0xbf58476d1ce4e5b9u;
+            run->hash += (h ^ (h >> 29)) * 0x94d049bb133111ebu;
+        }
+    }
+}
+
+static enum bead_error check_energy(struct bead_run *run, struct bead_message *msg)
+{
+    const struct bead_stepper *s = run->stepper;
+    double energy = bead_stepper_energy(s, &s->end), change = energy - run->energy_start;
+    bool damped = s->chain->spec->damping_coefficient > 0;
+    double error = run->input > 0 ? fabs(change) / run->input : fabs(change);
+    if (damped)
+        error = change > 0 ? error : 0;
+    if (!(error <= energy_limit)) /* also when not a number */
+        return bead_fail(
+            msg, BEAD_ERROR_NUMBERS,
+            "chain %s: at %.6g s the energy is off by %.3g of all that was put in: the step of %.3g s is too long for `%s`; "
+            "give a shorter simulate.step or leave it to `auto`",
+            bead_chain_name(s->chain), s->t1, error, run->stepping.step, s->method->info.name);
+    run->energy_error = fmax(run->energy_error, error);
+    return BEAD_OK;
+}
+
+/* Where the next step ends. */
+static double next_time(const struct bead_run *run)
+{
+    double h = run->stepping.step, t = (double)(run->stepper->steps + 1) * h;
+    /* Where the front's arrival ends the run the steps keep their length: they must not depend on whether it was known before. */
+    double end = run->settings.passage ? INFINITY : run->settings.end;
+    return t > end - last_sliver * h && run->stepper->t1 < end ? end : t;
+}
+
+enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
+{
+    struct bead_stepper *s = run->stepper;
+    bead_stepper_advance(s, next_time(run));
+    watch_front(run);
+    double limit = run->settings.passage && !isnan(run->arrival) ? run->arrival : run->settings.end;
+    if (run->contact_peaks)
+        bead_peaks_step(run->contact_peaks, s, limit);
+    if (run->bead_peaks)
+        bead_peaks_step(run->bead_peaks, s, limit);
+    if (run->settings.hash)
+        hash_state(run);
+    if (s->steps % CHECK_EVERY == 0 || s->t1 >= run->settings.end)
+        return check_energy(run, msg);
+    return BEAD_OK;
+}
+
+/* Forces of contacts first..last of the interpolated state, with their static part. */
+static void sample_forces(struct bead_run *run, size_t first, size_t last)
+{
+    const struct bead_stepper *s = run->stepper;
+    const struct bead_chain *c = s->chain;
+    struct bead_contact_table part = s->table;
+    part.stiffness += first;
+    part.static_compression += first;
+    part.static_force += first;
+    s->force(last - first + 1, &part, run->u + first, run->v + first, run->f + first);
+    double *out = run->field[BEAD_FIELD_CONTACT_FORCE];
+    for (size_t k = first; k <= last; k++)
+        out[k] = run->f[k] + c->static_force[k];
+}
+
+static void sample_energy(struct bead_run *run, size_t first, size_t last)
+{
+    const struct bead_chain *c = run->settings.chain;
+    for (size_t j = first; j <= last; j++) {
+        double energy = 0.5 * c->mass[j] * (run->v[j] * run->v[j]);
+        for (size_t k = j > 0 ? j - 1 : 0; k <= j && k < c->contacts; k++) {
+            double d0 = c->static_compression[k], d = d0 + (run->u[k] - run->u[k + 1]), a = c->stiffness[k];
+            energy +=
+                0.5 * (c->law->energy(a, &c->spec->law, d) - c->law->energy(a, &c->spec->law, d0) - c->static_force[k] * (d - d0));
+        }
+        run->field[BEAD_FIELD_ENERGY][j] = energy;
+    }
+}
+
+enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields, struct bead_span span, struct bead_sample *sample,
+                                struct bead_message *msg)
+{
+    const struct bead_stepper *s = run->stepper;
+    const struct bead_chain *c = s->chain;
+    if (!(t >= s->t0 && t <= s->t1))
+        return bead_fail(msg, BEAD_ERROR_NUMBERS, "a sample at %.9g s lies outside the step from %.9g to %.9g s", t, s->t0, s->t1);
+    size_t last = span.last < c->beads ? span.last : c->beads - 1, first = span.first < last ? span.first : last;
+    sample->time = t;
+    /* Beads that static forces compress are never nothing. */
+    sample->active = c->static_force[0] > 0 || c->static_force[c->contacts - 1] > 0 ? c->beads : s->active;
+    if (last >= sample->active)
+        last = sample->active - 1; /* at rest behind: zeros since the start */
+    first = first < last ? first : last;
+    bead_dense_state(s, t, run->u, run->v);
+    if (fields & (BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE)))
+        sample_forces(run, first > 0 ? first - 1 : 0, last);
+    const double *f = run->field[BEAD_FIELD_CONTACT_FORCE];
+    for (size_t j = first; (fields & BEAD_FIELD_BIT(BEAD_FIELD_FORCE)) && j <= last; j++)
+        run->field[BEAD_FIELD_FORCE][j] = 0.5 * ((j > 0 ? f[j - 1] : 0) + f[j]);
+    if (fields & BEAD_FIELD_BIT(BEAD_FIELD_ENERGY))
+        sample_energy(run, first, last);
+    for (size_t i = 0; i < BEAD_FIELD_COUNT; i++)
+        sample->field[i] = fields & BEAD_FIELD_BIT(i) ? run->field[i] : NULL;
+    if (fields & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT))
+        sample->field[BEAD_FIELD_DISPLACEMENT] = run->u;
+    if (fields & BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY))
+        sample->field[BEAD_FIELD_VELOCITY] = run->v;
+    return BEAD_OK;
+}
+
+void bead_run_finish(struct bead_run *run, double end, struct bead_outcome *outcome)
+{
+    const struct bead_stepper *s = run->stepper;
+    *outcome = (struct bead_outcome){
+        .end = end,
+        .front_arrival = run->arrival,
+        .method = run->stepping.method->info.name,
+        .step = run->stepping.step,
+        .steps = s->steps,
+        .evaluations = s->evaluations,
+        .energy_start = run->energy_start,
+        .energy_end = bead_stepper_energy(s, &s->end),
+        .momentum_start = run->momentum_start,
+        .momentum_end = bead_stepper_momentum(s, &s->end),
+        .energy_error = run->energy_error,
+        .contact_peaks = run->contact_peaks ? bead_peaks_found(run->contact_peaks) : NULL,
+        .bead_peaks = run->bead_peaks ? bead_peaks_found(run->bead_peaks) : NULL,
+    };
+}

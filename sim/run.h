@@ -1,0 +1,61 @@
+/* Run: one chain stepped through time, with what is wanted between the steps.
+ *
+ *   bead_run_create(&settings, &run, &msg);
+ *   while (bead_run_time(run) < t) bead_run_step(run, &msg);
+ *   bead_run_sample(run, t, ...);       start of the last step <= t <= its end
+ *   bead_run_finish(run, &outcome);
+ *   bead_run_destroy(run);
+ *
+ * Output times never force the step: states between steps come from quintic Hermite interpolation of u, u', u''. */
+#ifndef BEADREEL_SIM_RUN_H
+#define BEADREEL_SIM_RUN_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/error.h"
+#include "beadreel/sample.h"
+#include "beadreel/sink.h"
+#include "sim/kernels.h"
+
+struct bead_run;
+
+struct bead_run_settings {
+    const struct bead_chain *chain;
+    const struct bead_kernels *kernels;
+    double end;   /* s: the last step ends here; INFINITY: not known, steps keep their length */
+    bool passage; /* peaks count until the front has arrived only, and not knowing end, the run is over then */
+    bool contact_peaks, bead_peaks;
+    bool full_window, hash;
+};
+
+/* Method and step that a chain's scene asks for. Errors: SCENE (with the method's name), NUMBERS (step too long to be stable). */
+struct bead_stepping {
+    const struct bead_method *method;
+    double step;  /* s */
+    double omega; /* rad/s, bound of the frequencies */
+};
+BEAD_CHECK enum bead_error bead_run_stepping(const struct bead_chain *chain, struct bead_stepping *stepping,
+                                             struct bead_message *msg);
+
+BEAD_CHECK enum bead_error bead_run_create(const struct bead_run_settings *settings, struct bead_run **run,
+                                           struct bead_message *msg);
+void bead_run_destroy(struct bead_run *run);
+
+double bead_run_time(const struct bead_run *run); /* s: end of the last step */
+/* When the front reached the end of the chain; NaN: not yet. */
+double bead_run_arrival(const struct bead_run *run);
+/* Errors: NUMBERS where energy or a number ran away. */
+BEAD_CHECK enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg);
+/* Fields (BEAD_FIELD_BITs) of the beads in `span` at time t into `sample` (time, active and field are set). Borrowed until the next
+ * call. */
+BEAD_CHECK enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields, struct bead_span span,
+                                           struct bead_sample *sample, struct bead_message *msg);
+/* The outcome at time `end` (in the last step); peaks are borrowed from the run. */
+void bead_run_finish(struct bead_run *run, double end, struct bead_outcome *outcome);
+uint64_t bead_run_evaluations(const struct bead_run *run);
+uint64_t bead_run_steps(const struct bead_run *run);
+uint64_t bead_run_hash(const struct bead_run *run);
+
+#endif

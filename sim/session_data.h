@@ -1,0 +1,52 @@
+/* A session's insides, shared by session.c (opening), session_run.c and session_plan.c. */
+#ifndef BEADREEL_SIM_SESSION_DATA_H
+#define BEADREEL_SIM_SESSION_DATA_H
+
+#include "beadreel/session.h"
+#include "sim/play.h"
+
+/* One output of the scene, in its order. */
+struct bead_made {
+    const struct bead_output *output;
+    struct bead_output changed;        /* what replaces it when a trajectory is drawn again */
+    const struct bead_sink_type *type; /* NULL: this program does not make it */
+    struct bead_sink *sink;            /* NULL: skipped */
+    bool asked;                        /* not excluded by --only */
+    bool shared;                       /* draws from the samples of the trajectory output */
+    bool ended;
+    char *path; /* where it goes */
+    struct bead_needs needs;
+    struct bead_range range; /* found by scouting */
+};
+
+struct bead_session {
+    struct bead_job job;
+    struct bead_scene *scene;           /* own; NULL with a trajectory */
+    struct bead_trajectory *trajectory; /* NULL with a scene */
+    const struct bead_scene *source;    /* either's */
+    struct bead_chain **own_chains;
+    const struct bead_chain *const *chains;
+    size_t chain_count;
+    const struct bead_kernels *kernels;
+    int threads;
+    bool passage;                     /* the scene's `until` is the default */
+    double end, needed;               /* s; end INFINITY: not known before the run */
+    double resolution;                /* s */
+    struct bead_grid native;          /* of the trajectory output, every 0: none */
+    const struct bead_output *keeper; /* that output */
+    struct bead_made *made;
+    size_t made_count;
+    struct bead_counts counts;
+    uint64_t scout_steps;          /* steps of passes before the last */
+    struct bead_passed passed;     /* the last pass */
+    struct bead_outcome *outcomes; /* [chains] */
+    struct bead_result *results;
+    size_t result_count;
+};
+
+/* A play with the session's chains and settings, no consumers. */
+struct bead_play bead_session_play(const struct bead_session *session, const char *what);
+/* Does this output need to know the end of the run before it starts? */
+bool bead_output_needs_end(const struct bead_output *output);
+
+#endif

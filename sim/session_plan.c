@@ -1,0 +1,110 @@
+/* The plan of a session in words: what will be computed, what is skipped, and why. */
+#include <math.h>
+
+#include "beadreel/trajectory.h"
+#include "sim/run.h"
+#include "sim/session_data.h"
+#include "sim/stepper.h"
+
+static void plan_chain(const struct bead_session *s, size_t index, const struct bead_stepping *stepping, FILE *out)
+{
+    const struct bead_chain *c = s->chains[index];
+    const char *name = bead_chain_name(c);
+    fprintf(out, "chain %s%s%zu beads, %zu contacts", name, *name ? ": " : "", bead_chain_beads(c), bead_chain_contacts(c));
+    if (*bead_chain_spins(c))
+        fprintf(out, ", M = %.4g", bead_chain_magnetism(c));
+    fprintf(out, "; %s with steps of %.4g us", stepping->method->info.name, 1e6 * stepping->step);
+    double end = fmin(s->end, s->needed);
+    if (isfinite(end))
+        fprintf(out, ", %.0f of them", ceil(end / stepping->step * (1 - 1e-9)));
+    fprintf(out, "\n");
+}
+
+static void plan_time(const struct bead_session *s, FILE *out)
+{
+    if (s->trajectory)
+        fprintf(out, "time: samples of a run of %.6g ms are read; nothing is simulated\n", 1e3 * s->end);
+    else if (!isfinite(s->end))
+        fprintf(out, "time: until the front reaches the end; nobody needs to know when beforehand, so no scouting pass\n");
+    else if (s->needed < s->end)
+        fprintf(out, "time: stops at %.6g ms of %.6g ms: no output needs more\n", 1e3 * s->needed, 1e3 * s->end);
+    else if (s->passage)
+        fprintf(out, "time: until the front reaches the end, at %.6g ms (found by a scouting pass without samples)\n",
+                1e3 * s->end);
+    else
+        fprintf(out, "time: %.6g ms as asked\n", 1e3 * s->end);
+}
+
+static const char *plan_fields(unsigned fields, char *text, size_t size)
+{
+    size_t used = 0;
+    text[0] = '\0';
+    for (size_t f = 0; f < BEAD_FIELD_COUNT; f++) {
+        if (fields & BEAD_FIELD_BIT(f))
+            used += (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "", bead_field_info((enum bead_field)f)->name);
+    }
+    return text;
+}
+
+static void plan_output(const struct bead_session *s, const struct bead_made *m, FILE *out)
+{
+    if (!m->sink) {
+        fprintf(out, "output %s: skipped: %s\n", m->output->path,
+                m->asked ? "this program makes data only" : "not asked for (--only)");
+        return;
+    }
+    const struct bead_needs *n = &m->needs;
+    char fields[128];
+    fprintf(out, "output %s: %s\n", m->path, n->why ? n->why : m->type->help);
+    if (n->grid.every > 0 && n->fields) {
+        fprintf(out, "  samples: %s of beads %zu to %zu, %zu times every %.4g us until %.6g ms%s\n",
+                plan_fields(n->fields, fields, sizeof fields), n->beads.first, n->beads.last, bead_grid_count(&n->grid),
+                1e6 * n->grid.every, 1e3 * n->grid.end, m->shared && !s->trajectory ? " (shared with the trajectory)" : "");
+    } else {
+        fprintf(out, "  samples: none\n");
+    }
+    if (n->contact_peaks || n->bead_peaks)
+        fprintf(out, "  maxima of every %s's force, found between steps\n", n->contact_peaks ? "contact" : "bead");
+    if (n->range)
+        fprintf(out, "  the range of colours is found by a scouting pass over the same samples\n");
+}
+
+/* What the whole run does without. */
+static void plan_skips(const struct bead_session *s, FILE *out)
+{
+    bool file = false, graphics = false, samples = false, kinds[BEAD_OUTPUT_KINDS] = {false};
+    for (size_t i = 0; i < s->made_count; i++) {
+        const struct bead_made *m = &s->made[i];
+        if (!m->sink)
+            continue;
+        kinds[m->output->kind] = true;
+        samples = samples || (m->needs.grid.every > 0 && m->needs.fields);
+    }
+    file = kinds[BEAD_OUTPUT_TRAJECTORY];
+    graphics = kinds[BEAD_OUTPUT_IMAGE] || kinds[BEAD_OUTPUT_MOVIE] || kinds[BEAD_OUTPUT_PLOT];
+    if (!samples)
+        fprintf(out, "skipped: samples (no output reads any)\n");
+    if (!file)
+        fprintf(out, "skipped: HDF5 (no trajectory output)\n");
+    if (!graphics)
+        fprintf(out, "skipped: drawing (no picture asked for)\n");
+    if (!s->trajectory)
+        fprintf(out, "skipped: beads ahead of the front, until it comes (exactly at rest)%s\n",
+                s->job.full_window ? ": computed all the same, as asked" : "");
+}
+
+enum bead_error bead_session_plan(const struct bead_session *s, FILE *out, struct bead_message *msg)
+{
+    for (size_t i = 0; i < s->chain_count; i++) {
+        struct bead_stepping stepping;
+        enum bead_error err = bead_run_stepping(s->chains[i], &stepping, msg);
+        if (err)
+            return err;
+        plan_chain(s, i, &stepping, out);
+    }
+    plan_time(s, out);
+    for (size_t i = 0; i < s->made_count; i++)
+        plan_output(s, &s->made[i], out);
+    plan_skips(s, out);
+    return BEAD_OK;
+}
