@@ -21,7 +21,7 @@ endif
 BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libosmesa6-dev libpng-dev \
              libavformat-dev libavcodec-dev libswscale-dev libavutil-dev libcairo2-dev libpango1.0-dev fonts-stix fonts-lato
 TEST_DEPS  = libcmocka-dev binutils hdf5-tools
-CI_DEPS    = clang-format cppcheck ffmpeg poppler-utils man-db
+CI_DEPS    = clang-format cppcheck shellcheck ffmpeg poppler-utils man-db
 
 SIM_PACKAGES    = hdf5 yaml-0.1 udunits
 RENDER_PACKAGES = osmesa libpng libavformat libavcodec libswscale libavutil cairo pangocairo
@@ -167,7 +167,7 @@ lint: ## formatting, static analysis
 	clang-format --dry-run -Werror $(FORMATTED)
 	cppcheck --quiet --std=c11 --language=c --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
 	    --suppressions-list=tests/cppcheck.txt -j $$(nproc) -Iinclude -I. -D__linux__ -D__x86_64__ -DBEAD_DATADIR='""' sim render tests
-	@for s in .ci/run tests/*.sh tests/*/*.sh; do [ ! -e $$s ] || bash -n $$s || exit 1; done
+	shellcheck -S warning -e SC2034,SC2154 $(wildcard .ci/run tests/*.sh tests/*/*.sh tests/*.bash)
 
 man: $(BUILD)/beadreel ## write the options into the man page again
 	@tests/man_options.sh $(BUILD)/beadreel assets/beadreel.1

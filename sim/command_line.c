@@ -18,7 +18,8 @@ struct option_row {
     enum bead_error (*apply)(struct command *command, const char *value, struct bead_message *msg);
 };
 
-/* An enumerated value of an option. */
+/* An enumerated value of an option; at most CHOICES of them. */
+enum { CHOICES = 8 };
 struct choice {
     const char *name;
     int value;
@@ -28,7 +29,7 @@ static enum bead_error choose(const char *option, const char *value, const struc
                               struct bead_message *msg)
 {
     char all[160] = "";
-    const char *names[8];
+    const char *names[CHOICES];
     for (size_t i = 0; i < count; i++) {
         if (strcmp(value, choices[i].name) == 0) {
             *out = choices[i].value;
@@ -103,13 +104,11 @@ static enum bead_error set_instructions(struct command *command, const char *val
 
 static enum bead_error set_list(struct command *command, const char *value, struct bead_message *msg)
 {
-    struct choice choices[8];
+    struct choice choices[CHOICES] = {0};
     size_t count = 0;
     const struct command_list *lists = command->program->lists;
-    while (lists[count].name && count < sizeof choices / sizeof *choices) {
+    for (; count < CHOICES && lists[count].name; count++)
         choices[count] = (struct choice){lists[count].name, (int)count};
-        count++;
-    }
     int chosen;
     enum bead_error err = choose("list", value, choices, count, &chosen, msg);
     if (err)

@@ -67,7 +67,17 @@ static void print_summary(const struct bead_session *session, size_t files, uint
     putchar('\n');
 }
 
-static enum bead_error play(struct bead_session *session, struct command_meter *meter, double began, struct bead_message *msg)
+static void print_skipped(const struct command *command, const struct bead_session *session)
+{
+    const char *name;
+    for (size_t i = 0; (name = bead_session_skipped(session, i)); i++)
+        printf("%s%s", i == 0 ? "skipped: " : ", ", name);
+    if (bead_session_skipped(session, 0))
+        printf(" (%s draws nothing; beadreel does)\n", command->program->name);
+}
+
+static enum bead_error play(const struct command *command, struct bead_session *session, struct command_meter *meter, double began,
+                            struct bead_message *msg)
 {
     enum bead_error err = bead_session_run(session, msg);
     command_meter_clear(meter);
@@ -79,8 +89,10 @@ static enum bead_error play(struct bead_session *session, struct command_meter *
     for (size_t i = 0; i < count; i++)
         bytes += results[i].bytes;
     print_results(results, count);
-    if (!err)
-        print_summary(session, count, bytes, command_clock() - began);
+    if (err)
+        return err;
+    print_skipped(command, session);
+    print_summary(session, count, bytes, command_clock() - began);
     return err;
 }
 
@@ -98,7 +110,7 @@ enum bead_error command_run(const struct command *command, const volatile sig_at
     command_meter_clear(&meter);
     if (err)
         return err;
-    err = play(session, &meter, began, msg);
+    err = play(command, session, &meter, began, msg);
     bead_session_close(session);
     return err;
 }

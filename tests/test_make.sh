@@ -57,7 +57,7 @@ ok "the installed program finds its scenes" no_asset_env "$root/bin/beadreel" --
 ok "manual page" test -s "$root/share/man/man1/beadreel.1"
 compile_example() {
     local flags
-    flags=$(PKG_CONFIG_PATH="$root/lib/pkgconfig" PKG_CONFIG_SYSROOT_DIR= pkg-config --define-variable=prefix="$root" \
+    flags=$(PKG_CONFIG_PATH="$root/lib/pkgconfig" PKG_CONFIG_SYSROOT_DIR='' pkg-config --define-variable=prefix="$root" \
         --define-variable=libdir="$root/lib" --cflags --libs beadsim) || return 1
     # shellcheck disable=SC2086
     "${CC:-cc}" ${TEST_CFLAGS:-} -o "$T/minimal" "$top/tests/examples/minimal.c" $flags -Wl,-rpath,"$root/lib"

@@ -1,0 +1,70 @@
+#!/bin/bash
+# What a run prints and leaves: files, sizes, progress; the same results for any threads and instructions.
+source "$(dirname "$0")/../shell.bash"
+cat >"$T/scene.yaml" <<'YAML'
+title: Results
+chain:
+  striker: {bead: large-steel, velocity: 0.443 m/s}
+  beads: [{cell: [large-steel, aluminium], count: 12, spins: random, magnetism: 0.5, seed: 3}]
+  wall: brass
+outputs:
+  - {trajectory: run.h5, every: 2 us, fields: [displacement, velocity, force]}
+  - {image: force.png, size: [320, 200]}
+  - {table: peaks.csv, show: peaks}
+  - {table: beads.csv, show: bead-peaks}
+YAML
+cd "$T" || exit 1
+
+ok "beadreel runs" exits 0 "$beadreel" scene.yaml -o all
+ok "... makes the directory and every file" test -s all/run.h5 -a -s all/force.png -a -s all/peaks.csv -a -s all/beads.csv
+ok "... and nothing else" test "$(ls -A all | wc -l)" -eq 4
+for f in run.h5 force.png peaks.csv beads.csv; do
+    ok "... and says so: $f" grep -q "^all/$f  " out
+done
+ok "... with a summary" grep -qE '^4 files, .* 1 chain to .* with .*, step ' out
+ok "... quietly where stderr is no terminal" test ! -s err
+
+ok "beadsim runs" exits 0 "$beadsim" scene.yaml -o data
+ok "... makes only data" test "$(ls -A data | tr '\n' ' ')" = "beads.csv peaks.csv run.h5 "
+ok "... names what it skipped" grep -q '^skipped: force.png' out
+ok "... the same peaks" cmp all/peaks.csv data/peaks.csv
+
+ok "--only" exits 0 "$beadreel" scene.yaml -o only --only peaks.csv
+ok "... makes one file" test "$(ls -A only)" = peaks.csv
+ok "... with the same numbers" cmp all/peaks.csv only/peaks.csv
+ok "--only twice" bash -c "'$beadreel' scene.yaml -o two --only peaks.csv --only force.png && [ \$(ls two | wc -l) = 2 ]"
+ok "... the same picture" cmp all/force.png two/force.png
+ok "the current directory is the default" bash -c "mkdir here && cd here && '$beadsim' ../scene.yaml --only beads && [ -s beads.csv ]"
+
+contents() { h5dump -d /particles/chain/velocity/value -d /particles/chain/force/value "$1" | tail -n +2; }
+for n in 1 2 3; do
+    "$beadreel" scene.yaml -o "threads$n" --threads $n >/dev/null || continue
+    ok "same pictures with $n threads" cmp all/force.png "threads$n/force.png"
+    ok "same numbers with $n threads" cmp all/beads.csv "threads$n/beads.csv"
+    ok "same samples with $n threads" cmp <(contents all/run.h5) <(contents "threads$n/run.h5")
+done
+for set in sse2 avx2 avx512; do
+    if "$beadsim" scene.yaml -o "$set" --instructions=$set >/dev/null 2>err; then
+        ok "same numbers with $set" cmp all/beads.csv "$set/beads.csv"
+        ok "same samples with $set" cmp <(contents all/run.h5) <(contents "$set/run.h5")
+    else
+        skip "this machine has no $set"
+    fi
+done
+
+# Progress: slow enough that there is some.
+slow=(--set "simulate={until: 60 ms, method: rk4, step: 0.1 us}" --only peaks.csv)
+ok "--progress=json" exits 0 "$beadsim" scene.yaml -o slow "${slow[@]}" --progress=json
+json_lines() { [ -s err ] && ! grep -vE '^\{"what": "[^"]+", "done": [0-9.]+, "elapsed_s": [0-9.]+(, "left_s": [0-9.]+)?(, "time_s": [-+0-9.e]+)?\}$' err; }
+ok "... one object a line" json_lines
+ok "--progress=none is quiet" bash -c "'$beadsim' scene.yaml -o slow --set simulate.until='60 ms' --only peaks.csv --progress=none 2>&1 >/dev/null | (! grep .)"
+bar() { TERM=xterm script -qec "$beadsim scene.yaml -o slow --set simulate.until='60 ms' --set simulate.method=rk4 \
+    --set simulate.step='0.1us' --only peaks.csv" typescript >/dev/null && grep -q '\[[#.]*\] *[0-9]* %' typescript; }
+if command -v script >/dev/null; then
+    ok "a bar on a terminal" bar
+else
+    skip "no 'script' here"
+fi
+ok "stdout to a full device" fails 1 bash -c "'$beadsim' scene.yaml -o slow --only peaks.csv >/dev/full"
+ok "a closed pipe ends in order" bash -c "'$beadsim' scene.yaml -o slow --only peaks.csv 2>err2 | true; [ \${PIPESTATUS[0]} -le 1 ]"
+finish
