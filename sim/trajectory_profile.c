@@ -1,6 +1,7 @@
 /* What stands beside the samples in a trajectory: see trajectory_layout.h. */
 #include "sim/trajectory_sink.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -182,7 +183,8 @@ static void write_summary(struct bead_sink *sink)
     bead_h5_put_text(h5, group, "fields", names);
     bead_h5_put_double(h5, group, "start", sink->grid.start);
     bead_h5_put_double(h5, group, "every", sink->grid.every);
-    bead_h5_put_double(h5, group, "end", sink->stage.end);
+    /* A run until the front arrives may not know its end yet. */
+    bead_h5_put_double(h5, group, "end", sink->stage.end < INFINITY ? sink->stage.end : sink->grid.end);
     bead_h5_put_ints(h5, group, "first_bead", &first, 0);
     bead_h5_put_ints(h5, group, "last_bead", &last, 0);
     bead_h5_put_text(h5, group, "method", scene->simulate.method ? scene->simulate.method : "auto");
