@@ -114,26 +114,21 @@ static double find_magnetism(const char *spins)
     return all > 0 ? fabs(2 * up - all) / all : 1;
 }
 
-/* The appendix's A differs from Eq. 13's between spheres only: sqrt(R1 R2)/(R1 + R2) without the square root of the sum. */
-static double appendix_ratio(double r1, double r2)
-{
-    return sqrt(r1 * r2) / (r1 + r2) / sqrt(r1 * r2 / (r1 + r2));
-}
-
 static double stiffness_of(const struct bead_chain *chain, size_t k)
 {
     const struct bead_law_spec *law = &chain->spec->law;
     const struct bead_material *materials = chain->scene->materials, *left = &materials[chain->material[k]];
-    bool at_wall = k + 1 == chain->beads;
+    bool at_wall = k + 1 == chain->beads, printed = law->kind == BEAD_LAW_THESIS_APPENDIX;
     if (at_wall && chain->spec->wall == BEAD_WALL_NONE)
         return 0;
     if (law->kind == BEAD_LAW_POWER || law->kind == BEAD_LAW_FPU_ALPHA)
         return law->coefficient;
+    if (at_wall && chain->spec->wall == BEAD_WALL_RIGID)
+        return bead_hertz_wall(left, NULL);
+    const struct bead_material *right = &materials[at_wall ? chain->spec->wall_material : chain->material[k + 1]];
     if (at_wall)
-        return bead_hertz_wall(left, chain->spec->wall == BEAD_WALL_RIGID ? NULL : &materials[chain->spec->wall_material]);
-    const struct bead_material *right = &materials[chain->material[k + 1]];
-    double a = bead_hertz_spheres(left, right);
-    return law->kind == BEAD_LAW_THESIS_APPENDIX ? a * appendix_ratio(left->radius, right->radius) : a;
+        return printed ? bead_printed_wall(left, right) : bead_hertz_wall(left, right);
+    return printed ? bead_printed_spheres(left, right) : bead_hertz_spheres(left, right);
 }
 
 /* Static force: precompression, and on a tilt the weight of the beads above (the striker has not landed yet,

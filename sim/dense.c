@@ -14,7 +14,7 @@ static void combine_state(const struct bead_stepper *s, const double weight[5], 
 
 void bead_dense_state(const struct bead_stepper *s, double t, double *u, double *v)
 {
-    double h = s->t1 - s->t0, x = h > 0 ? (t - s->t0) / h : 1;
+    double h = s->h, x = h > 0 ? (t - s->t0) / h : 1;
     if (x >= 1 - same_time || x <= same_time) {
         const struct bead_state *end = x <= same_time ? &s->start : &s->end;
         if (u)
@@ -122,7 +122,7 @@ static void derivatives(const struct bead_stepper *s, const struct bead_state *s
 
 struct bead_polynomial bead_dense_compression(const struct bead_stepper *s, size_t k)
 {
-    double h = s->t1 - s->t0, at0[4], at1[4];
+    double h = s->h, at0[4], at1[4];
     derivatives(s, &s->start, k, h, at0);
     derivatives(s, &s->end, k, h, at1);
     return bead_polynomial_hermite(at0, at1);

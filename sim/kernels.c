@@ -67,3 +67,18 @@ void bead_force_damped(size_t n, const struct bead_contact_table *table, const d
         f[k] = force - table->static_force[k];
     }
 }
+
+void bead_force_printed(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f)
+{
+    (void)v;
+    for (size_t k = 0; k < n; k++) {
+        double d = table->static_compression[k] + (u[k] - u[k + 1]);
+        f[k] = (d > 0 ? table->stiffness[k] * pow(d, 1.5) : 0) - table->static_force[k];
+    }
+}
+
+void bead_accelerations_printed(size_t n, const double *f, const double *mass, double *a)
+{
+    for (size_t j = 0; j < n; j++)
+        a[j] = f[(ptrdiff_t)j - 1] / mass[j] - f[j] / mass[j];
+}

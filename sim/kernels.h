@@ -9,6 +9,9 @@
 #include <stddef.h>
 
 struct bead_law_spec;
+struct bead_patch_piece;
+struct bead_patch_rule;
+struct bead_patch_contact;
 
 /* Constants of the contacts 0..n-1 as the force kernels want them. */
 struct bead_contact_table {
@@ -22,6 +25,15 @@ struct bead_contact_table {
 /* f_k of displacements u (and velocities v where damped), minus the static force. */
 typedef void (*bead_force_kernel)(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f);
 
+/* States at both ends of a step of length h, s. */
+struct bead_event_ends {
+    const double *static_compression, *u0, *v0, *u1, *v1;
+    double h;
+};
+
+/* a_j of contact forces f and inverse masses (or masses: bead_accelerations_printed). */
+typedef void (*bead_acceleration_kernel)(size_t n, const double *f, const double *inverse_mass, double *a);
+
 enum { BEAD_COMBINE_MAX = 18 };
 
 struct bead_kernels {
@@ -29,13 +41,20 @@ struct bead_kernels {
     bead_force_kernel hertz;        /* A d^{3/2} without static part */
     bead_force_kernel hertz_static; /* with */
     /* a_j = (f_{j-1} - f_j) / m_j */
-    void (*accelerations)(size_t n, const double *f, const double *inverse_mass, double *a);
+    bead_acceleration_kernel accelerations;
+    /* y = base + (h k_0 + 2 h k_1 + 2 h k_2 + h k_3) / 6, in the order the thesis's program adds them. */
+    void (*rk4_sum)(size_t n, double *y, const double *base, double h, const double *const k[4]);
     /* y = base + scale * v + sum_i coefficient_i * term_i, in this order; count <= BEAD_COMBINE_MAX; v may be NULL. */
     void (*combine)(size_t n, double *y, const double *base, double scale, const double *v, size_t count, const double *coefficient,
                     const double *const *term);
     double (*largest)(size_t n, const double *f); /* max of f_0..f_{n-1} and 0 */
     /* mark[k] = 1 where the relative velocity v_k - v_{k+1} was > 0 in `before` and is <= 0 in `after`; returns whether any. */
     bool (*turns)(size_t n, const double *before, const double *after, unsigned char *mark);
+    /* mark[k] = 1 where contact k may open or close within the step or `reach` steps outside; returns whether any. */
+    bool (*mark_events)(size_t n, const struct bead_event_ends *ends, double reach, unsigned char *mark);
+    /* Contacts 1..count of a patch over a piece of the step (events_patch.h); 0 and count + 1 are frozen. */
+    void (*integrate_patch)(const struct bead_patch_piece *piece, const struct bead_patch_rule *rule, size_t sweeps, size_t count,
+                            struct bead_patch_contact *contact);
 };
 
 /* NULL: the best this machine has. Otherwise by name; NULL is returned for one that is unknown or not to be had. */
@@ -44,5 +63,9 @@ const struct bead_kernels *bead_kernels_find(const char *name);
 /* For laws without a vector kernel, and for damping. */
 void bead_force_general(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f);
 void bead_force_damped(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f);
+/* The arithmetic of the thesis's Appendix 4, operation by operation: d^(3/2) by pow, each force divided by the mass. A chain that
+ * multiplies rounding errors by 1e9 within the run comes out the same only so. */
+void bead_force_printed(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f);
+void bead_accelerations_printed(size_t n, const double *f, const double *mass, double *a);
 
 #endif

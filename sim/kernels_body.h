@@ -36,6 +36,14 @@ static void accelerations(size_t n, const double *f, const double *inverse_mass,
         out[j] = (left[j] - right[j]) * w[j];
 }
 
+static void rk4_sum(size_t n, double *y, const double *base, double h, const double *const k[4])
+{
+    const double *restrict k0 = k[0], *restrict k1 = k[1], *restrict k2 = k[2], *restrict k3 = k[3], *restrict from = base;
+    double *restrict out = y;
+    for (size_t j = 0; j < n; j++)
+        out[j] = from[j] + (((h * k0[j] + 2 * (h * k1[j])) + 2 * (h * k2[j])) + h * k3[j]) / 6;
+}
+
 /* One fused loop for each number of terms: the sum stays in registers. */
 #define TERM(i) s += c##i * t##i[j];
 #define LOAD(i)                                                                                                                    \
@@ -122,5 +130,8 @@ static bool turns(size_t n, const double *before, const double *after, unsigned 
     return any != 0;
 }
 
-const struct bead_kernels KERNELS_TABLE = {KERNELS_NAME, KERNELS_DESCRIPTION, hertz, hertz_static, accelerations, combine, largest,
-                                           turns};
+#include "sim/events_body.h"
+
+const struct bead_kernels KERNELS_TABLE = {
+    KERNELS_NAME, KERNELS_DESCRIPTION, hertz,          hertz_static, accelerations, rk4_sum, combine, largest,
+    turns,        mark_events,         integrate_patch};

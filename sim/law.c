@@ -34,6 +34,13 @@ static double hertz_energy_compression(double a, const struct bead_law_spec *spe
     return e > 0 && a > 0 ? pow(2.5 * e / a, 0.4) : 0;
 }
 
+/* The same as the thesis's program computes it: the last bit may differ. */
+static double printed_force(double a, const struct bead_law_spec *spec, double d)
+{
+    (void)spec;
+    return d > 0 ? a * pow(d, 1.5) : 0;
+}
+
 /* f = A d^p, d > 0. */
 static double power_energy(double a, const struct bead_law_spec *spec, double d)
 {
@@ -100,7 +107,7 @@ static const struct bead_law laws[] = {
                             fpu_energy, fpu_force, fpu_stiffness, fpu_compression, fpu_energy_compression},
     [BEAD_LAW_THESIS_APPENDIX] =
         {"thesis-appendix", "Hertz with A as printed in Appendix 4, 4 sqrt(R1 R2)/(R1+R2): too stiff by 10.25 for 4.76 mm beads",
-         true, hertz_energy, hertz_force, hertz_stiffness, hertz_compression, hertz_energy_compression},
+         true, hertz_energy, printed_force, hertz_stiffness, hertz_compression, hertz_energy_compression},
 };
 
 const struct bead_law *bead_law_find(enum bead_law_kind kind)
@@ -130,4 +137,17 @@ double bead_hertz_wall(const struct bead_material *bead, const struct bead_mater
     if (wall)
         return elastic(bead, wall) * sqrt(bead->radius);
     return 4 * bead->modulus / (3 * (1 - bead->poisson * bead->poisson)) * sqrt(bead->radius);
+}
+
+double bead_printed_spheres(const struct bead_material *a, const struct bead_material *b)
+{
+    double flat_a = 1 - a->poisson * a->poisson, flat_b = 1 - b->poisson * b->poisson;
+    return 4 * sqrt(a->radius * b->radius) / (a->radius + b->radius) * a->modulus * b->modulus /
+           (3 * b->modulus * flat_a + 3 * a->modulus * flat_b);
+}
+
+double bead_printed_wall(const struct bead_material *bead, const struct bead_material *wall)
+{
+    double flat_bead = 1 - bead->poisson * bead->poisson, flat_wall = 1 - wall->poisson * wall->poisson;
+    return 4 * bead->modulus * wall->modulus * sqrt(bead->radius) / (3 * wall->modulus * flat_bead + 3 * bead->modulus * flat_wall);
 }

@@ -20,13 +20,13 @@ void bead_step_rk4(struct bead_stepper *s, double h)
 
     k->combine(n, s->y, from->u, h, v3, 0, NULL, NULL);
     k->combine(n, v4, from->v, h, to->a, 0, NULL, NULL);
-    const double *sum_v[] = {v2, v3, v4};
-    const double weight[] = {h / 3, h / 3, h / 6};
-    k->combine(n, to->u, from->u, h / 6, from->v, 3, weight, sum_v);
+    const double *const sum_v[] = {from->v, v2, v3, v4};
+    k->rk4_sum(n, to->u, from->u, h, sum_v);
 
-    const double *sum_a[] = {a2, to->a, s->w[0]};
-    bead_stepper_evaluate(s, s->y, v4, f, s->w[0]);
-    k->combine(n, to->v, from->v, h / 6, from->a, 3, weight, sum_a);
+    /* v2 is not needed any more: the fourth stage's accelerations. */
+    bead_stepper_evaluate(s, s->y, v4, f, v2);
+    const double *const sum_a[] = {from->a, a2, to->a, v2};
+    k->rk4_sum(n, to->v, from->v, h, sum_a);
 
     bead_stepper_evaluate(s, to->u, to->v, to->f, to->a);
 }

@@ -95,30 +95,32 @@ static double curve_rate(const void *context, double x)
     return rate;
 }
 
-static void keep(struct bead_peak *best, double value, double time, bool open)
-{
-    if (value > best->value)
-        *best = (struct bead_peak){value, time, open};
-}
-
 static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
     struct force_curve curve = curve_of(p, s, index);
     double rate0 = curve_rate(&curve, 0), rate1 = curve_rate(&curve, 1);
     if (!(rate0 > 0 && rate1 <= 0))
         return;
-    double x = bead_find_root(curve_rate, &curve, rate0, rate1), time = s->t0 + x * (s->t1 - s->t0);
-    if (time <= limit)
-        keep(&p->best[index], curve_force(p, &curve, x), time, false);
+    double x = bead_find_root(curve_rate, &curve, rate0, rate1), time = s->t0 + x * s->h;
+    double value = curve_force(p, &curve, x);
+    if (time <= limit && value > p->best[index].value)
+        p->best[index] = (struct bead_peak){value, time, false};
 }
 
-/* The force at the limit, where it was still rising. */
+/* Still rising at the limit, and higher than any maximum before: the maximum stands, marked as open; where there was none the force
+ * so far stands in for it. */
 static void find_open(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
     struct force_curve curve = curve_of(p, s, index);
-    double x = (limit - s->t0) / (s->t1 - s->t0);
-    if (curve_rate(&curve, x) > 0)
-        keep(&p->best[index], curve_force(p, &curve, x), limit, true);
+    struct bead_peak *best = &p->best[index];
+    double x = (limit - s->t0) / s->h, value = curve_force(p, &curve, x);
+    if (!(curve_rate(&curve, x) > 0 && value > best->value))
+        return;
+    best->open = true;
+    if (isnan(best->time)) {
+        best->value = value;
+        best->time = limit;
+    }
 }
 
 /* Rates of all bead forces in a state. */

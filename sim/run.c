@@ -165,7 +165,7 @@ static void watch_front(struct bead_run *run)
                           c->law->compression(c->stiffness[last], &c->spec->law, level + c->static_force[last])};
     double at0 = above(&t, 0), at1 = above(&t, 1);
     double x = at0 >= 0 ? 0 : at1 <= 0 ? 1 : bead_find_root(above, &t, at0, at1);
-    run->arrival = s->t0 + x * (s->t1 - s->t0);
+    run->arrival = s->t0 + x * s->h;
 }
 
 /* A number that every bit of the state goes into, and beads at rest do not: the same with and without window. */
@@ -204,19 +204,25 @@ static enum bead_error check_energy(struct bead_run *run, struct bead_message *m
     return BEAD_OK;
 }
 
-/* Where the next step ends. */
-static double next_time(const struct bead_run *run)
+/* One step of the usual length, or a shorter one that ends where the run does. */
+static void advance(struct bead_run *run)
 {
-    double h = run->stepping.step, t = (double)(run->stepper->steps + 1) * h;
+    struct bead_stepper *s = run->stepper;
+    double h = run->stepping.step, t = (double)(s->steps + 1) * h;
     /* Where the front's arrival ends the run the steps keep their length: they must not depend on whether it was known before. */
     double end = run->settings.passage ? INFINITY : run->settings.end;
-    return t > end - last_sliver * h && run->stepper->t1 < end ? end : t;
+    if (t > end + last_sliver * h && s->t1 < end)
+        bead_stepper_advance(s, end);
+    else if (t > end - last_sliver * h && s->t1 < end)
+        bead_stepper_advance_by(s, h, end); /* the same but for rounding */
+    else
+        bead_stepper_advance_by(s, h, t);
 }
 
 enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
 {
     struct bead_stepper *s = run->stepper;
-    bead_stepper_advance(s, next_time(run));
+    advance(run);
     watch_front(run);
     double limit = run->settings.passage && !isnan(run->arrival) ? run->arrival : run->settings.end;
     if (run->contact_peaks)

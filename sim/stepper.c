@@ -71,7 +71,9 @@ static bead_force_kernel choose_force(const struct bead_chain *chain, const stru
     enum bead_law_kind law = chain->spec->law.kind;
     if (chain->spec->damping_coefficient > 0)
         return bead_force_damped;
-    if (law != BEAD_LAW_HERTZ && law != BEAD_LAW_THESIS_APPENDIX)
+    if (law == BEAD_LAW_THESIS_APPENDIX)
+        return bead_force_printed;
+    if (law != BEAD_LAW_HERTZ)
         return bead_force_general;
     return has_static(chain) ? kernels->hertz_static : kernels->hertz;
 }
@@ -103,8 +105,12 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
     s->beads = chain->beads;
     s->full = full;
     s->force = choose_force(chain, kernels);
+    bool printed = s->force == bead_force_printed;
+    s->accelerate = printed ? bead_accelerations_printed : kernels->accelerations;
+    s->inverse_mass = printed ? chain->mass : chain->inverse_mass;
     s->table = (struct bead_contact_table){chain->stiffness,  chain->static_compression,        chain->static_force,
                                            &chain->spec->law, chain->spec->damping_coefficient, chain->spec->damping_exponent};
+    s->event_tolerance = ldexp(fabs(chain->spec->striker_velocity), -54);
     enum bead_error err = allocate(s, msg);
     if (!err && method->events)
         err = bead_events_create(s, &s->events, msg);
@@ -132,23 +138,29 @@ void bead_stepper_destroy(struct bead_stepper *stepper)
 void bead_stepper_evaluate(struct bead_stepper *s, const double *u, const double *v, double *f, double *a)
 {
     s->force(s->active, &s->table, u, v, f);
-    s->kernels->accelerations(s->active, f, s->chain->inverse_mass, a);
+    s->accelerate(s->active, f, s->inverse_mass, a);
     s->evaluations += s->active;
 }
 
 void bead_stepper_advance(struct bead_stepper *s, double t1)
+{
+    bead_stepper_advance_by(s, t1 - s->t1, t1);
+}
+
+void bead_stepper_advance_by(struct bead_stepper *s, double h, double t1)
 {
     struct bead_state end = s->start;
     s->start = s->end;
     s->end = end;
     s->t0 = s->t1;
     s->t1 = t1;
+    s->h = h;
     open_window(s, &s->start);
     /* Ahead of the front displacements fall doubly exponentially: below 1e-308 they are nothing, not slow
      * subnormal numbers. The flags are the caller's again afterwards. */
     unsigned flags = _mm_getcsr();
     _mm_setcsr(flags | 0x8040);
-    s->method->step(s, s->t1 - s->t0);
+    s->method->step(s, h);
     if (s->events)
         bead_events_correct(s->events, s);
     _mm_setcsr(flags);

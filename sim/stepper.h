@@ -36,17 +36,20 @@ struct bead_stepper {
     const struct bead_method *method;
     const struct bead_kernels *kernels;
     bead_force_kernel force;
+    bead_acceleration_kernel accelerate;
+    const double *inverse_mass; /* what accelerate wants: inverse masses, or masses for the printed arithmetic */
     struct bead_contact_table table;
     size_t beads;
-    size_t active; /* beads that the step just made may have moved */
-    bool full;     /* no window */
-    double t0, t1; /* s: times of start and end */
+    size_t active;    /* beads that the step just made may have moved */
+    bool full;        /* no window */
+    double t0, t1, h; /* s: times of start and end, and the length of the step: t1 - t0 but for the rounding of times */
     struct bead_state start, end;
     /* Stages of the step just made: accelerations and contact forces; [0] is start's. Valid up to `stages` for Nystrom methods. */
     double *stage_a[BEAD_STAGES_MAX + 1], *stage_f[BEAD_STAGES_MAX + 1];
     double *y, *w[3];            /* work */
     uint64_t steps, evaluations; /* evaluations: contact forces computed */
     struct bead_events *events;  /* the contact-event correction's own, NULL where the method has none */
+    double event_tolerance;      /* m/s: events that cannot change a velocity by more are left alone; the owner may set it */
     double event_change;         /* largest change of a velocity in the last Picard sweep of this step, m/s: an error estimate */
     void *memory;
 };
@@ -70,6 +73,8 @@ BEAD_CHECK enum bead_error bead_stepper_create(const struct bead_chain *chain, c
 void bead_stepper_destroy(struct bead_stepper *stepper);
 /* The old end becomes the start; one step to `t1` (> stepper->t1). */
 void bead_stepper_advance(struct bead_stepper *stepper, double t1);
+/* The same with the length given, so that equal steps are equal to the bit. */
+void bead_stepper_advance_by(struct bead_stepper *stepper, double h, double t1);
 /* Forces and accelerations of displacements u (and velocities v) in the active window. */
 void bead_stepper_evaluate(struct bead_stepper *stepper, const double *u, const double *v, double *f, double *a);
 /* Energy above the static state, J, and momentum, kg m/s, of a state. */

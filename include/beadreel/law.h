@@ -28,5 +28,9 @@ BEAD_API const struct bead_law *bead_law_info(size_t index);
 BEAD_API double bead_hertz_spheres(const struct bead_material *a, const struct bead_material *b);
 /* The same for a sphere and a flat wall, sqrt(R) instead; wall NULL: rigid. */
 BEAD_API double bead_hertz_wall(const struct bead_material *bead, const struct bead_material *wall);
+/* Both as the program of the thesis's Appendix 4 has them, operation by operation; between spheres it takes
+ * sqrt(R1 R2) / (R1 + R2) for the square root of R1 R2 / (R1 + R2), N/m^{3/2}. `wall` is not NULL. */
+BEAD_API double bead_printed_spheres(const struct bead_material *a, const struct bead_material *b);
+BEAD_API double bead_printed_wall(const struct bead_material *bead, const struct bead_material *wall);
 
 #endif

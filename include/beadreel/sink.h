@@ -50,9 +50,9 @@ struct bead_range {
 };
 
 struct bead_peak {
-    double value; /* N: largest maximum within first passage */
+    double value; /* N: largest maximum; where there was none yet, the force at the end */
     double time;  /* s; NaN where the contact was never loaded */
-    bool open;    /* still loading at the end of the run */
+    bool open;    /* at the end of the run the force was rising, and higher */
 };
 
 /* What is known about one chain after the run. */

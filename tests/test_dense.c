@@ -1,0 +1,106 @@
+/* Interpolation between steps, and spins. */
+#include "support.h"
+
+#include "sim/dense.h"
+#include "sim/spins.h"
+
+static void septic_is_exact_for_septics(void **state)
+{
+    (void)state;
+    for (int power = 0; power < 8; power++) {
+        double at0[4] = {0}, at1[4], factor = 1;
+        for (int d = 0; d < 4; d++) {
+            at0[d] = power == d ? factor : 0;
+            at1[d] = factor;
+            factor *= power - d;
+            at0[d] = power == d ? tgamma(power + 1) : 0;
+        }
+        struct bead_polynomial p = bead_polynomial_hermite(at0, at1);
+        for (double x = 0; x <= 1; x += 0.125) {
+            assert_near(bead_polynomial_value(&p, x), pow(x, power), 1e-13);
+            assert_near(bead_polynomial_slope(&p, x), power ? power * pow(x, power - 1) : 0, 1e-12);
+        }
+    }
+}
+
+/* Samples between steps converge as the step's power 6 (velocity: 5), and are the states themselves at the ends. */
+static void samples_between_steps_are_accurate(void **state)
+{
+    (void)state;
+    double error[2];
+    for (int i = 0; i < 2; i++) {
+        char simulate[64];
+        double step = i ? 2e-6 : 4e-6;
+        snprintf(simulate, sizeof simulate, "until: 0.3 ms, method: rkn12, step: %g", step);
+        struct built built = build(P4_CHAIN, simulate), fine = build(P4_CHAIN, "until: 0.3 ms, method: rkn12, step: 0.5 us");
+        struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = 0.3e-3});
+        struct bead_run *exact = start_run(&fine, (struct bead_run_settings){.end = 0.3e-3});
+        error[i] = 0;
+        for (double t = 0.2e-3 + 0.25 * step; t < 0.25e-3; t += step) {
+            double time = round(t * 2e6) / 2e6; /* a time where the fine run has a state */
+            run_until(run, time);
+            run_until(exact, time);
+            struct bead_sample s = sample_at(run, time), e = sample_at(exact, time);
+            for (size_t j = 0; j < built.chain->beads; j++)
+                error[i] = fmax(error[i], fabs(s.field[BEAD_FIELD_DISPLACEMENT][j] - e.field[BEAD_FIELD_DISPLACEMENT][j]));
+        }
+        bead_run_destroy(run);
+        bead_run_destroy(exact);
+        release(&built);
+        release(&fine);
+    }
+    assert_near(log2(error[0] / error[1]), 6, 0.7);
+}
+
+static void magnetism_is_exact(void **state)
+{
+    (void)state;
+    char digits[1000];
+    for (size_t count = 1; count < 60; count++) {
+        for (double m = 0; m <= 1; m += 0.05) {
+            bead_spins_draw(digits, count, m, 7, 0);
+            size_t up = 0;
+            for (size_t i = 0; i < count; i++)
+                up += digits[i] == '1';
+            assert_int_equal(up, bead_spins_up(count, m));
+            /* no other number of ups is nearer, and the majority is up */
+            double got = (2.0 * (double)up - (double)count) / (double)count, spacing = 2.0 / (double)count;
+            assert_true(fabs(got - m) <= spacing / 2 + 1e-12);
+            assert_true(2 * up >= count || count % 2 == 1);
+        }
+    }
+}
+
+/* Every cell is as often up as any other; and the draw depends on the seed. */
+static void spins_are_uniform(void **state)
+{
+    (void)state;
+    enum { COUNT = 40, DRAWS = 4000 };
+    int up[COUNT] = {0}, pairs = 0;
+    char digits[COUNT], other[COUNT];
+    for (int d = 0; d < DRAWS; d++) {
+        bead_spins_draw(digits, COUNT, 0.5, 2009, (uint64_t)d);
+        for (int i = 0; i < COUNT; i++)
+            up[i] += digits[i] == '1';
+        pairs += digits[0] == '1' && digits[1] == '1';
+    }
+    for (int i = 0; i < COUNT; i++)
+        assert_near(up[i] / (double)DRAWS, 0.75, 5 * sqrt(0.75 * 0.25 / DRAWS));
+    assert_near(pairs / (double)DRAWS, 30.0 / 40 * 29 / 39, 0.04);
+    bead_spins_draw(digits, COUNT, 0, 1, 0);
+    bead_spins_draw(other, COUNT, 0, 2, 0);
+    assert_memory_not_equal(digits, other, COUNT);
+    bead_spins_draw(other, COUNT, 0, 1, 0);
+    assert_memory_equal(digits, other, COUNT);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(septic_is_exact_for_septics),
+        cmocka_unit_test(samples_between_steps_are_accurate),
+        cmocka_unit_test(magnetism_is_exact),
+        cmocka_unit_test(spins_are_uniform),
+    };
+    return cmocka_run_group_tests_name("dense", tests, NULL, NULL);
+}
