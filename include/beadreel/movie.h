@@ -1,12 +1,15 @@
 /* Movies: frames into a file through libavcodec and libavformat. The container follows the extension:
- * mp4 (H.264), mkv (FFV1, or lossless H.264), webm (VP9), gif, png/apng (APNG).
+ * mp4 (H.264), mkv (H.264; lossless: FFV1), webm (VP9), gif, png/apng (APNG); lossless mp4 and webm keep RGB as it is.
  *
+ *   bead_movie_check(path, &settings, &msg);          long before, where there is time to say no
  *   bead_movie_open(path, &settings, &movie, &msg);   writes path.part
  *   bead_movie_add(movie, &frame, &changes, &msg);    once a frame, in order
- *   bead_movie_close(movie, &msg);                    finishes, fsyncs, renames; or bead_movie_abort(movie)
+ *   bead_movie_close(movie, &bytes, &msg);            finishes, fsyncs, renames; or bead_movie_abort(movie)
  *
  * Only the changed rectangles are converted; a frame without changes is not encoded where the container
- * can show the one before for longer. Encoder settings are deterministic: same frames, same decoded frames. */
+ * can show the one before for longer (the last one always is, so that the duration is exact). Encoder
+ * settings are deterministic: same frames, same decoded frames, one thread. A movie may be used from any
+ * one thread at a time. The log of libav is silenced, for the whole process. */
 #ifndef BEADREEL_MOVIE_H
 #define BEADREEL_MOVIE_H
 
@@ -17,28 +20,35 @@
 #include "beadreel/scene.h"
 
 struct bead_movie_settings {
-    int width, height; /* pixels; odd sizes are an error where the codec needs even ones */
-    double fps;
+    int width, height; /* pixels, 1..16384; odd sizes are an error where the codec needs even ones */
+    double fps;        /* 1/s, 0.01..1000; gif shows at most 50 a second (every second or third frame), for the same time */
     enum bead_quality quality;
     const char *title, *comment; /* metadata; may be NULL */
 };
 
 struct bead_movie;
 
-/* NULL-terminated list of file extensions that can be written, with a description of the codec. */
+/* File extensions that can be written, with a description of the codec; the list ends with extension NULL. */
 struct bead_codec_info {
     const char *extension, *description;
 };
 BEAD_API const struct bead_codec_info *bead_movie_codecs(void);
 
+/* Can such a movie be made? Touches no file. Errors: SCENE (extension, size, rate), UNSUPPORTED (libav was built without the
+ * encoder). */
+BEAD_API BEAD_CHECK enum bead_error bead_movie_check(const char *path, const struct bead_movie_settings *settings,
+                                                     struct bead_message *msg);
+/* On failure *movie is NULL and no file is left. Errors: those of check; IO, CODEC, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_movie_open(const char *path, const struct bead_movie_settings *settings,
-                                         struct bead_movie **movie, struct bead_message *msg);
-/* The first frame is taken whole, whatever `changes` says. */
+                                                    struct bead_movie **movie, struct bead_message *msg);
+/* The next frame, of the movie's size. The first is taken whole, whatever `changes` says; `changes` NULL: all may have
+ * changed. Nothing is kept of `frame` and `changes`. After an error only close and abort make sense. Errors: IO, CODEC, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_movie_add(struct bead_movie *movie, const struct bead_frame *frame,
-                                        const struct bead_changes *changes, struct bead_message *msg);
+                                                   const struct bead_changes *changes, struct bead_message *msg);
 BEAD_API uint64_t bead_movie_frames(const struct bead_movie *movie);  /* shown */
 BEAD_API uint64_t bead_movie_encoded(const struct bead_movie *movie); /* given to the encoder */
-/* Frees the movie in any case. */
+/* Frees the movie in any case; on failure no file is left. *bytes (may be NULL): size of the file. Errors: IO, CODEC
+ * (also where an earlier add failed, or no frame was added). */
 BEAD_API BEAD_CHECK enum bead_error bead_movie_close(struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg);
 /* Frees the movie and removes its file. NULL is allowed. */
 BEAD_API void bead_movie_abort(struct bead_movie *movie);

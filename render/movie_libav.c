@@ -1,0 +1,359 @@
+/* Frames into a file through libav: one video stream, times in frames, a picture kept and changed in place. */
+#include <errno.h>
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libavutil/opt.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/file.h"
+#include "render/convert.h"
+#include "render/movie_private.h"
+#include "render/palette.h"
+
+enum { KEY_INTERVAL = 250 }; /* frames given to the encoder from one that can be jumped to, to the next */
+
+struct bead_encoder {
+    AVFormatContext *format;
+    AVCodecContext *codec;
+    AVFrame *picture;        /* the frame as converted so far */
+    AVPacket *packet, *held; /* a packet waits in `held` until the time of the next tells its duration */
+    bead_convert convert;    /* or: */
+    struct bead_palette *palette;
+    AVRational frame_time; /* s: unit of all times here */
+    int64_t group;         /* frames shown as one, to stay below the container's rate; usually 1 */
+    int64_t last;          /* time of the picture encoded last */
+    bool dirty;            /* the picture has changed since */
+    bool holding;
+};
+
+/* One clear line out of libav's number. Where the file could not be written, that is the reason for all else. */
+static enum bead_error fail(const struct bead_movie *movie, const char *what, int code, struct bead_message *msg)
+{
+    const AVFormatContext *format = movie->encoder->format;
+    int written = format && format->pb ? format->pb->error : 0;
+    char text[AV_ERROR_MAX_STRING_SIZE] = "";
+    av_strerror(written < 0 ? written : code, text, sizeof text);
+    if (code == AVERROR(ENOMEM))
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", movie->path);
+    if (written < 0)
+        return bead_fail(msg, BEAD_ERROR_IO, "%s: writing failed: %s", movie->path, text);
+    return bead_fail(msg, BEAD_ERROR_CODEC, "%s: %s: %s", movie->path, what, text);
+}
+
+static enum bead_error no_memory(const struct bead_movie *movie, struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", movie->path);
+}
+
+/* Libav's log has no place for its owner: it is the process's. Ours are messages. */
+static void silence(void)
+{
+    if (av_log_get_level() > AV_LOG_QUIET)
+        av_log_set_level(AV_LOG_QUIET);
+}
+
+static int parse_options(const char *text, AVDictionary **options)
+{
+    return text && *text ? av_dict_parse_string(options, text, "=", " ", 0) : 0;
+}
+
+static void set_colours(AVCodecContext *codec)
+{
+    codec->color_primaries = AVCOL_PRI_BT709;
+    if (codec->pix_fmt != AV_PIX_FMT_YUV420P) { /* pixels as they are, which are sRGB */
+        codec->color_trc = AVCOL_TRC_IEC61966_2_1;
+        codec->colorspace = AVCOL_SPC_RGB;
+        codec->color_range = AVCOL_RANGE_JPEG;
+        return;
+    }
+    codec->color_trc = AVCOL_TRC_BT709;
+    codec->colorspace = AVCOL_SPC_BT709;
+    codec->color_range = AVCOL_RANGE_MPEG;
+    codec->chroma_sample_location = AVCHROMA_LOC_CENTER;
+}
+
+static enum bead_error open_codec(struct bead_movie *movie, const struct bead_preset *preset, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    const AVCodec *type = avcodec_find_encoder_by_name(preset->encoder);
+    e->codec = avcodec_alloc_context3(type);
+    if (!e->codec)
+        return no_memory(movie, msg);
+    AVCodecContext *c = e->codec;
+    c->width = movie->settings.width;
+    c->height = movie->settings.height;
+    c->pix_fmt = preset->format;
+    c->time_base = e->frame_time;
+    c->framerate = av_inv_q(e->frame_time);
+    c->sample_aspect_ratio = (AVRational){1, 1};
+    c->gop_size = KEY_INTERVAL;
+    c->max_b_frames = 0;
+    c->thread_count = 1; /* x264's pictures depend on the number of threads */
+    c->flags |= AV_CODEC_FLAG_BITEXACT;
+    if (e->format->oformat->flags & AVFMT_GLOBALHEADER)
+        c->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+    set_colours(c);
+    AVDictionary *options = NULL;
+    int code = parse_options(preset->options, &options);
+    if (code >= 0)
+        code = avcodec_open2(c, type, &options);
+    if (code >= 0 && av_dict_count(options))
+        code = AVERROR_OPTION_NOT_FOUND;
+    av_dict_free(&options);
+    return code < 0 ? fail(movie, "the encoder cannot be opened", code, msg) : BEAD_OK;
+}
+
+static enum bead_error open_picture(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    e->picture = av_frame_alloc();
+    e->packet = av_packet_alloc();
+    e->held = av_packet_alloc();
+    if (!e->picture || !e->packet || !e->held)
+        return no_memory(movie, msg);
+    AVFrame *p = e->picture;
+    p->width = e->codec->width;
+    p->height = e->codec->height;
+    p->format = e->codec->pix_fmt;
+    p->sample_aspect_ratio = e->codec->sample_aspect_ratio;
+    p->color_primaries = e->codec->color_primaries;
+    p->color_trc = e->codec->color_trc;
+    p->colorspace = e->codec->colorspace;
+    p->color_range = e->codec->color_range;
+    p->chroma_location = e->codec->chroma_sample_location;
+    int code = av_frame_get_buffer(p, 64);
+    if (code < 0)
+        return fail(movie, "no picture", code, msg);
+    if (p->format == AV_PIX_FMT_PAL8)
+        return bead_palette_create(&e->palette, msg);
+    e->convert = bead_convert_find(e->codec->pix_fmt);
+    return e->convert ? BEAD_OK : fail(movie, "no conversion of pixels", AVERROR(ENOSYS), msg);
+}
+
+static int open_stream(struct bead_movie *movie)
+{
+    struct bead_encoder *e = movie->encoder;
+    AVStream *stream = avformat_new_stream(e->format, NULL);
+    if (!stream)
+        return AVERROR(ENOMEM);
+    stream->time_base = e->frame_time;
+    stream->avg_frame_rate = e->codec->framerate;
+    stream->sample_aspect_ratio = e->codec->sample_aspect_ratio;
+    int code = avcodec_parameters_from_context(stream->codecpar, e->codec);
+    if (code >= 0 && movie->settings.title)
+        code = av_dict_set(&e->format->metadata, "title", movie->settings.title, 0);
+    if (code >= 0 && movie->settings.comment)
+        code = av_dict_set(&e->format->metadata, "comment", movie->settings.comment, 0);
+    return code;
+}
+
+static enum bead_error open_file(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    int code = open_stream(movie);
+    if (code < 0)
+        return fail(movie, "no stream", code, msg);
+    code = avio_open(&e->format->pb, e->format->url, AVIO_FLAG_WRITE);
+    if (code < 0) {
+        char text[AV_ERROR_MAX_STRING_SIZE] = "";
+        av_strerror(code, text, sizeof text);
+        return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be written: %s", movie->path, text);
+    }
+    AVDictionary *options = NULL;
+    code = parse_options(movie->codec->muxer_options, &options);
+    if (code >= 0)
+        code = avformat_write_header(e->format, &options);
+    if (code >= 0 && av_dict_count(options))
+        code = AVERROR_OPTION_NOT_FOUND;
+    av_dict_free(&options);
+    return code < 0 ? fail(movie, "the file cannot be begun", code, msg) : BEAD_OK;
+}
+
+/* The name ends in .part: the container comes from the table; `file:` keeps libav from reading protocols into names. */
+static enum bead_error open_format(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    size_t size = strlen(movie->part) + sizeof "file:";
+    char *url = malloc(size);
+    if (!url)
+        return no_memory(movie, msg);
+    snprintf(url, size, "file:%s", movie->part);
+    int code = avformat_alloc_output_context2(&e->format, NULL, movie->codec->muxer, url);
+    free(url);
+    if (code < 0)
+        return fail(movie, "libavformat does not write this container", code, msg);
+    e->format->flags |= AVFMT_FLAG_BITEXACT; /* no dates, no random identifiers */
+    return BEAD_OK;
+}
+
+static enum bead_error libav_open(struct bead_movie *movie, struct bead_message *msg)
+{
+    silence();
+    struct bead_encoder *e = movie->encoder = calloc(1, sizeof *e);
+    if (!e)
+        return no_memory(movie, msg);
+    double fps = movie->settings.fps;
+    e->frame_time = av_inv_q(av_d2q(fps, 100100));
+    e->group = movie->codec->most_fps ? (int64_t)((fps + movie->codec->most_fps - 1e-6) / movie->codec->most_fps) : 1;
+    e->group = e->group < 1 ? 1 : e->group;
+    enum bead_error err = open_format(movie, msg);
+    if (!err)
+        err = open_codec(movie, bead_codec_preset(movie->codec, movie->settings.quality), msg);
+    if (!err)
+        err = open_picture(movie, msg);
+    return err ? err : open_file(movie, msg);
+}
+
+/* Write the packet that waited; the next one, or the end, comes at time `next`. */
+static int release(struct bead_encoder *e, int64_t next)
+{
+    if (!e->holding)
+        return 0;
+    e->holding = false;
+    e->held->duration = next - e->held->pts;
+    av_packet_rescale_ts(e->held, e->frame_time, e->format->streams[0]->time_base);
+    e->held->stream_index = 0;
+    int code = av_write_frame(e->format, e->held);
+    av_packet_unref(e->held);
+    return code;
+}
+
+static enum bead_error drain(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    for (;;) {
+        int code = avcodec_receive_packet(e->codec, e->packet);
+        if (code == AVERROR(EAGAIN) || code == AVERROR_EOF)
+            return BEAD_OK;
+        if (code < 0)
+            return fail(movie, "encoding failed", code, msg);
+        code = release(e, e->packet->pts);
+        if (code >= 0 && e->format->pb->error < 0)
+            code = e->format->pb->error;
+        if (code < 0)
+            return fail(movie, "writing failed", code, msg);
+        av_packet_move_ref(e->held, e->packet);
+        e->holding = true;
+    }
+}
+
+static enum bead_error encode(struct bead_movie *movie, int64_t time, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    e->picture->pts = e->last = time;
+    e->dirty = false;
+    int code = avcodec_send_frame(e->codec, e->picture);
+    if (code < 0)
+        return fail(movie, "encoding failed", code, msg);
+    movie->encoded++;
+    return drain(movie, msg);
+}
+
+static enum bead_error convert(struct bead_movie *movie, const struct bead_frame *frame, const struct bead_changes *changes,
+                               struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    struct bead_changes aligned = {.count = 0};
+    for (size_t i = 0; i < changes->count; i++) {
+        struct bead_rect r = bead_convert_align(frame, changes->rect[i]);
+        if (r.width)
+            aligned.rect[aligned.count++] = r;
+    }
+    if (!aligned.count)
+        return BEAD_OK;
+    /* Some encoders keep the picture they were given: then this makes a copy of it. x264's and VP9's do not. */
+    int code = av_frame_make_writable(e->picture);
+    if (code < 0)
+        return fail(movie, "no picture", code, msg);
+    e->dirty = true;
+    if (e->palette)
+        return bead_palette_convert(e->palette, frame, &aligned, e->picture, msg);
+    for (size_t i = 0; i < aligned.count; i++)
+        e->convert(frame, aligned.rect[i], e->picture);
+    return BEAD_OK;
+}
+
+/* Of a group of frames the last is shown, at the time of the first; but the movie begins with its first. */
+static enum bead_error libav_add(struct bead_movie *movie, const struct bead_frame *frame, const struct bead_changes *changes,
+                                 struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    enum bead_error err = convert(movie, frame, changes, msg);
+    int64_t time = (int64_t)movie->shown, place = time % e->group;
+    if (err || !e->dirty)
+        return err;
+    if (time == 0)
+        return encode(movie, 0, msg);
+    return place == e->group - 1 && time >= e->group ? encode(movie, time - place, msg) : BEAD_OK;
+}
+
+/* What is not on the screen yet, and the last frame again where it was only shown for longer: players and tools
+ * disagree about the duration of a last picture, unless it is one frame. */
+static enum bead_error last_frame(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    int64_t time = (int64_t)movie->shown - 1, start = time - time % e->group;
+    if (e->last >= start && !e->dirty)
+        return BEAD_OK;
+    return encode(movie, start > e->last ? start : time, msg);
+}
+
+static int set_final_delay(const struct bead_movie *movie)
+{
+    struct bead_encoder *e = movie->encoder;
+    int64_t unit = movie->codec->delay_unit;
+    if (!unit)
+        return 0;
+    AVRational base = {1, (int)unit};
+    if (unit == 1) { /* an exact fraction of a second */
+        AVRational delay = av_mul_q((AVRational){(int)((int64_t)movie->shown - e->last), 1}, e->frame_time);
+        return av_opt_set_q(e->format->priv_data, "final_delay", delay, 0);
+    }
+    int64_t end = av_rescale_q((int64_t)movie->shown, e->frame_time, base), last = av_rescale_q(e->last, e->frame_time, base);
+    return av_opt_set_int(e->format->priv_data, "final_delay", end > last ? end - last : 1, 0);
+}
+
+static enum bead_error libav_finish(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    enum bead_error err = last_frame(movie, msg);
+    if (err)
+        return err;
+    int code = avcodec_send_frame(e->codec, NULL);
+    if (code < 0)
+        return fail(movie, "encoding failed", code, msg);
+    err = drain(movie, msg);
+    if (err)
+        return err;
+    code = release(e, (int64_t)movie->shown);
+    if (code >= 0)
+        code = set_final_delay(movie);
+    if (code >= 0)
+        code = av_write_trailer(e->format);
+    avio_flush(e->format->pb);
+    if (code >= 0)
+        code = e->format->pb->error;
+    if (code < 0)
+        return fail(movie, "the file cannot be finished", code, msg);
+    code = avio_closep(&e->format->pb);
+    return code < 0 ? bead_fail(msg, BEAD_ERROR_IO, "%s: closing failed", movie->path) : BEAD_OK;
+}
+
+static void libav_destroy(struct bead_movie *movie)
+{
+    struct bead_encoder *e = movie->encoder;
+    if (!e)
+        return;
+    bead_palette_destroy(e->palette);
+    av_packet_free(&e->held);
+    av_packet_free(&e->packet);
+    av_frame_free(&e->picture);
+    avcodec_free_context(&e->codec);
+    if (e->format)
+        avio_closep(&e->format->pb);
+    avformat_free_context(e->format);
+    free(e);
+}
+
+const struct bead_movie_way bead_movie_libav = {libav_open, libav_add, libav_finish, libav_destroy};

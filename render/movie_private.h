@@ -1,0 +1,57 @@
+/* Parts of a movie: the table of codecs, and the two ways to write frames (libav's encoders; lines of hashes). */
+#ifndef BEAD_RENDER_MOVIE_PRIVATE_H
+#define BEAD_RENDER_MOVIE_PRIVATE_H
+
+#include <libavutil/pixfmt.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "beadreel/movie.h"
+
+struct bead_encoder; /* libav's part */
+
+/* A way to write frames. */
+struct bead_movie_way {
+    enum bead_error (*open)(struct bead_movie *movie, struct bead_message *msg);
+    enum bead_error (*add)(struct bead_movie *movie, const struct bead_frame *frame, const struct bead_changes *changes,
+                           struct bead_message *msg);
+    /* Everything that was added is in the file, and the file closed. */
+    enum bead_error (*finish)(struct bead_movie *movie, struct bead_message *msg);
+    void (*destroy)(struct bead_movie *movie);
+};
+
+extern const struct bead_movie_way bead_movie_libav, bead_movie_hashes;
+
+/* How one quality is encoded. */
+struct bead_preset {
+    const char *encoder; /* libav's name */
+    enum AVPixelFormat format;
+    const char *options; /* of the encoder: "key=value key=value" */
+};
+
+struct bead_codec {
+    const struct bead_movie_way *way;
+    const char *muxer;         /* libav's name */
+    const char *muxer_options; /* "key=value key=value" */
+    int delay_unit;            /* of the muxer's option final_delay, 1/s; 0: durations are packets' own */
+    int most_fps;              /* 1/s: more are thinned out, because players slow such files down; 0: no limit */
+    bool same_preset;          /* all qualities are lossless: the last preset serves for all */
+    struct bead_preset preset[BEAD_QUALITY_LOSSLESS + 1];
+};
+
+/* By the extension of `path`, in any case of letters; NULL: none. */
+const struct bead_codec *bead_codec_find(const char *path);
+const struct bead_preset *bead_codec_preset(const struct bead_codec *codec, enum bead_quality quality);
+
+struct bead_movie {
+    const struct bead_codec *codec;
+    struct bead_movie_settings settings; /* title and comment: only within open */
+    char *path, *part;
+    struct bead_encoder *encoder; /* bead_movie_libav */
+    FILE *lines;                  /* bead_movie_hashes */
+    uint64_t shown, encoded;
+    bool failed;
+};
+
+#endif
