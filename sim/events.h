@@ -7,17 +7,23 @@
 #ifndef BEADREEL_SIM_EVENTS_H
 #define BEADREEL_SIM_EVENTS_H
 
+#include <stdbool.h>
+
 #include "beadreel/error.h"
 
 struct bead_stepper;
 struct bead_events;
 
-/* For steps of this stepper. Errors: MEMORY. */
+/* For steps of this stepper; NULL where no contact opens (two-sided laws). Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_events_create(const struct bead_stepper *stepper, struct bead_events **events,
                                               struct bead_message *msg);
 /* NULL is allowed. */
 void bead_events_destroy(struct bead_events *events);
-/* Correct end.u, end.v, end.a, end.f of the step just made. Reads stage_f. */
+/* Correct end.u, end.v, end.a, end.f of the step just made. Reads stage_f. Sets event_change. Contacts that
+ * event_tolerance lets pass stay as they are. Forces that depend on velocities are beyond Nystrom methods, and so
+ * beyond this correction. */
 void bead_events_correct(struct bead_events *events, struct bead_stepper *stepper);
+/* Whether memory for a correction could not be had: some step since then is not corrected. NULL is allowed: false. */
+bool bead_events_failed(const struct bead_events *events);
 
 #endif
