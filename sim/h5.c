@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 struct bead_h5_quiet bead_h5_quiet_begin(void)
@@ -53,20 +54,44 @@ enum bead_error bead_h5_fail(struct bead_h5 *h5, bool cause, const char *format,
     return h5->error;
 }
 
+/* The new file, locked against another run that writes the same. Returns false where that failed. */
+static bool take_file(struct bead_h5 *h5)
+{
+    h5->disk.file = open(h5->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (h5->disk.file < 0) {
+        bead_h5_fail(h5, false, "cannot be written: %s", strerror(errno));
+        return false;
+    }
+    /* Some file systems have no locks. */
+    if (flock(h5->disk.file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        bead_h5_fail(h5, false, "is being written by another run");
+    else if (ftruncate(h5->disk.file, 0) != 0)
+        bead_h5_fail(h5, false, "cannot be written: %s", strerror(errno));
+    return !h5->error;
+}
+
 void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *msg)
 {
     BEAD_H5_QUIET;
-    *h5 = (struct bead_h5){.file = -1, .path = path, .code = BEAD_ERROR_IO, .msg = msg};
-    /* The system's own words for a directory that is missing or may not be written are clearer than HDF5's. */
-    int fd = open(path, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (fd < 0) {
-        bead_h5_fail(h5, false, "cannot be written: %s", strerror(errno));
-        return;
+    *h5 = (struct bead_h5){.file = -1, .path = path, .code = BEAD_ERROR_IO, .msg = msg, .disk = {.file = -1}};
+    BEAD_H5_AUTO access_list = H5Pcreate(H5P_FILE_ACCESS);
+    if (take_file(h5)) {
+        if (access_list >= 0 && bead_h5_disk_use(access_list, &h5->disk) >= 0)
+            h5->file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, access_list);
+        if (h5->file < 0) {
+            bead_h5_fail(h5, true, "cannot be made an HDF5 file");
+            unlink(path);
+        }
     }
-    close(fd);
-    h5->file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-    if (h5->file < 0)
-        bead_h5_fail(h5, true, "cannot be made an HDF5 file");
+    if (h5->disk.file >= 0)
+        close(h5->disk.file);
+}
+
+/* What the disk said, if it failed: HDF5 has not noticed. */
+static void check_disk(struct bead_h5 *h5)
+{
+    if (h5->disk.error)
+        bead_h5_fail(h5, false, "cannot be written: %s", strerror(h5->disk.error));
 }
 
 /* A link out of the file is not followed: a file that is not trusted must not name others. */
@@ -125,6 +150,7 @@ void bead_h5_shut(struct bead_h5 *h5)
     if (h5->file >= 0 && H5Fclose(h5->file) < 0)
         bead_h5_fail(h5, true, "cannot be closed properly");
     h5->file = -1;
+    check_disk(h5);
 }
 
 void bead_h5_flush(struct bead_h5 *h5)
@@ -132,6 +158,7 @@ void bead_h5_flush(struct bead_h5 *h5)
     BEAD_H5_QUIET;
     if (!h5->error && H5Fflush(h5->file, H5F_SCOPE_GLOBAL) < 0)
         bead_h5_fail(h5, true, "cannot be flushed");
+    check_disk(h5);
 }
 
 void bead_h5_close(struct bead_h5 *h5, hid_t *object)

@@ -12,11 +12,13 @@
 #include <stdint.h>
 
 #include "beadreel/error.h"
+#include "sim/h5_disk.h"
 
 struct bead_h5 {
     hid_t file;               /* -1: not open */
     const char *path;         /* for messages; borrowed */
     enum bead_error code;     /* of failures: IO when writing, FORMAT when reading */
+    struct bead_h5_disk disk; /* of a file being written */
     enum bead_error error;    /* the first failure */
     struct bead_message *msg; /* where it is told; may be NULL; set it at every entry of a part that keeps a bead_h5 */
 };
@@ -24,7 +26,7 @@ struct bead_h5 {
 /* Keep the first failure and its message: "path: ..." and what HDF5 says about it where `cause`. Returns the error. */
 enum bead_error bead_h5_fail(struct bead_h5 *h5, bool cause, const char *format, ...) BEAD_PRINTF(3, 4);
 
-/* Make a new file, or open one for reading. `path` must outlive the bead_h5. */
+/* Make a new file, or open one for reading. `path` must outlive the bead_h5, which must stay where it is while the file is open. */
 void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *msg);
 void bead_h5_open(struct bead_h5 *h5, const char *path, struct bead_message *msg);
 /* Close the file, where open; a failure to write the rest counts. */

@@ -76,7 +76,17 @@ static hssize_t vector_length(hid_t space)
     return rank == 0 || rank == 1 ? H5Sget_simple_extent_npoints(space) : -1;
 }
 
-static void get(struct bead_h5 *h5, hid_t object, const char *name, H5T_class_t class, hid_t memory, void *value)
+/* A memory type for texts like those of `file_type`: HDF5 does not convert between character sets. */
+static hid_t text_type_like(hid_t file_type, size_t size)
+{
+    hid_t type = bead_h5_text_type(size);
+    if (type >= 0 && H5Tset_cset(type, H5Tget_cset(file_type)) < 0)
+        bead_h5_release(&type);
+    return type;
+}
+
+/* `memory` -1: a text of `size` bytes. */
+static void get(struct bead_h5 *h5, hid_t object, const char *name, H5T_class_t class, hid_t memory, size_t size, void *value)
 {
     if (h5->error)
         return;
@@ -84,36 +94,39 @@ static void get(struct bead_h5 *h5, hid_t object, const char *name, H5T_class_t 
     BEAD_H5_AUTO attribute = H5Aexists(object, name) > 0 ? H5Aopen(object, name, H5P_DEFAULT) : -1;
     BEAD_H5_AUTO type = attribute < 0 ? -1 : H5Aget_type(attribute);
     BEAD_H5_AUTO space = attribute < 0 ? -1 : H5Aget_space(attribute);
-    if (!type_is(type, class) || vector_length(space) != 1 || H5Aread(attribute, memory, value) < 0)
+    bool fits = type_is(type, class) && vector_length(space) == 1;
+    BEAD_H5_AUTO text = fits && memory < 0 ? text_type_like(type, size) : -1;
+    if (!fits || H5Aread(attribute, memory < 0 ? text : memory, value) < 0)
         bead_h5_fail(h5, false, "the attribute %s is missing or of a wrong kind", name);
 }
 
 void bead_h5_get_text(struct bead_h5 *h5, hid_t object, const char *name, char *text, size_t size)
 {
-    BEAD_H5_AUTO memory = bead_h5_text_type(size);
     memset(text, 0, size);
-    get(h5, object, name, H5T_STRING, memory, text);
+    get(h5, object, name, H5T_STRING, -1, size, text);
     text[size - 1] = '\0';
 }
 
 double bead_h5_get_double(struct bead_h5 *h5, hid_t object, const char *name)
 {
     double value = 0;
-    get(h5, object, name, H5T_FLOAT, H5T_NATIVE_DOUBLE, &value);
+    get(h5, object, name, H5T_FLOAT, H5T_NATIVE_DOUBLE, 0, &value);
     return value;
 }
 
 int64_t bead_h5_get_int(struct bead_h5 *h5, hid_t object, const char *name, int64_t low, int64_t high)
 {
     int64_t value = low;
-    get(h5, object, name, H5T_INTEGER, H5T_NATIVE_INT64, &value);
+    get(h5, object, name, H5T_INTEGER, H5T_NATIVE_INT64, 0, &value);
     if (!h5->error && (value < low || value > high))
         bead_h5_fail(h5, false, "the attribute %s is %lld, must be %lld to %lld", name, (long long)value, (long long)low,
                      (long long)high);
     return value;
 }
 
-static void read_vector(struct bead_h5 *h5, const char *name, H5T_class_t class, hid_t memory, void *values, size_t count)
+/* `memory` -1: texts of `size` bytes each. */
+static void read_vector(struct bead_h5 *h5, const char *name, H5T_class_t class, hid_t memory, size_t size, void *values,
+                        size_t count)
 {
     BEAD_H5_QUIET;
     BEAD_H5_AUTO dataset = bead_h5_open_dataset(h5, name);
@@ -121,26 +134,27 @@ static void read_vector(struct bead_h5 *h5, const char *name, H5T_class_t class,
         return;
     BEAD_H5_AUTO type = H5Dget_type(dataset);
     BEAD_H5_AUTO space = H5Dget_space(dataset);
-    if (!type_is(type, class) || vector_length(space) < 0 || (size_t)vector_length(space) != count)
+    bool fits = type_is(type, class) && vector_length(space) >= 0 && (size_t)vector_length(space) == count;
+    BEAD_H5_AUTO text = fits && memory < 0 ? text_type_like(type, size) : -1;
+    if (!fits)
         bead_h5_fail(h5, false, "%s must have %zu values of the right kind", name, count);
-    else if (H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+    else if (H5Dread(dataset, memory < 0 ? text : memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
         bead_h5_fail(h5, true, "%s cannot be read", name);
 }
 
 void bead_h5_read_doubles(struct bead_h5 *h5, const char *name, double *values, size_t count)
 {
-    read_vector(h5, name, H5T_FLOAT, H5T_NATIVE_DOUBLE, values, count);
+    read_vector(h5, name, H5T_FLOAT, H5T_NATIVE_DOUBLE, 0, values, count);
 }
 
 void bead_h5_read_ints(struct bead_h5 *h5, const char *name, int64_t *values, size_t count)
 {
-    read_vector(h5, name, H5T_INTEGER, H5T_NATIVE_INT64, values, count);
+    read_vector(h5, name, H5T_INTEGER, H5T_NATIVE_INT64, 0, values, count);
 }
 
 void bead_h5_read_texts(struct bead_h5 *h5, const char *name, struct bead_h5_text *texts, size_t count)
 {
-    BEAD_H5_AUTO memory = bead_h5_text_type(sizeof *texts);
-    read_vector(h5, name, H5T_STRING, memory, texts, count);
+    read_vector(h5, name, H5T_STRING, -1, sizeof *texts, texts, count);
     for (size_t i = 0; i < count; i++)
         texts[i].text[sizeof texts[i].text - 1] = '\0';
 }
@@ -158,7 +172,7 @@ char *bead_h5_read_text(struct bead_h5 *h5, const char *name, size_t limit)
         bead_h5_fail(h5, false, "%s must be a text of at most %zu bytes", name, limit);
         return NULL;
     }
-    BEAD_H5_AUTO memory = bead_h5_text_type(size + 1);
+    BEAD_H5_AUTO memory = text_type_like(type, size + 1);
     char *text = calloc(1, size + 1);
     if (!text) {
         h5->error = bead_fail(h5->msg, BEAD_ERROR_MEMORY, "%s: no memory for %s", h5->path, name);

@@ -1,0 +1,170 @@
+/* Tables: exactly the columns promised, numbers that round-trip, in any locale. */
+#include "trajectory_support.h"
+
+#include <locale.h>
+
+static char *read_all(const char *path)
+{
+    static char text[65536];
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    text[fread(text, 1, sizeof text - 1, file)] = '\0';
+    fclose(file);
+    return text;
+}
+
+/* End the sink with peaks of contact (or bead) j = j/3 N at j us; the last is still open, the one before was never loaded. */
+static void finish_with_peaks(struct stand *s)
+{
+    struct bead_message msg = {""};
+    struct bead_outcome outcomes[4];
+    struct bead_peak peaks[4][32];
+    for (size_t c = 0; c < s->scene->chain_count; c++) {
+        size_t count = s->needs.contact_peaks ? bead_chain_contacts(s->chains[c]) : bead_chain_beads(s->chains[c]);
+        for (size_t j = 0; j < count; j++)
+            peaks[c][j] = (struct bead_peak){(double)(j + c) / 3, j + 2 == count ? NAN : (double)j * 1e-6, j + 1 == count};
+        outcomes[c] = made_outcome(c);
+        outcomes[c].contact_peaks = s->needs.contact_peaks ? peaks[c] : NULL;
+        outcomes[c].bead_peaks = s->needs.bead_peaks ? peaks[c] : NULL;
+    }
+    if (s->type->end(s->sink, outcomes, &msg))
+        fail_msg("%s", msg.text);
+}
+
+static void peaks_of_one_chain(void **state)
+{
+    (void)state;
+    struct stand s;
+    set_up(&s, ONE_CHAIN, "table: t.csv, show: peaks", 1e-3);
+    assert_true(s.needs.contact_peaks && !s.needs.bead_peaks && isinf(s.needs.until));
+    assert_true(s.needs.grid.every == 0 && s.needs.fields == 0);
+    finish_with_peaks(&s);
+    char *text = read_all(s.path), *rest = NULL;
+    assert_string_equal(strtok_r(text, "\n", &rest), "contact,peak_force_N,time_s,state");
+    for (size_t j = 0; j < 13; j++) {
+        char *line = strtok_r(NULL, "\n", &rest), *at = NULL;
+        assert_int_equal(strtoul(line, &at, 10), j);
+        assert_true(strtod(at + 1, &at) == (double)j / 3);
+        double time = strtod(at + 1, &at);
+        assert_true(j == 11 ? isnan(time) : time == (double)j * 1e-6);
+        assert_string_equal(at, j == 12 ? ",open" : ",");
+    }
+    assert_null(strtok_r(NULL, "\n", &rest));
+    tear_down(&s, 1);
+}
+
+static void peaks_of_two_chains_and_some_beads(void **state)
+{
+    (void)state;
+    struct stand s;
+    set_up(&s, TWO_CHAINS, "table: t.csv, show: bead-peaks", 1e-3);
+    assert_true(s.needs.bead_peaks && !s.needs.contact_peaks);
+    finish_with_peaks(&s);
+    char *text = read_all(s.path);
+    assert_true(strncmp(text, "chain,bead,peak_force_N,time_s,state\n\"a, b\",0,0,0,\n", 50) == 0);
+    assert_non_null(strstr(text, "\nc,6,2.3333333333333335,6.0000000000000002e-06,open\n"));
+    uint64_t bytes, items;
+    s.type->result(s.sink, &bytes, &items);
+    assert_int_equal(items, 11 + 7);
+    assert_int_equal(bytes, strlen(text));
+    tear_down(&s, 1);
+}
+
+static void sensors(void **state)
+{
+    (void)state;
+    struct stand s;
+    set_up(&s, TWO_CHAINS, "table: t.csv, show: sensors, every: 1 us", 0.02e-3);
+    assert_int_equal(s.needs.fields, BEAD_FIELD_BIT(BEAD_FIELD_FORCE));
+    assert_true(s.needs.beads.first == 1 && s.needs.beads.last == 10); /* beads between the sensors, no more */
+    deliver(&s, 20);
+    struct bead_message msg = {""};
+    assert_int_equal(deliver_one(&s, 0, &msg), BEAD_OK); /* half a row is not written */
+    finish(&s);
+    char *text = read_all(s.path), *rest = NULL;
+    assert_string_equal(strtok_r(text, "\n", &rest), "time_s,\"a, b/end\",c/one");
+    for (size_t i = 0; i < 20; i++) {
+        char *line = strtok_r(NULL, "\n", &rest), *at = NULL;
+        assert_true(strtod(line, &at) == bead_grid_time(&s.needs.grid, i));
+        assert_true(strtod(at + 1, &at) == made_up(0, BEAD_FIELD_FORCE, i, 10));
+        assert_true(strtod(at + 1, &at) == made_up(1, BEAD_FIELD_FORCE, i, 1));
+        assert_int_equal(*at, '\0');
+    }
+    assert_null(strtok_r(NULL, "\n", &rest));
+    tear_down(&s, 1);
+}
+
+static void one_chain_has_plain_sensor_names(void **state)
+{
+    (void)state;
+    struct stand s;
+    set_up(&s, ONE_CHAIN, "table: t.csv, show: sensors, every: 1 us", 0.02e-3);
+    assert_string_equal(s.needs.why, "21 samples of 1 sensor, every 1 us");
+    deliver(&s, 21);
+    finish(&s);
+    assert_true(strncmp(read_all(s.path), "time_s,first\n0,", 15) == 0);
+    tear_down(&s, 1);
+}
+
+static void no_sensors_no_table(void **state)
+{
+    (void)state;
+    struct stand s;
+    struct bead_message msg = {""};
+    assert_int_equal(
+        try_set_up(&s, "chain: {beads: [{cell: [large-steel, aluminium], count: 6}]}\n", "table: t.csv, show: sensors", 1e-3, &msg),
+        BEAD_ERROR_SCENE);
+    assert_non_null(strstr(msg.text, "sensor"));
+    tear_down(&s, 0);
+}
+
+static void failures_leave_no_file(void **state)
+{
+    (void)state;
+    struct stand s;
+    set_up(&s, ONE_CHAIN, "table: t.csv, show: peaks", 1e-3);
+    assert_int_equal(access(s.part, F_OK), 0);
+    tear_down(&s, 0);
+    struct bead_message msg = {""};
+    assert_int_equal(try_set_up(&s, ONE_CHAIN, "table: t.csv, show: peaks", 1e-3, &msg), BEAD_OK);
+    s.type->destroy(s.sink);
+    s.stage.directory = "/nonexistent";
+    assert_int_equal(s.type->create(&s.scene->outputs[0], &s.stage, &s.sink, &msg), BEAD_OK);
+    assert_int_equal(s.type->begin(s.sink, (struct bead_range){0, 0}, &msg), BEAD_ERROR_IO);
+    assert_non_null(strstr(msg.text, "/nonexistent/t.csv"));
+    tear_down(&s, 0);
+}
+
+/* A full disk is noticed, at the latest when the file is closed. */
+static void a_full_disk_is_an_error(void **state)
+{
+    (void)state;
+    struct stand s;
+    struct bead_message msg = {""};
+    if (access("/dev/full", W_OK) != 0)
+        skip();
+    assert_int_equal(try_set_up(&s, ONE_CHAIN, "table: t.csv, show: sensors, every: 1 us", 0.02e-3, &msg), BEAD_OK);
+    assert_int_equal(symlink("/dev/full", s.part), 0);
+    begin(&s);
+    deliver(&s, 5);
+    assert_int_equal(s.type->end(s.sink, NULL, &msg), BEAD_ERROR_IO);
+    assert_non_null(strstr(msg.text, "No space left"));
+    tear_down(&s, 0);
+}
+
+int main(void)
+{
+    /* A comma for the decimal point, where the machine has such a locale. */
+    setlocale(LC_ALL, "de_DE.UTF-8");
+    setlocale(LC_CTYPE, "C");
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(peaks_of_one_chain),
+        cmocka_unit_test(peaks_of_two_chains_and_some_beads),
+        cmocka_unit_test(sensors),
+        cmocka_unit_test(one_chain_has_plain_sensor_names),
+        cmocka_unit_test(no_sensors_no_table),
+        cmocka_unit_test(failures_leave_no_file),
+        cmocka_unit_test(a_full_disk_is_an_error),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

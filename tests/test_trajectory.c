@@ -1,0 +1,344 @@
+/* Trajectories: what is written is read again, whatever ended the run. */
+#include "trajectory_support.h"
+
+#include <hdf5_hl.h>
+
+#include "beadreel/file.h"
+#include "sim/sink_grid.h"
+#include "sim/trajectory_sink.h"
+
+#define ALL_FIELDS "fields: [displacement, velocity, force, contact-force, energy]"
+
+/* Every stored value of every sample, bit by bit. */
+static void check_samples(const char *path, size_t chains, size_t samples, struct bead_span span, unsigned fields)
+{
+    struct bead_trajectory *t = open_file(path);
+    struct bead_message msg = {""};
+    size_t count;
+    const struct bead_chain *const *chain = bead_trajectory_chains(t, &count);
+    assert_int_equal(count, chains);
+    assert_int_equal(bead_grid_count(bead_trajectory_grid(t)), samples);
+    assert_int_equal(bead_trajectory_fields(t), fields);
+    for (size_t i = 0; i < samples; i++)
+        for (size_t c = 0; c < chains; c++) {
+            struct bead_sample sample;
+            if (bead_trajectory_read(t, i, c, fields, &sample, &msg))
+                fail_msg("%s", msg.text);
+            assert_true(sample.time == bead_grid_time(bead_trajectory_grid(t), i) && sample.chain == c && sample.index == i);
+            assert_int_equal(sample.active, bead_chain_beads(chain[c]));
+            for (size_t f = 0; f < BEAD_FIELD_COUNT; f++) {
+                size_t length = bead_field_info(f)->of_contacts ? bead_chain_contacts(chain[c]) : bead_chain_beads(chain[c]);
+                assert_true((sample.field[f] != NULL) == ((fields & BEAD_FIELD_BIT(f)) != 0));
+                for (size_t j = 0; sample.field[f] && j < length; j++) {
+                    double wanted = j < span.first || j > span.last ? 0 : made_up(c, f, i, j);
+                    if (sample.field[f][j] != wanted)
+                        fail_msg("sample %zu, chain %zu, %s %zu: %.17g, not %.17g", i, c, bead_field_info(f)->name, j,
+                                 sample.field[f][j], wanted);
+                }
+            }
+        }
+    struct bead_sample sample;
+    assert_int_equal(bead_trajectory_read(t, samples, 0, fields, &sample, &msg), BEAD_ERROR_USAGE);
+    bead_trajectory_close(t);
+}
+
+static const unsigned all_fields = (1u << BEAD_FIELD_COUNT) - 1;
+
+static void what_is_written_is_read(void **state)
+{
+    (void)state;
+    struct stand s;
+    set_up(&s, ONE_CHAIN, "trajectory: run.h5, every: 1 us, " ALL_FIELDS, 0.6e-3);
+    assert_int_equal(bead_grid_count(&s.needs.grid), 601);
+    deliver(&s, 601);
+    assert_int_equal(access(s.path, F_OK), -1);
+    finish(&s);
+    check_samples(s.path, 1, 601, (struct bead_span){0, SIZE_MAX}, all_fields);
+    struct bead_trajectory *t = open_file(s.path);
+    struct bead_message msg = {""};
+    struct bead_outcome found, wanted = made_outcome(0);
+    assert_true(bead_trajectory_is(s.path) && bead_trajectory_complete(t) && bead_trajectory_end(t) == 0.6e-3);
+    assert_int_equal(bead_trajectory_outcome(t, 0, &found, &msg), BEAD_OK);
+    assert_string_equal(found.method, wanted.method);
+    found.method = wanted.method;
+    assert_memory_equal(&found, &wanted, sizeof found);
+    assert_int_equal(bead_trajectory_outcome(t, 1, &found, &msg), BEAD_ERROR_USAGE);
+    assert_string_equal(bead_trajectory_scene(t)->text, s.scene->text);
+    bead_trajectory_close(t);
+    uint64_t bytes, items;
+    s.type->result(s.sink, &bytes, &items);
+    assert_int_equal(items, 601);
+    assert_int_equal(bytes, bead_file_bytes(s.path));
+    tear_down(&s, 1);
+}
+
+static void chains_and_spans(void **state)
+{
+    (void)state;
+    struct stand s;
+    set_up(&s, TWO_CHAINS, "trajectory: run.h5, every: 2 us, time: [0.1 ms, 0.3 ms], beads: [4, 8], " ALL_FIELDS, 0.6e-3);
+    deliver(&s, 101);
+    finish(&s);
+    check_samples(s.path, 2, 101, (struct bead_span){4, 8}, all_fields);
+    struct bead_trajectory *t = open_file(s.path);
+    assert_int_equal(bead_trajectory_beads(t).first, 4);
+    assert_int_equal(bead_trajectory_beads(t).last, 8);
+    assert_near(bead_trajectory_grid(t)->start, 0.1e-3, 1e-18);
+    assert_near(bead_trajectory_grid(t)->end, 0.3e-3, 1e-15);
+    bead_trajectory_close(t);
+    tear_down(&s, 1);
+}
+
+/* Only what was asked for is computed and stored. */
+static void nothing_more_than_asked(void **state)
+{
+    (void)state;
+    struct stand s;
+    set_up(&s, ONE_CHAIN, "trajectory: run.h5, every: 10 us, fields: [velocity]", 0.6e-3);
+    assert_int_equal(s.needs.fields, BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY));
+    assert_false(s.needs.contact_peaks || s.needs.bead_peaks || s.needs.range);
+    assert_true(s.needs.until == 0.6e-3);
+    assert_string_equal(s.needs.why, "61 samples of 1 field, 13 beads, every 10 us");
+    deliver(&s, 61);
+    finish(&s);
+    hid_t file = H5Fopen(s.path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    static const char *const absent[] = {"displacement", "position", "force", "bead_force", "energy"};
+    for (size_t i = 0; i < sizeof absent / sizeof *absent; i++) {
+        char name[64];
+        snprintf(name, sizeof name, "/particles/chain/%s", absent[i]);
+        assert_int_equal(H5Lexists(file, name, H5P_DEFAULT), 0);
+    }
+    assert_int_equal(H5Lexists(file, "/contacts", H5P_DEFAULT), 0);
+    /* y and z are there for readers and take no room: one chunk of x alone. */
+    hid_t velocity = H5Dopen2(file, "/particles/chain/velocity/value", H5P_DEFAULT);
+    assert_int_equal(H5Dget_storage_size(velocity), 256 * 13 * sizeof(double));
+    H5Dclose(velocity);
+    H5Fclose(file);
+    tear_down(&s, 1);
+}
+
+static void killed_runs_open_at_the_last_flush(void **state)
+{
+    (void)state;
+    struct stand s;
+    set_up(&s, TWO_CHAINS, "trajectory: run.h5, every: 1 us", 0.6e-3);
+    char copy[160];
+    snprintf(copy, sizeof copy, "%s/copy.h5", s.directory);
+    copy_file(s.part, copy, -1);
+    check_samples(copy, 2, 0, (struct bead_span){0, SIZE_MAX}, 13);
+    deliver(&s, 300);
+    copy_file(s.part, copy, -1);
+    check_samples(copy, 2, 256, (struct bead_span){0, SIZE_MAX}, 13);
+    s.sink->flushed.tv_sec -= 10; /* the second is over */
+    deliver(&s, 1);
+    copy_file(s.part, copy, -1);
+    check_samples(copy, 2, 301, (struct bead_span){0, SIZE_MAX}, 13);
+    struct bead_trajectory *t = open_file(copy);
+    struct bead_message msg = {""};
+    struct bead_outcome outcome;
+    assert_false(bead_trajectory_complete(t));
+    assert_true(bead_trajectory_end(t) == 0.6e-3);
+    assert_int_equal(bead_trajectory_outcome(t, 1, &outcome, &msg), BEAD_OK);
+    assert_true(isnan(outcome.end) && outcome.method && outcome.steps == 0);
+    bead_trajectory_close(t);
+    unlink(copy);
+    tear_down(&s, 0); /* not ended: the unfinished file goes */
+}
+
+static void stopped_runs_keep_whole_samples(void **state)
+{
+    (void)state;
+    struct stand s;
+    struct bead_message msg = {""};
+    set_up(&s, TWO_CHAINS, "trajectory: run.h5, every: 1 us", 0.6e-3);
+    deliver(&s, 257);
+    assert_int_equal(deliver_one(&s, 0, &msg), BEAD_OK); /* chain 1 never comes */
+    finish(&s);
+    check_samples(s.path, 2, 257, (struct bead_span){0, SIZE_MAX}, 13);
+    struct bead_trajectory *t = open_file(s.path);
+    assert_false(bead_trajectory_complete(t));
+    bead_trajectory_close(t);
+    tear_down(&s, 1);
+}
+
+/* When it was flushed must not show in what is stored. */
+static void contents_do_not_depend_on_flushes(void **state)
+{
+    (void)state;
+    struct stand s;
+    set_up(&s, TWO_CHAINS, "trajectory: run.h5, every: 1 us, " ALL_FIELDS, 0.6e-3);
+    for (size_t i = 0; i < 601; i++) {
+        if (i % 7 == 3 || i % 100 < 4)
+            s.sink->flushed.tv_sec -= 10;
+        deliver(&s, 1);
+    }
+    finish(&s);
+    check_samples(s.path, 2, 601, (struct bead_span){0, SIZE_MAX}, all_fields);
+    tear_down(&s, 1);
+}
+
+static void read_x(hid_t file, const char *name, size_t component, size_t row, size_t beads, double *values)
+{
+    hid_t dataset = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(dataset);
+    hsize_t start[3] = {row, 0, component}, count[3] = {1, beads, 1}, size[3];
+    assert_int_equal(H5Sget_simple_extent_dims(space, size, NULL), 3);
+    assert_int_equal(size[1], beads);
+    assert_int_equal(size[2], 3);
+    H5Sselect_hyperslab(space, H5S_SELECT_SET, start, NULL, count, NULL);
+    hid_t memory = H5Screate_simple(1, count + 1, NULL);
+    assert_true(H5Dread(dataset, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values) >= 0);
+    H5Sclose(memory);
+    H5Sclose(space);
+    H5Dclose(dataset);
+}
+
+static void check_axis(hid_t file, const char *value, unsigned axis, const char *scale)
+{
+    hid_t dataset = H5Dopen2(file, value, H5P_DEFAULT), dimension = H5Dopen2(file, scale, H5P_DEFAULT);
+    assert_true(dataset >= 0 && dimension >= 0);
+    assert_int_equal(H5DSis_attached(dataset, dimension, axis), 1);
+    H5Dclose(dimension);
+    H5Dclose(dataset);
+}
+
+static void the_layout_is_h5md(void **state)
+{
+    (void)state;
+    struct stand s;
+    set_up(&s, TWO_CHAINS, "trajectory: run.h5, every: 1 us, " ALL_FIELDS, 0.02e-3);
+    deliver(&s, 21);
+    finish(&s);
+    hid_t file = H5Fopen(s.path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    int version[2] = {0, 0}, dimension = 0;
+    hid_t attribute = H5Aopen_by_name(file, "/h5md", "version", H5P_DEFAULT, H5P_DEFAULT);
+    H5Aread(attribute, H5T_NATIVE_INT, version);
+    H5Aclose(attribute);
+    attribute = H5Aopen_by_name(file, "/particles/chain/box", "dimension", H5P_DEFAULT, H5P_DEFAULT);
+    H5Aread(attribute, H5T_NATIVE_INT, &dimension);
+    H5Aclose(attribute);
+    assert_true(version[0] == 1 && version[1] == 1 && dimension == 3);
+    check_axis(file, "/particles/chain/position/value", 0, "/particles/chain/position/time");
+    check_axis(file, "/particles/chain/force/value", 1, "/particles/chain/bead");
+    check_axis(file, "/particles/chain/velocity/value", 2, "/particles/chain/velocity/spatial");
+    check_axis(file, "/contacts/contact_force/value", 1, "/contacts/contact_force/contact");
+    double x[18], y[18], z[18];
+    read_x(file, "/particles/chain/position/value", 0, 17, 18, x);
+    read_x(file, "/particles/chain/position/value", 1, 17, 18, y);
+    read_x(file, "/particles/chain/position/value", 2, 17, 18, z);
+    for (size_t i = 0; i < 18; i++) {
+        size_t c = i < 11 ? 0 : 1, j = c ? i - 11 : i;
+        assert_true(x[i] == bead_chain_position(s.chains[c])[j] + made_up(c, BEAD_FIELD_DISPLACEMENT, 17, j) && z[i] == 0);
+        assert_true(c ? y[i] < -2 * bead_chain_radius(s.chains[0])[0] : y[i] == 0);
+    }
+    H5Fclose(file);
+    tear_down(&s, 1);
+}
+
+/* H5MD's force is the bead's mass times its acceleration, with precompression, tilt and wall. */
+static void net_force_accelerates(void **state)
+{
+    (void)state;
+    static const char *const chains[] = {
+        "chain: {beads: [{cell: [large-steel, aluminium], count: 6}], wall: brass}\n",
+        "chain: {beads: [{cell: [large-steel, aluminium], count: 6}], wall: brass, precompression: 3 N}\n",
+        "chain: {beads: [{cell: [large-steel, aluminium], count: 6}], wall: rigid, tilt: 20 deg}\n",
+    };
+    for (size_t k = 0; k < sizeof chains / sizeof *chains; k++) {
+        struct stand s;
+        char text[512];
+        snprintf(text, sizeof text, "%ssimulate: {method: rkn8, step: 0.1 us, until: 0.2 ms}\n", chains[k]);
+        set_up(&s, text, "trajectory: run.h5, every: 1 us, fields: [force, velocity], beads: all", 0.2e-3);
+        struct built built = {s.scene, s.chains[0]};
+        struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = 0.2e-3});
+        struct bead_message msg = {""};
+        for (; s.next <= 200; s.next++) {
+            double time = bead_grid_time(&s.needs.grid, s.next);
+            run_until(run, fmin(time, 0.2e-3));
+            struct bead_sample sample = sample_at(run, fmin(time, bead_run_time(run)));
+            sample.chain = 0;
+            sample.index = s.next;
+            sample.time = time;
+            assert_int_equal(s.type->sample(s.sink, &sample, &msg), BEAD_OK);
+        }
+        finish(&s);
+        hid_t file = H5Fopen(s.path, H5F_ACC_RDONLY, H5P_DEFAULT);
+        double before[13], after[13], force[3][13], worst = 0, largest = 0;
+        for (size_t i = 20; i + 1 < 200; i += 7) {
+            read_x(file, "/particles/chain/velocity/value", 0, i - 1, 13, before);
+            read_x(file, "/particles/chain/velocity/value", 0, i + 1, 13, after);
+            for (size_t r = 0; r < 3; r++)
+                read_x(file, "/particles/chain/force/value", 0, i - 1 + r, 13, force[r]);
+            for (size_t j = 0; j < 13; j++) {
+                /* Simpson's rule for the impulse */
+                double impulse = (force[0][j] + 4 * force[1][j] + force[2][j]) / 6 * 2e-6;
+                worst = fmax(worst, fabs(impulse - bead_chain_mass(s.chains[0])[j] * (after[j] - before[j])));
+                largest = fmax(largest, fabs(impulse));
+            }
+        }
+        assert_true(largest > 1e-6);
+        assert_below(worst / largest, 1e-3);
+        H5Fclose(file);
+        bead_run_destroy(run);
+        tear_down(&s, 1);
+    }
+}
+
+static void grids(void **state)
+{
+    (void)state;
+    assert_true(bead_round_down(2.7e-6) == 2e-6 && bead_round_down(1e-6) == 1e-6 && bead_round_down(9.99e-7) == 5e-7);
+    assert_true(bead_round_down(7) == 5 && bead_round_down(20) == 20 && bead_round_down(0.1) == 0.1);
+    struct stand s;
+    struct bead_message msg = {""};
+    assert_int_equal(try_set_up(&s, ONE_CHAIN, "trajectory: run.h5, time: [0, 1 s]", 0.6e-3, &msg), BEAD_OK);
+    assert_true(s.needs.grid.every == 2e-6 && s.needs.grid.end == 0.6e-3 && s.needs.grid.start == 0);
+    tear_down(&s, 0);
+    assert_int_equal(try_set_up(&s, ONE_CHAIN, "trajectory: run.h5, time: [1 ms, 2 ms]", 0.6e-3, &msg), BEAD_ERROR_SCENE);
+    assert_non_null(strstr(msg.text, "test.yaml:"));
+    assert_null(s.sink);
+    tear_down(&s, 0);
+    /* Only samples at given times: the nearest multiple of their spacing. */
+    struct bead_stage stage = {.scene = NULL, .end = 1e-3, .resolution = 1e-6, .native = {0.1e-3, 4e-6, 0.5e-3}};
+    struct bead_scene scene = {.file = NULL};
+    stage.scene = &scene;
+    struct bead_output output = {.time = {NAN, NAN}, .every = 9e-6};
+    struct bead_grid grid;
+    assert_int_equal(bead_sink_grid(&output, &stage, &grid, &msg), BEAD_OK);
+    assert_near(grid.every, 8e-6, 1e-18);
+    assert_true(grid.start == 0.1e-3 && grid.end == 0.5e-3);
+}
+
+static void wrong_numbers_and_order_stop_it(void **state)
+{
+    (void)state;
+    struct stand s;
+    struct bead_message msg = {""};
+    set_up(&s, TWO_CHAINS, "trajectory: run.h5, every: 1 us, fields: [velocity]", 0.6e-3);
+    deliver(&s, 255);
+    assert_int_equal(deliver_one(&s, 1, &msg), BEAD_ERROR_NUMBERS);
+    assert_non_null(strstr(msg.text, "out of order"));
+    assert_int_equal(deliver_one(&s, 0, &msg), BEAD_OK);
+    struct bead_sample sample = {.chain = 1, .index = 255, .time = 255e-6};
+    double nothing[16] = {0, NAN};
+    sample.field[BEAD_FIELD_VELOCITY] = nothing;
+    assert_int_equal(s.type->sample(s.sink, &sample, &msg), BEAD_ERROR_NUMBERS);
+    assert_non_null(strstr(msg.text, "finite"));
+    tear_down(&s, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_is_written_is_read),
+        cmocka_unit_test(chains_and_spans),
+        cmocka_unit_test(nothing_more_than_asked),
+        cmocka_unit_test(killed_runs_open_at_the_last_flush),
+        cmocka_unit_test(stopped_runs_keep_whole_samples),
+        cmocka_unit_test(contents_do_not_depend_on_flushes),
+        cmocka_unit_test(the_layout_is_h5md),
+        cmocka_unit_test(net_force_accelerates),
+        cmocka_unit_test(grids),
+        cmocka_unit_test(wrong_numbers_and_order_stop_it),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
