@@ -17,14 +17,16 @@
 
 /* `path` seen from `directory` (NULL or "": the working directory; absolute paths stay as they are).
  * *joined belongs to the caller (free), NULL on failure. Errors: MEMORY, IO (empty path). */
-BEAD_API BEAD_CHECK enum bead_error bead_file_join(const char *directory, const char *path, char **joined, struct bead_message *msg);
+BEAD_API BEAD_CHECK enum bead_error bead_file_join(const char *directory, const char *path, char **joined,
+                                                   struct bead_message *msg);
 /* Name of the unfinished file: `path` and ".part". *part belongs to the caller (free). Errors: MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_file_part_name(const char *path, char **part, struct bead_message *msg);
 /* Open `part` for writing, emptied. On failure *file is NULL and no file is left. Errors: IO. */
 BEAD_API BEAD_CHECK enum bead_error bead_file_create(const char *part, FILE **file, struct bead_message *msg);
 /* Flush and close `file`, reporting any write error since it was opened (a full disk, say). Closes it in any case. Errors: IO. */
 BEAD_API BEAD_CHECK enum bead_error bead_file_close(FILE *file, const char *part, struct bead_message *msg);
-/* The closed file `part` becomes `path`, for good: fsync, rename, fsync of the directory. On failure `part` is removed. Errors: IO. */
+/* The closed file `part` becomes `path`, for good: fsync, rename, fsync of the directory. On failure `part` is removed. Errors: IO.
+ */
 BEAD_API BEAD_CHECK enum bead_error bead_file_commit(const char *part, const char *path, struct bead_message *msg);
 /* Remove `part` (NULL, or not there: nothing happens). */
 BEAD_API void bead_file_discard(const char *part);

@@ -3,7 +3,19 @@
  * Reading: bead_trajectory_open checks the file (it is not trusted), rebuilds the scene and its chains from
  * the stored text, and gives the samples in order. Writing is the sink for `trajectory:` outputs.
  * Several chains of a scene stand in one particles group one after the other; /parameters/beadreel/chains
- * says where each begins. */
+ * says where each begins.
+ *
+ * In the file, all in double and SI units, only what was asked for:
+ *   /particles/chain/displacement/value    [time][bead]     u
+ *   /particles/chain/position/value        [time][bead][3]  x = rest position + u; y tells chains apart; z = 0
+ *   /particles/chain/velocity/value        [time][bead][3]  y = z = 0
+ *   /particles/chain/bead_force/value      [time][bead]     field `force`: mean of the forces in the bead's two contacts
+ *   /particles/chain/force/value           [time][bead][3]  with it: net force, mass times acceleration
+ *   /particles/chain/energy/value          [time][bead]
+ *   /contacts/contact_force/value          [time][contact]
+ * each with time, step (the sample's number) and the numbers of its beads or contacts beside it; mass, radius, id, species
+ * (index of the material), chain and rest_position of every bead in /particles/chain; scene, materials, chains and
+ * outcome in /parameters/beadreel. */
 #ifndef BEADREEL_TRAJECTORY_H
 #define BEADREEL_TRAJECTORY_H
 
@@ -20,9 +32,10 @@ struct bead_trajectory;
 
 /* True where the file looks like HDF5, whatever it is called. */
 BEAD_API bool bead_trajectory_is(const char *path);
-/* `settings` change the stored scene's outputs (not its physics). On failure *trajectory is NULL; errors: IO, FORMAT, MEMORY, SCENE. */
+/* `settings` change the stored scene's outputs (not its physics). On failure *trajectory is NULL; errors: IO, FORMAT, MEMORY,
+ * SCENE. */
 BEAD_API BEAD_CHECK enum bead_error bead_trajectory_open(const char *path, const char *const *settings, size_t setting_count,
-                                              struct bead_trajectory **trajectory, struct bead_message *msg);
+                                                         struct bead_trajectory **trajectory, struct bead_message *msg);
 BEAD_API void bead_trajectory_close(struct bead_trajectory *trajectory);
 
 BEAD_API const struct bead_scene *bead_trajectory_scene(const struct bead_trajectory *trajectory);
@@ -31,12 +44,13 @@ BEAD_API const struct bead_grid *bead_trajectory_grid(const struct bead_trajecto
 BEAD_API unsigned bead_trajectory_fields(const struct bead_trajectory *trajectory); /* BEAD_FIELD_BITs stored or derivable */
 BEAD_API struct bead_span bead_trajectory_beads(const struct bead_trajectory *trajectory);
 BEAD_API bool bead_trajectory_complete(const struct bead_trajectory *trajectory); /* false: its run was stopped or killed */
-BEAD_API double bead_trajectory_end(const struct bead_trajectory *trajectory);    /* s: end of the run that wrote it (planned end) */
-/* Outcome of chain `c` as stored (peaks NULL). */
-BEAD_API BEAD_CHECK enum bead_error bead_trajectory_outcome(const struct bead_trajectory *trajectory, size_t chain, struct bead_outcome *outcome, struct bead_message *msg);
+BEAD_API double bead_trajectory_end(const struct bead_trajectory *trajectory); /* s: end of the run that wrote it (planned end) */
+/* Outcome of chain `chain` as stored (peaks NULL; NaN and method "" where the run was killed). */
+BEAD_API BEAD_CHECK enum bead_error bead_trajectory_outcome(const struct bead_trajectory *trajectory, size_t chain,
+                                                            struct bead_outcome *outcome, struct bead_message *msg);
 
 /* Read sample `index` of chain `chain` into `sample` (borrowed until the next call); reads whole chunks ahead, so go in order. */
-BEAD_API BEAD_CHECK enum bead_error bead_trajectory_read(struct bead_trajectory *trajectory, size_t index, size_t chain, unsigned fields,
-                                              struct bead_sample *sample, struct bead_message *msg);
+BEAD_API BEAD_CHECK enum bead_error bead_trajectory_read(struct bead_trajectory *trajectory, size_t index, size_t chain,
+                                                         unsigned fields, struct bead_sample *sample, struct bead_message *msg);
 
 #endif

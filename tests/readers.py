@@ -1,0 +1,135 @@
+#!/usr/bin/env python3
+"""Check that other programs' readers open a trajectory and read the right numbers: readers.py FILE
+
+h5py is needed; MDAnalysis and xarray (with h5netcdf) are tried where they are installed. Prints TAP.
+"""
+import sys
+
+import h5py
+import numpy as np
+
+count = 0
+failed = 0
+
+
+def ok(good, what):
+    global count, failed
+    count += 1
+    failed += not good
+    print(("ok" if good else "not ok"), count, "-", what)
+
+
+def skip(what):
+    global count
+    count += 1
+    print("ok", count, "-", what, "# SKIP")
+
+
+def has(module):
+    try:
+        __import__(module)
+    except ImportError:
+        return False
+    return True
+
+
+def elements(group):
+    """Time-dependent elements of a group by name."""
+    return {name: item for name, item in group.items() if isinstance(item, h5py.Group) and "value" in item}
+
+
+def check_h5md(file):
+    ok(list(file["h5md"].attrs["version"]) == [1, 1], "H5MD 1.1")
+    ok("name" in file["h5md/author"].attrs and "version" in file["h5md/creator"].attrs, "author and creator")
+    ok(list(file["particles"]) == ["chain"], "one particles group")
+    chain = file["particles/chain"]
+    ok(chain["box"].attrs["dimension"] == 3 and list(chain["box"].attrs["boundary"]) == [b"none"] * 3, "box without boundaries")
+    beads = len(chain["id"])
+    ok(len(set(chain["id"][:])) == beads and chain["species"].dtype.kind == "i", "ids are unique, species are integers")
+    ok((chain["mass"][:] > 0).all() and (chain["radius"][:] > 0).all(), "masses and radii")
+    for name, element in elements(chain).items():
+        value, time = element["value"], element["time"][:]
+        ok(value.dtype == np.float64 and value.shape[:2] == (len(time), beads) and "units" in value.attrs
+           and (value.ndim == 2 or value.shape[2] == 3), f"{name}: shape, type and units")
+        ok(len(element["step"]) == len(time) and (np.diff(time) > 0).all(), f"{name}: step and time")
+        ok(np.isfinite(value[:]).all(), f"{name}: finite")
+    if "position" in chain:
+        moved = chain["position/value"][:, :, 0] - chain["displacement/value"][:]
+        ok(np.allclose(moved, chain["rest_position"][:], rtol=1e-14, atol=1e-15), "position is rest position and displacement")
+        ok((chain["position/value"][:, :, 2] == 0).all(), "z is 0")
+    if "velocity" in chain and "displacement" in chain and len(chain["velocity/time"]) > 2:
+        # The trapezoidal rule within what velocities change from sample to sample.
+        dt = np.diff(chain["velocity/time"][:])[:, None]
+        v, u = chain["velocity/value"][:, :, 0], chain["displacement/value"][:]
+        miss = np.abs(np.diff(u, axis=0) - dt * (v[1:] + v[:-1]) / 2)
+        ok((miss <= 0.5 * dt * np.abs(np.diff(v, axis=0)) + 0.05 * np.abs(v).max() * dt).all(), "velocity is the rate of displacement")
+    vmd = file["parameters/vmd_structure"]
+    ok(sorted(vmd["indexOfSpecies"][:]) == sorted(set(chain["species"][:])), "VMD: one row for every species there is")
+    radius = dict(zip(vmd["indexOfSpecies"][:], vmd["radius"][:]))
+    ok(all(radius[s] == r for s, r in zip(chain["species"][:], chain["radius"][:])), "VMD: radii")
+    about = file["parameters/beadreel"]
+    ok(b"chain" in about["scene"][()] and about.attrs["complete"] in (0, 1), "the scene is stored")
+
+
+def check_mdanalysis(path, file):
+    if not has("MDAnalysis"):
+        skip("MDAnalysis is not installed")
+        return
+    import warnings
+
+    import MDAnalysis
+
+    warnings.simplefilter("ignore")
+    chain = file["particles/chain"]
+    stored = [name for name in ("position", "velocity", "force") if name in chain]
+    if not stored:
+        skip("MDAnalysis: nothing for it in this file")
+        return
+    beads = len(chain["id"])
+    universe = MDAnalysis.Universe.empty(beads, trajectory=False, velocities=True, forces=True)
+    universe.load_new(path, format="H5MD", convert_units=False)
+    frames = len(chain[stored[0] + "/time"])
+    ok(len(universe.trajectory) == frames, "MDAnalysis: frames")
+    good = True
+    for i in sorted({0, frames // 2, frames - 1}):
+        frame = universe.trajectory[i]
+        good = good and frame.time == chain[stored[0] + "/time"][i]
+        for name, values in (("position", "positions"), ("velocity", "velocities"), ("force", "forces")):
+            if name in stored:
+                good = good and np.array_equal(getattr(frame, values), chain[name + "/value"][i].astype(np.float32))
+    ok(good, "MDAnalysis: positions, velocities, forces and times")
+
+
+def check_xarray(path, file):
+    if not (has("xarray") and has("h5netcdf")):
+        skip("xarray with h5netcdf is not installed")
+        return
+    import xarray
+
+    groups = {"particles/chain": "bead", "contacts": "contact"}
+    for parent, axis in groups.items():
+        if parent not in file:
+            continue
+        with xarray.open_dataset(path, engine="h5netcdf", group=parent) as constants:
+            ok(axis in constants.dims and (parent == "contacts" or "mass" in constants), f"xarray: {parent}")
+        for name, element in elements(file[parent]).items():
+            with xarray.open_dataset(path, engine="h5netcdf", group=f"{parent}/{name}") as data:
+                value = data["value"]
+                wanted = ("time", axis, "spatial")[: element["value"].ndim]
+                ok(value.dims == wanted and np.array_equal(value.values, element["value"][:])
+                   and np.array_equal(data["time"].values, element["time"][:])
+                   and np.array_equal(data[axis].values, element[axis][:]), f"xarray: {parent}/{name} {wanted}")
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    with h5py.File(sys.argv[1], "r") as file:
+        check_h5md(file)
+        check_xarray(sys.argv[1], file)
+        check_mdanalysis(sys.argv[1], file)
+    print(f"1..{count}")
+    sys.exit(failed > 0)
+
+
+main()
