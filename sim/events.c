@@ -11,12 +11,12 @@
 enum { SWEEPS = 2 };
 /* Contacts integrated again on each side of a flagged one. */
 enum { WIDTH = 1 };
-/* A branch point this many steps outside the step still spoils its quadrature. */
-static const double reach = 1;
+/* A branch point further outside the step than this does no harm that doubles can hold. */
+static const double reach = 2;
 /* What a branch point inside the step, rate r, does to the velocity of a bead is less than this times A (h r)^{3/2} h/m. */
 static const double effect = 0.01;
-/* The same for one x steps outside: less than this over (1 + x/0.03)^3 (ten times the error of RKN8's quadrature of (s + x)^{3/2}).
- */
+/* The same for one x steps outside: less than this over (1 + x/0.03)^3 (1 + x/2)^4, at least 5 times what RKN8's quadrature of
+ * (s + x)^{3/2} over 0 <= s <= 1 loses. */
 static const double effect_outside = 3e-4, effect_decay = 0.03;
 
 struct bead_events {
@@ -101,8 +101,8 @@ static double outside(const struct bead_patch_rule *rule, double d, double r)
 {
     if (!(r > 0 && d < reach * r))
         return 0;
-    double far = 1 + d / (effect_decay * r);
-    return effect_outside * force_power(rule, r) / (far * far * far);
+    double near = 1 + d / (effect_decay * r), far = (1 + d / (2 * r)) * (1 + d / (2 * r));
+    return effect_outside * force_power(rule, r) / (near * near * near * far * far);
 }
 
 /* Whether what contact k can do to a velocity exceeds the tolerance. */

@@ -110,7 +110,7 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
     s->inverse_mass = printed ? chain->mass : chain->inverse_mass;
     s->table = (struct bead_contact_table){chain->stiffness,  chain->static_compression,        chain->static_force,
                                            &chain->spec->law, chain->spec->damping_coefficient, chain->spec->damping_exponent};
-    s->event_tolerance = ldexp(fabs(chain->spec->striker_velocity), -50);
+    s->event_tolerance = ldexp(fabs(chain->spec->striker_velocity), -43);
     enum bead_error err = allocate(s, msg);
     if (!err && method->events)
         err = bead_events_create(s, &s->events, msg);
