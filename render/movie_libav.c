@@ -11,7 +11,10 @@
 #include "render/movie_private.h"
 #include "render/palette.h"
 
-enum { KEY_INTERVAL = 250 }; /* frames given to the encoder from one that can be jumped to, to the next */
+enum {
+    KEY_INTERVAL = 250, /* frames given to the encoder from one that can be jumped to, to the next */
+    LINE_ALIGN = 64     /* bytes: blocks of the converters reach into the padding */
+};
 
 struct bead_encoder {
     AVFormatContext *format;
@@ -25,6 +28,7 @@ struct bead_encoder {
     int64_t last;          /* time of the picture encoded last */
     bool dirty;            /* the picture has changed since */
     bool holding;
+    bool begun; /* the header is written, the trailer not */
 };
 
 /* One clear line out of libav's number. Where the file could not be written, that is the reason for all else. */
@@ -122,7 +126,7 @@ static enum bead_error open_picture(struct bead_movie *movie, struct bead_messag
     p->colorspace = e->codec->colorspace;
     p->color_range = e->codec->color_range;
     p->chroma_location = e->codec->chroma_sample_location;
-    int code = av_frame_get_buffer(p, 64);
+    int code = av_frame_get_buffer(p, LINE_ALIGN);
     if (code < 0)
         return fail(movie, "no picture", code, msg);
     if (p->format == AV_PIX_FMT_PAL8)
@@ -164,6 +168,7 @@ static enum bead_error open_file(struct bead_movie *movie, struct bead_message *
     code = parse_options(movie->codec->muxer_options, &options);
     if (code >= 0)
         code = avformat_write_header(e->format, &options);
+    e->begun = code >= 0;
     if (code >= 0 && av_dict_count(options))
         code = AVERROR_OPTION_NOT_FOUND;
     av_dict_free(&options);
@@ -250,6 +255,31 @@ static enum bead_error encode(struct bead_movie *movie, int64_t time, struct bea
     return drain(movie, msg);
 }
 
+/* Some encoders keep the picture they were given (x264's and VP9's do not): then it is left to them, and a copy of it
+ * goes on. av_frame_make_writable would not keep the lines aligned as the converters need them. */
+static int make_writable(struct bead_encoder *e)
+{
+    if (av_frame_is_writable(e->picture))
+        return 0;
+    AVFrame *copy = av_frame_alloc();
+    if (!copy)
+        return AVERROR(ENOMEM);
+    copy->width = e->picture->width;
+    copy->height = e->picture->height;
+    copy->format = e->picture->format;
+    int code = av_frame_get_buffer(copy, LINE_ALIGN);
+    if (code >= 0)
+        code = av_frame_copy_props(copy, e->picture);
+    if (code >= 0)
+        code = av_frame_copy(copy, e->picture);
+    if (code >= 0) {
+        av_frame_unref(e->picture);
+        av_frame_move_ref(e->picture, copy);
+    }
+    av_frame_free(&copy);
+    return code;
+}
+
 static enum bead_error convert(struct bead_movie *movie, const struct bead_frame *frame, const struct bead_changes *changes,
                                struct bead_message *msg)
 {
@@ -262,8 +292,7 @@ static enum bead_error convert(struct bead_movie *movie, const struct bead_frame
     }
     if (!aligned.count)
         return BEAD_OK;
-    /* Some encoders keep the picture they were given: then this makes a copy of it. x264's and VP9's do not. */
-    int code = av_frame_make_writable(e->picture);
+    int code = make_writable(e);
     if (code < 0)
         return fail(movie, "no picture", code, msg);
     e->dirty = true;
@@ -311,7 +340,8 @@ static int set_final_delay(const struct bead_movie *movie)
         return av_opt_set_q(e->format->priv_data, "final_delay", delay, 0);
     }
     int64_t end = av_rescale_q((int64_t)movie->shown, e->frame_time, base), last = av_rescale_q(e->last, e->frame_time, base);
-    return av_opt_set_int(e->format->priv_data, "final_delay", end > last ? end - last : 1, 0);
+    int64_t least = movie->codec->most_fps ? unit / movie->codec->most_fps : 1;
+    return av_opt_set_int(e->format->priv_data, "final_delay", end - last > least ? end - last : least, 0);
 }
 
 static enum bead_error libav_finish(struct bead_movie *movie, struct bead_message *msg)
@@ -329,8 +359,10 @@ static enum bead_error libav_finish(struct bead_movie *movie, struct bead_messag
     code = release(e, (int64_t)movie->shown);
     if (code >= 0)
         code = set_final_delay(movie);
-    if (code >= 0)
+    if (code >= 0) {
+        e->begun = false;
         code = av_write_trailer(e->format);
+    }
     avio_flush(e->format->pb);
     if (code >= 0)
         code = e->format->pb->error;
@@ -350,6 +382,9 @@ static void libav_destroy(struct bead_movie *movie)
     av_packet_free(&e->packet);
     av_frame_free(&e->picture);
     avcodec_free_context(&e->codec);
+    /* Muxers that set delays keep a packet back, and some free it only with the trailer. */
+    if (e->begun && movie->codec->delay_unit)
+        av_write_trailer(e->format);
     if (e->format)
         avio_closep(&e->format->pb);
     avformat_free_context(e->format);

@@ -206,9 +206,10 @@ static bool extend(struct bead_palette *palette, const struct bead_frame *frame)
 
 static void write_colours(const struct bead_palette *palette, AVFrame *picture)
 {
-    uint32_t argb[256] = {0}; /* what is not used is transparent black, the last one always */
-    for (size_t i = 0; i < palette->used; i++)
-        argb[i] = 0xff000000u | palette->colour[i];
+    uint32_t argb[256] = {0};
+    /* Places not used yet are opaque, so that encoders take only the last one, never used, for the transparent one. */
+    for (size_t i = 0; i < BEAD_PALETTE_MOST; i++)
+        argb[i] = 0xff000000u | (i < palette->used ? palette->colour[i] : 0);
     memcpy(picture->data[1], argb, sizeof argb);
 }
 

@@ -66,17 +66,33 @@ static int by_red(const void *a, const void *b)
     return compare(a, b, 16);
 }
 
-/* Cut where half of the weight is on each side; both sides keep a tone at least. */
+/* How many of a sorted box stay below the cut that leaves the least spread in the two parts (at least one in each):
+ * the one with the largest first moment squared by weight, summed over both. */
+static size_t best_cut(const struct bead_tone *tones, size_t count, int shift)
+{
+    double total = 0, moment = 0, below = 0, moment_below = 0, most = -1;
+    for (size_t i = 0; i < count; i++) {
+        total += weight(&tones[i]);
+        moment += weight(&tones[i]) * channel(tones[i].colour, shift);
+    }
+    size_t best = 1;
+    for (size_t i = 0; i + 1 < count; i++) {
+        below += weight(&tones[i]);
+        moment_below += weight(&tones[i]) * channel(tones[i].colour, shift);
+        double rest = moment - moment_below, gain = moment_below * moment_below / below + rest * rest / (total - below);
+        if (gain > most) {
+            most = gain;
+            best = i + 1;
+        }
+    }
+    return best;
+}
+
 static void cut(struct bead_tone *tones, struct box *box, struct box *rest)
 {
     static int (*const order[])(const void *, const void *) = {by_blue, by_green, by_red};
     qsort(tones + box->first, box->count, sizeof *tones, order[box->axis / 8]);
-    double total = 0, below = 0;
-    for (size_t i = 0; i < box->count; i++)
-        total += weight(&tones[box->first + i]);
-    size_t keep = 0;
-    while (keep + 1 < box->count && (keep == 0 || below + weight(&tones[box->first + keep]) / 2 < total / 2))
-        below += weight(&tones[box->first + keep++]);
+    size_t keep = best_cut(tones + box->first, box->count, box->axis);
     *rest = (struct box){.first = box->first + keep, .count = box->count - keep};
     box->count = keep;
     measure(tones, box);

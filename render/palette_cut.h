@@ -1,4 +1,4 @@
-/* Median cut: the colours that stand best for many. */
+/* The few colours that stand best for many: boxes of colours are cut in two until there are enough. */
 #ifndef BEAD_RENDER_PALETTE_CUT_H
 #define BEAD_RENDER_PALETTE_CUT_H
 

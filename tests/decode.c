@@ -1,0 +1,107 @@
+#include "decode.h"
+
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static void take_frames(AVCodecContext *codec, AVRational base, struct decoded *movie)
+{
+    for (;;) {
+        AVFrame *frame = av_frame_alloc();
+        assert_non_null(frame);
+        int code = avcodec_receive_frame(codec, frame);
+        if (code < 0) {
+            assert_true(code == AVERROR(EAGAIN) || code == AVERROR_EOF);
+            av_frame_free(&frame);
+            return;
+        }
+        assert_true(movie->count < DECODED_MOST);
+        assert_true(frame->best_effort_timestamp != AV_NOPTS_VALUE);
+        movie->time[movie->count] = (double)frame->best_effort_timestamp * av_q2d(base);
+        movie->frame[movie->count++] = frame;
+    }
+}
+
+static void tag(const AVFormatContext *format, const char *key, char *text, size_t size)
+{
+    const AVDictionaryEntry *entry = av_dict_get(format->metadata, key, NULL, 0);
+    snprintf(text, size, "%s", entry ? entry->value : "");
+}
+
+static void describe(const AVFormatContext *format, const AVStream *stream, const AVCodec *decoder, struct decoded *movie)
+{
+    movie->width = stream->codecpar->width;
+    movie->height = stream->codecpar->height;
+    snprintf(movie->format, sizeof movie->format, "%s", format->iformat->name);
+    snprintf(movie->codec, sizeof movie->codec, "%s", decoder->name);
+    tag(format, "title", movie->title, sizeof movie->title);
+    tag(format, "comment", movie->comment, sizeof movie->comment);
+    if (format->duration != AV_NOPTS_VALUE)
+        movie->said = (double)format->duration / AV_TIME_BASE;
+}
+
+void decode(const char *path, struct decoded *movie)
+{
+    memset(movie, 0, sizeof *movie);
+    AVFormatContext *format = NULL;
+    assert_int_equal(avformat_open_input(&format, path, NULL, NULL), 0);
+    assert_true(avformat_find_stream_info(format, NULL) >= 0);
+    assert_int_equal(format->nb_streams, 1);
+    const AVStream *stream = format->streams[0];
+    const AVCodec *decoder = avcodec_find_decoder(stream->codecpar->codec_id);
+    assert_non_null(decoder);
+    describe(format, stream, decoder, movie);
+    AVCodecContext *codec = avcodec_alloc_context3(decoder);
+    assert_non_null(codec);
+    assert_true(avcodec_parameters_to_context(codec, stream->codecpar) >= 0);
+    codec->thread_count = 1;
+    assert_int_equal(avcodec_open2(codec, decoder, NULL), 0);
+    AVPacket *packet = av_packet_alloc();
+    assert_non_null(packet);
+    while (av_read_frame(format, packet) >= 0) {
+        double end = (double)(packet->pts + packet->duration) * av_q2d(stream->time_base);
+        movie->duration = end > movie->duration ? end : movie->duration;
+        assert_int_equal(avcodec_send_packet(codec, packet), 0);
+        take_frames(codec, stream->time_base, movie);
+        av_packet_unref(packet);
+    }
+    assert_int_equal(avcodec_send_packet(codec, NULL), 0);
+    take_frames(codec, stream->time_base, movie);
+    av_packet_free(&packet);
+    avcodec_free_context(&codec);
+    avformat_close_input(&format);
+}
+
+void decoded_free(struct decoded *movie)
+{
+    for (size_t i = 0; i < movie->count; i++)
+        av_frame_free(&movie->frame[i]);
+    movie->count = 0;
+}
+
+void decoded_rgb(const AVFrame *frame, int x, int y, int rgb[3])
+{
+    const uint8_t *line = frame->data[0] + (ptrdiff_t)y * frame->linesize[0];
+    switch (frame->format) {
+    case AV_PIX_FMT_RGB24:
+        for (int c = 0; c < 3; c++)
+            rgb[c] = line[3 * x + c];
+        break;
+    case AV_PIX_FMT_BGR0:
+    case AV_PIX_FMT_BGRA:
+        for (int c = 0; c < 3; c++)
+            rgb[c] = line[4 * x + 2 - c];
+        break;
+    case AV_PIX_FMT_GBRP:
+        for (int c = 0; c < 3; c++) /* planes are G B R */
+            rgb[c] = frame->data[(c + 2) % 3][(ptrdiff_t)y * frame->linesize[(c + 2) % 3] + x];
+        break;
+    default:
+        fail_msg("pixel format %d is not RGB", frame->format);
+    }
+}

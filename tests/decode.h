@@ -1,0 +1,27 @@
+/* Movies read back with libav, for tests of what was written. */
+#ifndef BEADREEL_TESTS_DECODE_H
+#define BEADREEL_TESTS_DECODE_H
+
+#include <libavutil/frame.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum { DECODED_MOST = 256 };
+
+struct decoded {
+    char format[64], codec[32], title[64], comment[64];
+    int width, height;
+    size_t count;
+    AVFrame *frame[DECODED_MOST];
+    double time[DECODED_MOST]; /* s */
+    double duration;           /* s: until the end of the last frame, as its packet says */
+    double said;               /* s: as the container says; 0 where it says nothing */
+};
+
+/* Fails the test where the file is damaged. */
+void decode(const char *path, struct decoded *movie);
+void decoded_free(struct decoded *movie);
+/* Red, green, blue of a pixel; for RGB formats and palettes. */
+void decoded_rgb(const AVFrame *frame, int x, int y, int rgb[3]);
+
+#endif

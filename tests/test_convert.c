@@ -1,0 +1,308 @@
+/* Pixels for encoders: BT.709 as its formula says, rectangles as whole frames, palettes exact where they can be. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "render/convert.h"
+#include "render/palette.h"
+#include "render/palette_cut.h"
+
+static uint32_t random_bits(uint32_t *seed)
+{
+    *seed = *seed * 1664525u + 1013904223u;
+    return *seed >> 8;
+}
+
+static struct bead_frame random_frame(int width, int height, uint32_t seed)
+{
+    struct bead_frame frame;
+    assert_int_equal(bead_frame_create(width, height, &frame, NULL), BEAD_OK);
+    for (size_t i = 0; i < frame.stride * (size_t)height; i++)
+        frame.pixels[i] = (uint8_t)random_bits(&seed); /* the fourth byte and the padding mean nothing */
+    return frame;
+}
+
+static AVFrame *new_picture(enum AVPixelFormat format, int width, int height)
+{
+    AVFrame *picture = av_frame_alloc();
+    assert_non_null(picture);
+    picture->format = format;
+    picture->width = width;
+    picture->height = height;
+    assert_int_equal(av_frame_get_buffer(picture, 64), 0);
+    return picture;
+}
+
+static void pixel(const struct bead_frame *frame, int x, int y, double rgb[3])
+{
+    const uint8_t *p = frame->pixels + (size_t)y * frame->stride + 4 * (size_t)x;
+    for (int c = 0; c < 3; c++)
+        rgb[c] += p[2 - c] / 255.0;
+}
+
+static double luma(const double rgb[3])
+{
+    return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+}
+
+static void convert_all(const struct bead_frame *frame, AVFrame *picture)
+{
+    struct bead_rect all = {0, 0, frame->width, frame->height};
+    bead_convert_find(picture->format)(frame, bead_convert_align(frame, all), picture);
+}
+
+/* Every value is the rounded one of the real-number formula, but for ties of the fixed point: within 0.51 of it. */
+static void bt709_is_exact(void **state)
+{
+    (void)state;
+    struct bead_frame frame = random_frame(226, 150, 1);
+    AVFrame *picture = new_picture(AV_PIX_FMT_YUV420P, frame.width, frame.height);
+    convert_all(&frame, picture);
+    double worst = 0;
+    for (int y = 0; y < frame.height; y++) {
+        for (int x = 0; x < frame.width; x++) {
+            double rgb[3] = {0};
+            pixel(&frame, x, y, rgb);
+            worst = fmax(worst, fabs(picture->data[0][y * picture->linesize[0] + x] - (16 + 219 * luma(rgb))));
+        }
+    }
+    for (int y = 0; y < frame.height; y += 2) {
+        for (int x = 0; x < frame.width; x += 2) {
+            double rgb[3] = {0};
+            for (int i = 0; i < 4; i++)
+                pixel(&frame, x + i % 2, y + i / 2, rgb);
+            double cb = 128 + 224 * (rgb[2] - luma(rgb)) / 4 / 1.8556, cr = 128 + 224 * (rgb[0] - luma(rgb)) / 4 / 1.5748;
+            worst = fmax(worst, fabs(picture->data[1][y / 2 * picture->linesize[1] + x / 2] - cb));
+            worst = fmax(worst, fabs(picture->data[2][y / 2 * picture->linesize[2] + x / 2] - cr));
+        }
+    }
+    assert_true(worst < 0.51);
+    av_frame_free(&picture);
+    bead_frame_free(&frame);
+}
+
+static void fill(struct bead_frame *frame, uint32_t rgb)
+{
+    for (int y = 0; y < frame->height; y++) {
+        for (int x = 0; x < frame->width; x++) {
+            uint8_t *p = frame->pixels + (size_t)y * frame->stride + 4 * (size_t)x;
+            p[0] = (uint8_t)rgb;
+            p[1] = (uint8_t)(rgb >> 8);
+            p[2] = (uint8_t)(rgb >> 16);
+        }
+    }
+}
+
+/* The levels of the standard: black 16, white 235, greys without colour, primaries at the ends of the range. */
+static void bt709_has_the_levels_of_the_standard(void **state)
+{
+    (void)state;
+    static const struct {
+        uint32_t rgb;
+        int y, u, v;
+    } known[] = {{0x000000, 16, 128, 128}, {0xffffff, 235, 128, 128}, {0x808080, 126, 128, 128}, {0xff0000, 63, 102, 240},
+                 {0x00ff00, 173, 42, 26},  {0x0000ff, 32, 240, 118},  {0x00ffff, 188, 154, 16},  {0xffff00, 219, 16, 138}};
+    struct bead_frame frame;
+    assert_int_equal(bead_frame_create(16, 2, &frame, NULL), BEAD_OK);
+    AVFrame *picture = new_picture(AV_PIX_FMT_YUV420P, 16, 2);
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        fill(&frame, known[i].rgb);
+        convert_all(&frame, picture);
+        assert_int_equal(picture->data[0][5], known[i].y);
+        assert_int_equal(picture->data[1][3], known[i].u);
+        assert_int_equal(picture->data[2][3], known[i].v);
+    }
+    av_frame_free(&picture);
+    bead_frame_free(&frame);
+}
+
+static void assert_same_pictures(const AVFrame *a, const AVFrame *b)
+{
+    for (int plane = 0; plane < 3 && a->data[plane]; plane++) {
+        int part = a->format == AV_PIX_FMT_YUV420P && plane ? 2 : 1;
+        size_t bytes = (size_t)a->width / (size_t)part;
+        bytes *= a->format == AV_PIX_FMT_BGR0 ? 4 : a->format == AV_PIX_FMT_RGB24 ? 3 : 1;
+        for (int y = 0; y < a->height / part; y++)
+            assert_memory_equal(a->data[plane] + y * a->linesize[plane], b->data[plane] + y * b->linesize[plane], bytes);
+    }
+}
+
+/* Change random rectangles, convert only those: the same bits as converting everything. */
+static void changed_rectangles_are_enough(void **state)
+{
+    (void)state;
+    static const enum AVPixelFormat formats[] = {AV_PIX_FMT_YUV420P, AV_PIX_FMT_BGR0, AV_PIX_FMT_RGB24, AV_PIX_FMT_GBRP};
+    uint32_t seed = 7;
+    for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
+        struct bead_frame frame = random_frame(118, 74, 3);
+        AVFrame *kept = new_picture(formats[f], frame.width, frame.height),
+                *whole = new_picture(formats[f], frame.width, frame.height);
+        convert_all(&frame, kept);
+        for (int i = 0; i < 200; i++) {
+            struct bead_rect r = {(int)(random_bits(&seed) % 140) - 10, (int)(random_bits(&seed) % 90) - 8,
+                                  (int)(random_bits(&seed) % 40), (int)(random_bits(&seed) % 20)};
+            for (int y = r.y < 0 ? 0 : r.y; y < r.y + r.height && y < frame.height; y++) {
+                for (int x = r.x < 0 ? 0 : r.x; x < r.x + r.width && x < frame.width; x++) {
+                    uint32_t bits = random_bits(&seed);
+                    memcpy(frame.pixels + (size_t)y * frame.stride + 4 * (size_t)x, &bits, 4);
+                }
+            }
+            struct bead_rect aligned = bead_convert_align(&frame, r);
+            if (aligned.width)
+                bead_convert_find(formats[f])(&frame, aligned, kept);
+            convert_all(&frame, whole);
+            assert_same_pictures(kept, whole);
+        }
+        av_frame_free(&kept);
+        av_frame_free(&whole);
+        bead_frame_free(&frame);
+    }
+}
+
+static void rectangles_are_clipped(void **state)
+{
+    (void)state;
+    struct bead_frame frame = {.width = 50, .height = 21, .stride = 256};
+    static const struct {
+        struct bead_rect in, out;
+    } cases[] = {{{0, 0, 50, 21}, {0, 0, 64, 21}},       {{17, 3, 1, 1}, {16, 2, 16, 2}},
+                 {{-5, -5, 6, 6}, {0, 0, 16, 2}},        {{50, 0, 5, 5}, {0, 0, 0, 0}},
+                 {{0, 21, 5, 5}, {0, 0, 0, 0}},          {{3, 3, 0, 5}, {0, 0, 0, 0}},
+                 {{3, 3, -4, 5}, {0, 0, 0, 0}},          {{49, 20, 2147483647, 2147483647}, {48, 20, 16, 1}},
+                 {{-2147483647, 0, 10, 2}, {0, 0, 0, 0}}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct bead_rect r = bead_convert_align(&frame, cases[i].in);
+        assert_memory_equal(&r, &cases[i].out, sizeof r);
+    }
+}
+
+static uint32_t shown(const AVFrame *picture, int x, int y)
+{
+    uint8_t index = picture->data[0][y * picture->linesize[0] + x];
+    assert_true(index < BEAD_PALETTE_MOST);
+    uint32_t colour;
+    memcpy(&colour, picture->data[1] + 4 * (size_t)index, 4);
+    assert_int_equal(colour >> 24, 255);
+    return colour & 0xffffff;
+}
+
+/* Returns the root mean square difference of all channels. */
+static double difference(const struct bead_frame *frame, const AVFrame *picture)
+{
+    double sum = 0;
+    for (int y = 0; y < frame->height; y++) {
+        for (int x = 0; x < frame->width; x++) {
+            const uint8_t *p = frame->pixels + (size_t)y * frame->stride + 4 * (size_t)x;
+            uint32_t colour = shown(picture, x, y);
+            for (int c = 0; c < 3; c++)
+                sum += pow(p[c] - (double)(colour >> 8 * c & 255), 2);
+        }
+    }
+    return sqrt(sum / (3.0 * frame->width * frame->height));
+}
+
+static void palette_convert(struct bead_palette *palette, const struct bead_frame *frame, AVFrame *picture)
+{
+    struct bead_changes all = {1, {bead_convert_align(frame, (struct bead_rect){0, 0, frame->width, frame->height})}};
+    assert_int_equal(bead_palette_convert(palette, frame, &all, picture, NULL), BEAD_OK);
+}
+
+static void set(struct bead_frame *frame, int x, int y, int r, int g, int b)
+{
+    uint8_t *p = frame->pixels + (size_t)y * frame->stride + 4 * (size_t)x;
+    p[0] = (uint8_t)b;
+    p[1] = (uint8_t)g;
+    p[2] = (uint8_t)r;
+}
+
+static void palette_is_exact_for_few_colours(void **state)
+{
+    (void)state;
+    for (int colours = 1; colours <= 255; colours += 127) {
+        struct bead_frame frame;
+        struct bead_palette *palette;
+        assert_int_equal(bead_frame_create(101, 33, &frame, NULL), BEAD_OK);
+        assert_int_equal(bead_palette_create(&palette, NULL), BEAD_OK);
+        AVFrame *picture = new_picture(AV_PIX_FMT_PAL8, frame.width, frame.height);
+        for (int y = 0; y < frame.height; y++) {
+            for (int x = 0; x < frame.width; x++) {
+                int i = (y * 7 + x) % colours;
+                set(&frame, x, y, i * 37 % 256, i, 255 - i);
+            }
+        }
+        palette_convert(palette, &frame, picture);
+        assert_true(difference(&frame, picture) == 0);
+        av_frame_free(&picture);
+        bead_palette_destroy(palette);
+        bead_frame_free(&frame);
+    }
+}
+
+/* Smooth shading in thousands of colours; then colours that the first frame did not have. */
+static void palette_is_close_for_many_colours(void **state)
+{
+    (void)state;
+    struct bead_frame frame;
+    struct bead_palette *palette;
+    assert_int_equal(bead_frame_create(256, 128, &frame, NULL), BEAD_OK);
+    assert_int_equal(bead_palette_create(&palette, NULL), BEAD_OK);
+    AVFrame *picture = new_picture(AV_PIX_FMT_PAL8, frame.width, frame.height);
+    fill(&frame, 0xfdfdfc);
+    for (int y = 0; y < 64; y++) {
+        for (int x = 0; x < 256; x++)
+            set(&frame, x, y, x, 4 * y, 255 - x);
+    }
+    palette_convert(palette, &frame, picture);
+    assert_true(difference(&frame, picture) < 7);
+    assert_int_equal(shown(picture, 9, 100), 0xfdfdfc); /* the background is what it was */
+    for (int y = 64; y < 128; y++) {
+        for (int x = 0; x < 256; x++)
+            set(&frame, x, y, 10, x / 32 * 32, 20);
+    }
+    palette_convert(palette, &frame, picture);
+    assert_true(difference(&frame, picture) < 7);
+    for (int x = 0; x < 256; x += 32) {
+        int green = (int)(shown(picture, x, 100) >> 8 & 255);
+        assert_true(abs(green - x) <= 12);
+    }
+    av_frame_free(&picture);
+    bead_palette_destroy(palette);
+    bead_frame_free(&frame);
+}
+
+static void chosen_colours_are_far_apart(void **state)
+{
+    (void)state;
+    struct bead_tone tones[] = {{0xff0000, 10}, {0xfe0000, 1000}, {0x0000ff, 1}, {0x00ff00, 5}, {0x00fe00, 4}, {0x000001, 100000}};
+    uint32_t chosen[4];
+    assert_int_equal(bead_palette_cut(tones, 6, 4, chosen), 4);
+    static const uint32_t wanted[] = {0xfe0000, 0x0000ff, 0x00ff00, 0x000001};
+    for (size_t w = 0; w < 4; w++) {
+        int found = 0;
+        for (size_t i = 0; i < 4; i++)
+            found += chosen[i] == wanted[w];
+        assert_int_equal(found, 1);
+    }
+    assert_int_equal(bead_palette_cut(tones, 0, 4, chosen), 0);
+    assert_int_equal(bead_palette_cut(tones, 2, 4, chosen), 2);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bt709_is_exact),
+        cmocka_unit_test(bt709_has_the_levels_of_the_standard),
+        cmocka_unit_test(changed_rectangles_are_enough),
+        cmocka_unit_test(rectangles_are_clipped),
+        cmocka_unit_test(palette_is_exact_for_few_colours),
+        cmocka_unit_test(palette_is_close_for_many_colours),
+        cmocka_unit_test(chosen_colours_are_far_apart),
+    };
+    return cmocka_run_group_tests_name("convert", tests, NULL, NULL);
+}
