@@ -17,14 +17,15 @@ struct bead_rgb {
 
 struct bead_look {
     bool dark;
-    char family[64];   /* Pango font family: "STIX" on paper, "Lato" on screens */
+    char family[64];           /* Pango font family: "STIX" on paper, "Lato" on screens */
     double title, label, tick; /* font sizes, px */
-    double line;       /* width of axes and curves, px */
-    double gap;        /* the usual distance between things, px */
+    double line;               /* width of axes and curves, px */
+    double gap;                /* the usual distance between things, px */
     struct bead_rgb background, panel, ink, faint, accent;
+    struct bead_rgb axis; /* lines and ticks */
 };
 
-/* Paper look (lengths with dpi: 8 pt type) or screen look (type in proportion to the height). */
+/* Paper look (lengths with dpi: 8 pt type) or screen look (type in proportion to the height, never unreadably small). */
 BEAD_API void bead_look_paper(struct bead_look *look, double dpi);
 BEAD_API void bead_look_screen(struct bead_look *look, int width, int height, bool dark);
 
@@ -32,47 +33,57 @@ enum bead_align { BEAD_ALIGN_START, BEAD_ALIGN_MIDDLE, BEAD_ALIGN_END, BEAD_ALIG
 
 struct bead_text_style {
     const char *family;
-    double size;       /* px */
+    double size; /* px */
     struct bead_rgb colour;
     bool bold;
     enum bead_align across, down; /* where (x, y) lies in the text's box: start, middle, end; down also baseline */
-    bool upwards;      /* turned by 90 degrees, read from bottom to top; across/down then mean the screen's axes */
+    bool upwards;                 /* turned by 90 degrees, read from bottom to top; across/down then mean the screen's axes */
 };
+/* BEAD_ALIGN_MIDDLE of `down` is the middle of digits and capitals, which looks right beside ticks. */
 /* Draw Pango markup at (x, y). */
 BEAD_API void bead_text_draw(cairo_t *cr, const struct bead_text_style *style, double x, double y, const char *markup);
 /* Size of its logical box, before turning. */
 BEAD_API void bead_text_size(cairo_t *cr, const struct bead_text_style *style, const char *markup, double *width, double *height);
-/* Plain text to markup: escapes & < >; `out` of `size` bytes. */
+/* Plain text to markup: escapes & < >; `out` of `size` bytes; cut between characters where it is too long. */
 BEAD_API void bead_text_escape(const char *text, char *out, size_t size);
+/* Markup of "M = 0.2" in mathematical italics. */
+BEAD_API void bead_text_magnetism(double magnetism, char *out, size_t size);
 
 /* An axis from low to high (SI) over `length` px: round ticks, a unit prefix that suits the size. */
 struct bead_axis {
     double low, high;
     enum bead_scale scale;
-    char unit[16];     /* shown unit: "ms", "µs", "mN", "" for numbers */
-    double factor;     /* shown = SI * factor */
+    char unit[16]; /* shown unit: "ms", "µs", "mN", "" for numbers */
+    double factor; /* shown = SI * factor */
     size_t count;
     struct bead_tick {
-        double value;  /* SI */
-        double place;  /* 0..1 from low to high */
-        char label[24]; /* with a proper minus sign */
+        double value;   /* SI */
+        double place;   /* 0..1 from low to high */
+        char label[24]; /* markup, with a proper minus sign */
     } ticks[24];
 };
+/* `em`: the ticks' font size; as many ticks as have room for their labels, set beside each other (`horizontal`) or above each
+ * other. An axis without unit ("") counts: its ticks are whole numbers. A range that makes no sense gets no ticks. */
 BEAD_API void bead_axis_make(struct bead_axis *axis, double low, double high, const char *si_unit, enum bead_scale scale,
-                             double length, double label_extent);
+                             double length, double em, bool horizontal);
 /* 0..1 of a value on the axis. */
 BEAD_API double bead_axis_place(const struct bead_axis *axis, double value);
 
 enum bead_side { BEAD_SIDE_LEFT, BEAD_SIDE_BOTTOM, BEAD_SIDE_RIGHT };
-/* Ticks, labels and title ("time (ms)" from title "time") at a side of the plot rectangle; with downwards the
- * low end of a vertical axis is at the top. labels false: ticks only. Returns how far out it reached, px. */
+/* Ticks, labels and title ("time (ms)" from title "time"; NULL: none) at a side of the plot rectangle; with downwards the
+ * low end of a vertical axis is at the top. labels false: ticks only, no title. The line itself is not drawn: see
+ * bead_box_draw. Returns how far out it reached, px. cr NULL: measures only. */
 BEAD_API double bead_axis_draw(cairo_t *cr, const struct bead_look *look, const struct bead_axis *axis, struct bead_rect plot,
                                enum bead_side side, bool downwards, bool labels, const char *title);
 
+/* A line of look->line around the plot rectangle, just outside of its pixels. */
+BEAD_API void bead_box_draw(cairo_t *cr, const struct bead_look *look, struct bead_rect plot);
+
 struct bead_colours;
-/* A vertical colour bar in `bar` with ticks, title and, where values lie above (below) the range, pointed ends. */
-BEAD_API double bead_colour_bar_draw(cairo_t *cr, const struct bead_look *look, const struct bead_colours *colours, const char *si_unit,
-                                     const char *title, struct bead_rect bar, bool over, bool under);
+/* A vertical colour bar in `bar` with ticks, title and, where values lie above (below) the range, pointed ends. Returns how
+ * far right of the bar it reached, px. cr NULL: measures only. */
+BEAD_API double bead_colour_bar_draw(cairo_t *cr, const struct bead_look *look, const struct bead_colours *colours,
+                                     const char *si_unit, const char *title, struct bead_rect bar, bool over, bool under);
 
 /* A number with a unit prefix that suits it: "1.640 ms", "35 N"; `digits` significant. */
 BEAD_API void bead_quantity(double value, const char *si_unit, int digits, char *out, size_t size);

@@ -1,0 +1,200 @@
+/* Axes: where ticks go. How they are drawn is in axis_draw.c. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "beadreel/colormap.h"
+#include "beadreel/look.h"
+#include "render/units.h"
+
+enum { MOST_TICKS = sizeof((struct bead_axis *)0)->ticks / sizeof(struct bead_tick) };
+
+/* Room that labels take, in units of the font size. A digit is 0.5 wide in STIX and 0.58 in Lato. */
+static const double character = 0.6, between_labels = 1.4, least_between = 0.5, line_apart = 2.4, least_line = 1.4,
+                    usual_width = 3.2;
+
+struct room {
+    double length, em;
+    bool horizontal, tight;
+};
+
+static size_t characters(const char *label)
+{
+    size_t count = 0;
+    for (bool tag = false; *label; label++) {
+        tag = tag || *label == '<';
+        if (!tag && ((unsigned char)*label & 0xC0) != 0x80)
+            count++;
+        tag = tag && *label != '>';
+    }
+    return count;
+}
+
+/* Centres of labels must be this far apart, px. */
+static double needed(const struct room *room, double width_in_characters)
+{
+    if (!room->horizontal)
+        return room->em * (room->tight ? least_line : line_apart);
+    double width = width_in_characters * character;
+    return room->em * (room->tight ? width + least_between : fmax(width, usual_width) + between_labels);
+}
+
+static void add(struct bead_axis *axis, double shown, int decimals)
+{
+    if (axis->count == MOST_TICKS)
+        return;
+    struct bead_tick *tick = &axis->ticks[axis->count++];
+    tick->value = shown / axis->factor;
+    tick->place = fmin(1, fmax(0, bead_axis_place(axis, tick->value)));
+    bead_number(shown, decimals, tick->label, sizeof tick->label);
+}
+
+/* mantissa * 10^exponent * k, correctly rounded where the power is negative. */
+static double multiple(double k, int mantissa, int exponent)
+{
+    return exponent < 0 ? k * mantissa / bead_power_of_ten(-exponent) : k * mantissa * bead_power_of_ten(exponent);
+}
+
+static const int mantissas[] = {1, 2, 5};
+
+static bool try_step(struct bead_axis *axis, const struct room *room, int mantissa, int exponent)
+{
+    double low = axis->low * axis->factor, high = axis->high * axis->factor, slack = 1e-9 * (high - low);
+    double step = multiple(1, mantissa, exponent);
+    double from = ceil((low - slack) / step), to = floor((high + slack) / step);
+    axis->count = 0;
+    if (to - from >= MOST_TICKS)
+        return false;
+    size_t widest = 0;
+    for (double k = from; k <= to; k++) {
+        add(axis, multiple(k, mantissa, exponent), exponent < 0 ? -exponent : 0);
+        size_t width = characters(axis->ticks[axis->count - 1].label);
+        widest = width > widest ? width : widest;
+    }
+    return room->length * step / (high - low) >= needed(room, (double)widest);
+}
+
+/* The smallest of 1, 2, 5 x 10^n whose labels have room. */
+static void equal_steps(struct bead_axis *axis, struct room room, bool counts)
+{
+    int first = (int)floor(log10((axis->high - axis->low) * axis->factor)) - 2;
+    for (int pass = 0; pass < 2; pass++) {
+        room.tight = pass == 1;
+        for (int i = 0; i < 12; i++) {
+            int exponent = first + i / 3;
+            if ((counts && exponent < 0) || !try_step(axis, &room, mantissas[i % 3], exponent))
+                continue;
+            if (axis->count >= 2 || room.tight)
+                return;
+            break; /* comfortable, but a single tick says little: closer, then */
+        }
+    }
+    if (axis->count > 1)
+        axis->count = 0;
+}
+
+/* Fewest decimals that write mantissa * 10^exponent * k. */
+static int decimals_of(double shown, int exponent)
+{
+    int decimals = exponent < 0 ? -exponent : 0;
+    while (decimals > 0 && fabs(remainder(shown, bead_power_of_ten(1 - decimals))) < 1e-6 * bead_power_of_ten(-decimals))
+        decimals--;
+    return decimals;
+}
+
+static double half_width(const struct bead_tick *tick)
+{
+    return 0.5 * (double)characters(tick->label);
+}
+
+/* Keep the tick added last where it has room, in order of places. */
+static void keep_if_room(struct bead_axis *axis, const struct room *room)
+{
+    struct bead_tick last = axis->ticks[axis->count - 1];
+    size_t at = --axis->count;
+    for (size_t i = 0; i < axis->count; i++) {
+        const struct bead_tick *tick = &axis->ticks[i];
+        double apart = fabs(tick->place - last.place) * room->length;
+        if (apart < needed(room, half_width(tick) + half_width(&last)))
+            return;
+        if (last.place < tick->place && i < at)
+            at = i;
+    }
+    memmove(&axis->ticks[at + 1], &axis->ticks[at], (axis->count - at) * sizeof *axis->ticks);
+    axis->ticks[at] = last;
+    axis->count++;
+}
+
+/* On uneven scales: the roundest numbers first, as long as there is room between those taken. */
+static void roundest_first(struct bead_axis *axis, const struct room *room)
+{
+    const size_t enough = 12;
+    double low = axis->low * axis->factor, high = axis->high * axis->factor, slack = 1e-9 * (high - low);
+    int largest = (int)floor(log10(fmax(fabs(low), fabs(high)) * (1 + 1e-12)));
+    for (int i = 0; i < 9; i++) {
+        int mantissa = mantissas[2 - i % 3], exponent = largest - i / 3;
+        double step = multiple(1, mantissa, exponent);
+        if ((high - low) / step > 2000)
+            return;
+        for (double k = ceil((low - slack) / step); k <= floor((high + slack) / step) && axis->count < enough; k++) {
+            double shown = multiple(k, mantissa, exponent);
+            if (axis->scale == BEAD_SCALE_LOG && !(shown > 0))
+                continue;
+            add(axis, shown, decimals_of(shown, exponent));
+            keep_if_room(axis, room);
+        }
+    }
+}
+
+static void power_label(struct bead_tick *tick, int exponent, bool plain)
+{
+    char number[16];
+    if (plain) {
+        bead_number(bead_power_of_ten(exponent), exponent < 0 ? -exponent : 0, tick->label, sizeof tick->label);
+        return;
+    }
+    bead_number(exponent, 0, number, sizeof number);
+    snprintf(tick->label, sizeof tick->label, "10<sup>%.10s</sup>", number);
+}
+
+/* Powers of ten, every n-th where they are many. */
+static void decades(struct bead_axis *axis, const struct room *room)
+{
+    double low = axis->low * axis->factor, high = axis->high * axis->factor;
+    int from = (int)ceil(log10(low) - 1e-9), to = (int)floor(log10(high) + 1e-9);
+    bool plain = from >= -3 && to <= 3;
+    double apart = room->length / log10(high / low), width = plain ? fmax(1 - from, 1 + to) : 4;
+    int every = (int)fmax(1, ceil(needed(room, width) / apart));
+    while ((to - from) / every + 1 > MOST_TICKS)
+        every++;
+    from += (to - from) % every; /* with the highest among them */
+    for (int e = from; e <= to; e += every) {
+        add(axis, bead_power_of_ten(e), 0);
+        power_label(&axis->ticks[axis->count - 1], e, plain);
+    }
+}
+
+double bead_axis_place(const struct bead_axis *axis, double value)
+{
+    return bead_scale_place(axis->scale, axis->low, axis->high, value);
+}
+
+void bead_axis_make(struct bead_axis *axis, double low, double high, const char *si_unit, enum bead_scale scale, double length,
+                    double em, bool horizontal)
+{
+    double largest = fmax(fabs(low), fabs(high));
+    int exponent = bead_prefix_exponent(largest, si_unit);
+    *axis = (struct bead_axis){.low = low, .high = high, .scale = scale, .factor = bead_power_of_ten(-exponent)};
+    if (*si_unit)
+        snprintf(axis->unit, sizeof axis->unit, "%s%s", bead_prefix_sign(exponent), si_unit);
+    bool sensible = isfinite(low) && isfinite(high) && high - low > 1e-12 * largest && length > 0 && em > 0;
+    if (!sensible || (scale == BEAD_SCALE_LOG && !(low > 0)))
+        return;
+    struct room room = {length, em, horizontal, false};
+    if (scale == BEAD_SCALE_LINEAR)
+        equal_steps(axis, room, *si_unit == '\0');
+    else if (scale == BEAD_SCALE_LOG && high / low > 30)
+        decades(axis, &room);
+    else
+        roundest_first(axis, &room);
+}

@@ -1,0 +1,99 @@
+#include "beadreel/colormap.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/assets.h"
+
+static const struct bead_colormap_info maps[] = {
+    {"viridis", "dark violet, green, yellow; even lightness (default)"},
+    {"cividis", "blue, grey, yellow; the same with colour-blindness"},
+    {"inferno", "black, red, yellow, white"},
+    {"magma", "black, violet, pink, cream"},
+    {"batlow", "dark blue, green, orange, pink; even lightness"},
+    {"grey", "black to white in equal steps of lightness"},
+    {"vik", "blue, white, red, for velocity and displacement"},
+    {NULL, NULL},
+};
+
+const struct bead_colormap_info *bead_colormap_list(void)
+{
+    return maps;
+}
+
+static enum bead_error unknown(const char *name, struct bead_message *msg)
+{
+    char names[256] = "";
+    for (const struct bead_colormap_info *map = maps; map->name; map++) {
+        size_t used = strlen(names);
+        snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", map->name);
+    }
+    return bead_fail(msg, BEAD_ERROR_SCENE, "there is no colour map '%.40s'; there are %s", name, names);
+}
+
+static enum bead_error parse(const char *file, const char *text, struct bead_colormap *map, struct bead_message *msg)
+{
+    size_t rows = 0;
+    for (const char *line = text; line && *line; line = strchr(line, '\n'), line += line != NULL) {
+        int rgb[3];
+        if (*line == '#' || *line == '\n')
+            continue;
+        if (rows == 256 || sscanf(line, "%d %d %d", &rgb[0], &rgb[1], &rgb[2]) != 3)
+            return bead_fail(msg, BEAD_ERROR_FORMAT, "%s: row %zu: not three numbers in one of 256 rows", file, rows + 1);
+        for (int c = 0; c < 3; c++) {
+            if (rgb[c] < 0 || rgb[c] > 255)
+                return bead_fail(msg, BEAD_ERROR_FORMAT, "%s: row %zu: %d is not within 0 to 255", file, rows + 1, rgb[c]);
+            map->rgb[rows][c] = (uint8_t)rgb[c];
+        }
+        rows++;
+    }
+    if (rows != 256)
+        return bead_fail(msg, BEAD_ERROR_FORMAT, "%s: has %zu colours, not 256", file, rows);
+    return BEAD_OK;
+}
+
+enum bead_error bead_colormap_load(const char *name, struct bead_colormap *map, struct bead_message *msg)
+{
+    const struct bead_colormap_info *info = maps;
+    while (info->name && strcmp(info->name, name) != 0)
+        info++;
+    if (!info->name)
+        return unknown(name, msg);
+    char file[64], *text = NULL;
+    size_t length = 0;
+    snprintf(file, sizeof file, "colormaps/%s.txt", info->name);
+    enum bead_error err = bead_asset_read(file, &text, &length, msg);
+    if (err)
+        return err;
+    snprintf(map->name, sizeof map->name, "%s", info->name);
+    err = parse(file, text, map, msg);
+    free(text);
+    return err;
+}
+
+static double signed_root(double x)
+{
+    return x < 0 ? -sqrt(-x) : sqrt(x);
+}
+
+double bead_scale_place(enum bead_scale scale, double low, double high, double value)
+{
+    if (scale == BEAD_SCALE_LOG)
+        return value > 0 ? (log(value) - log(low)) / (log(high) - log(low)) : -INFINITY;
+    if (scale == BEAD_SCALE_SQRT)
+        return (signed_root(value) - signed_root(low)) / (signed_root(high) - signed_root(low));
+    return (value - low) / (high - low);
+}
+
+double bead_colours_place(const struct bead_colours *colours, double value)
+{
+    return bead_scale_place(colours->scale, colours->low, colours->high, value);
+}
+
+uint8_t bead_colours_index(const struct bead_colours *colours, double value)
+{
+    double place = bead_colours_place(colours, value) * 256;
+    return place >= 255 ? 255 : place > 0 ? (uint8_t)place : 0; /* NaN: 0 */
+}

@@ -1,0 +1,76 @@
+#include <math.h>
+
+#include "beadreel/colormap.h"
+#include "beadreel/look.h"
+
+static void set_colour(cairo_t *cr, const uint8_t rgb[3])
+{
+    cairo_set_source_rgb(cr, rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0);
+}
+
+/* Bands without seams: each reaches down to the bottom, the next paints over it. */
+static void draw_bands(cairo_t *cr, const struct bead_colours *colours, struct bead_rect bar)
+{
+    cairo_antialias_t before = cairo_get_antialias(cr);
+    cairo_set_antialias(cr, CAIRO_ANTIALIAS_NONE);
+    for (int i = 255; i >= 0; i--) {
+        double top = bar.y + bar.height * (255 - i) / 256.0;
+        set_colour(cr, colours->map->rgb[i]);
+        cairo_rectangle(cr, bar.x, top, bar.width, bar.y + bar.height - top);
+        cairo_fill(cr);
+    }
+    cairo_set_antialias(cr, before);
+}
+
+/* How far the points of an open bar reach beyond its ends, px. */
+static double point_length(struct bead_rect bar)
+{
+    return 0.9 * bar.width;
+}
+
+/* The bar's outline just outside of its bands, with points where asked; the same path fills the points. */
+static void outline(cairo_t *cr, const struct bead_rect *bar, double out, bool over, bool under)
+{
+    double left = bar->x - out, right = bar->x + bar->width + out, top = bar->y - out, bottom = bar->y + bar->height + out;
+    double middle = bar->x + bar->width / 2.0;
+    cairo_move_to(cr, left, top);
+    if (over)
+        cairo_line_to(cr, middle, top - point_length(*bar));
+    cairo_line_to(cr, right, top);
+    cairo_line_to(cr, right, bottom);
+    if (under)
+        cairo_line_to(cr, middle, bottom + point_length(*bar));
+    cairo_line_to(cr, left, bottom);
+    cairo_close_path(cr);
+}
+
+static void draw_point(cairo_t *cr, const struct bead_colours *colours, struct bead_rect bar, bool up)
+{
+    double base = up ? bar.y : bar.y + bar.height, tip = up ? base - point_length(bar) : base + point_length(bar);
+    set_colour(cr, colours->map->rgb[up ? 255 : 0]);
+    cairo_move_to(cr, bar.x, base);
+    cairo_line_to(cr, bar.x + bar.width / 2.0, tip);
+    cairo_line_to(cr, bar.x + bar.width, base);
+    cairo_close_path(cr);
+    cairo_fill(cr);
+}
+
+double bead_colour_bar_draw(cairo_t *cr, const struct bead_look *look, const struct bead_colours *colours, const char *si_unit,
+                            const char *title, struct bead_rect bar, bool over, bool under)
+{
+    struct bead_axis axis;
+    bead_axis_make(&axis, colours->low, colours->high, si_unit, colours->scale, bar.height, look->tick, false);
+    if (cr) {
+        draw_bands(cr, colours, bar);
+        if (over)
+            draw_point(cr, colours, bar, true);
+        if (under)
+            draw_point(cr, colours, bar, false);
+        cairo_set_source_rgb(cr, look->axis.r, look->axis.g, look->axis.b);
+        cairo_set_line_width(cr, look->line);
+        cairo_set_line_join(cr, CAIRO_LINE_JOIN_MITER);
+        outline(cr, &bar, look->line / 2, over, under);
+        cairo_stroke(cr);
+    }
+    return bead_axis_draw(cr, look, &axis, bar, BEAD_SIDE_RIGHT, false, true, title);
+}

@@ -1,0 +1,84 @@
+#include "beadreel/frame.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+static int most(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+/* Cairo takes no more than 32767 pixels a side. */
+enum { LARGEST_SIDE = 32767, ALIGNMENT = 64 };
+
+enum bead_error bead_frame_create(int width, int height, struct bead_frame *frame, struct bead_message *msg)
+{
+    *frame = (struct bead_frame){0};
+    if (width < 1 || height < 1 || width > LARGEST_SIDE || height > LARGEST_SIDE)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a picture of %d x %d pixels: sides of 1 to %d are allowed", width, height,
+                         LARGEST_SIDE);
+    size_t stride = ((size_t)width * 4 + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+    uint8_t *pixels = aligned_alloc(ALIGNMENT, stride * (size_t)height);
+    if (!pixels)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a picture of %d x %d pixels", width, height);
+    memset(pixels, 0, stride * (size_t)height);
+    *frame = (struct bead_frame){width, height, stride, pixels};
+    return BEAD_OK;
+}
+
+void bead_frame_free(struct bead_frame *frame)
+{
+    free(frame->pixels);
+    *frame = (struct bead_frame){0};
+}
+
+void bead_frame_copy(struct bead_frame *to, const struct bead_frame *from, struct bead_rect rect)
+{
+    int left = most(rect.x, 0), top = most(rect.y, 0);
+    int right = least(rect.x + rect.width, least(to->width, from->width));
+    int bottom = least(rect.y + rect.height, least(to->height, from->height));
+    if (right <= left)
+        return;
+    for (int y = top; y < bottom; y++)
+        memcpy(to->pixels + (size_t)y * to->stride + 4 * (size_t)left, from->pixels + (size_t)y * from->stride + 4 * (size_t)left,
+               4 * (size_t)(right - left));
+}
+
+uint64_t bead_frame_hash(const struct bead_frame *frame)
+{
+    uint64_t hash = 0xcbf29ce484222325u;
+    for (int y = 0; y < frame->height; y++) {
+        const uint8_t *row = frame->pixels + (size_t)y * frame->stride;
+        for (int x = 0; x < frame->width; x++) {
+            for (int c = 0; c < 3; c++)
+                hash = (hash ^ row[4 * x + c]) * 0x100000001b3u;
+        }
+    }
+    return hash;
+}
+
+static struct bead_rect bounding_box(struct bead_rect a, struct bead_rect b)
+{
+    int x = least(a.x, b.x), y = least(a.y, b.y);
+    return (struct bead_rect){x, y, most(a.x + a.width, b.x + b.width) - x, most(a.y + a.height, b.y + b.height) - y};
+}
+
+void bead_changes_add(struct bead_changes *changes, struct bead_rect rect)
+{
+    const size_t room = sizeof changes->rect / sizeof changes->rect[0];
+    if (rect.width <= 0 || rect.height <= 0)
+        return;
+    if (changes->count < room) {
+        changes->rect[changes->count++] = rect;
+        return;
+    }
+    for (size_t i = 1; i < changes->count; i++)
+        changes->rect[0] = bounding_box(changes->rect[0], changes->rect[i]);
+    changes->rect[0] = bounding_box(changes->rect[0], rect);
+    changes->count = 1;
+}

@@ -1,0 +1,65 @@
+#include "beadreel/look.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#define WHITE                                                                                                                      \
+    {                                                                                                                              \
+        1, 1, 1                                                                                                                    \
+    }
+#define BLACK                                                                                                                      \
+    {                                                                                                                              \
+        0, 0, 0                                                                                                                    \
+    }
+
+static double whole(double px)
+{
+    return fmax(1, round(px));
+}
+
+void bead_look_paper(struct bead_look *look, double dpi)
+{
+    double pt = dpi / 72;
+    *look = (struct bead_look){
+        .title = 8 * pt,
+        .label = 8 * pt,
+        .tick = 8 * pt,
+        .line = whole(0.5 * pt),
+        .gap = 4 * pt,
+        .background = WHITE,
+        .panel = {0.94, 0.94, 0.94},
+        .ink = BLACK,
+        .faint = {0.35, 0.35, 0.35},
+        .accent = {0.11, 0.31, 0.55},
+        .axis = BLACK,
+    };
+    snprintf(look->family, sizeof look->family, "STIX");
+}
+
+void bead_look_screen(struct bead_look *look, int width, int height, bool dark)
+{
+    double size = fmin(height, 0.75 * width);
+    *look = (struct bead_look){
+        .dark = dark,
+        .title = fmax(13, 0.030 * size),
+        .label = fmax(11, 0.0225 * size),
+        .tick = fmax(10, 0.0205 * size),
+        .line = whole(size / 800),
+        .gap = fmax(5, 0.012 * size),
+        .background = WHITE,
+        .panel = {0.945, 0.95, 0.96},
+        .ink = {0.13, 0.14, 0.17},
+        .faint = {0.42, 0.44, 0.48},
+        .accent = {0.72, 0.32, 0.05},
+        .axis = {0.42, 0.44, 0.48},
+    };
+    if (dark) {
+        look->background = (struct bead_rgb){0.051, 0.059, 0.078};
+        look->panel = (struct bead_rgb){0.078, 0.090, 0.122};
+        look->ink = (struct bead_rgb){0.91, 0.92, 0.94};
+        look->faint = (struct bead_rgb){0.60, 0.63, 0.68};
+        look->accent = (struct bead_rgb){0.96, 0.76, 0.31};
+        look->axis = (struct bead_rgb){0.42, 0.44, 0.49};
+    }
+    snprintf(look->family, sizeof look->family, "Lato");
+}
