@@ -36,7 +36,7 @@ static enum bead_error check_size(const char *path, const struct bead_codec *cod
     if (w < 1 || h < 1 || w > MOST_PIXELS || h > MOST_PIXELS)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: size %d x %d is not between 1 x 1 and %d x %d", path, w, h, MOST_PIXELS,
                          MOST_PIXELS);
-    if (codec->muxer && needs_even(bead_codec_preset(codec, settings->quality)->format) && (w % 2 || h % 2))
+    if (codec->presets && needs_even(codec->presets[settings->quality].format) && (w % 2 || h % 2))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: size %d x %d is odd, and this codec needs even sizes; the nearest is %d x %d",
                          path, w, h, w + w % 2, h + h % 2);
     return BEAD_OK;
@@ -55,7 +55,7 @@ static enum bead_error check(const char *path, const struct bead_movie_settings 
         return err;
     if (!(settings->fps >= 0.01 && settings->fps <= 1000))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %g frames a second are not between 0.01 and 1000", path, settings->fps);
-    const char *encoder = bead_codec_preset(*codec, settings->quality)->encoder;
+    const char *encoder = (*codec)->presets ? (*codec)->presets[settings->quality].encoder : NULL;
     if (encoder && !avcodec_find_encoder_by_name(encoder))
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: libavcodec was built without its encoder %s", path, encoder);
     return BEAD_OK;

@@ -17,60 +17,42 @@ static const struct bead_codec_info infos[CODECS + 1] = {
 
 /* Most of a bead movie never changes, and there the search for a better encoding is the cost, not the picture:
  * constant QP, no lookahead and no B-frames take a third of the time of the presets they start from. */
-#define X264_LEAN "bframes=0:rc-lookahead=0:sync-lookahead=0:mbtree=0:scenecut=0:weightp=0"
-#define X264_DRAFT                                                                                                                 \
-    {                                                                                                                              \
-        "libx264", AV_PIX_FMT_YUV420P, "preset=ultrafast qp=26 x264-params=" X264_LEAN ":cabac=1"                                  \
-    }
-#define X264_STANDARD                                                                                                              \
-    {                                                                                                                              \
-        "libx264", AV_PIX_FMT_YUV420P, "preset=veryfast qp=24 x264-params=" X264_LEAN ":subme=1:me=dia:ref=1"                      \
-    }
-#define X264_HIGH                                                                                                                  \
-    {                                                                                                                              \
-        "libx264", AV_PIX_FMT_YUV420P, "preset=fast qp=17 x264-params=" X264_LEAN                                                  \
-    }
-#define X264_LOSSLESS                                                                                                              \
-    {                                                                                                                              \
-        "libx264rgb", AV_PIX_FMT_BGR0, "preset=ultrafast qp=0 x264-params=" X264_LEAN ":cabac=1"                                   \
-    }
-#define VP9 "lag-in-frames=0 auto-alt-ref=0 row-mt=0 tile-columns=0 frame-parallel=0 aq-mode=0 "
-#define FFV1_LOSSLESS                                                                                                              \
-    {                                                                                                                              \
-        "ffv1", AV_PIX_FMT_BGR0, "level=3 coder=rice context=0 slices=4 slicecrc=1"                                                \
-    }
-#define APNG_CODEC                                                                                                                 \
-    {                                                                                                                              \
-        .way = &bead_movie_libav, .muxer = "apng", .muxer_options = "plays=0", .delay_unit = 1, .same_preset = true,               \
-        .preset[BEAD_QUALITY_LOSSLESS] = {"apng", AV_PIX_FMT_RGB24, "pred=up compression_level=3"},                                \
-    }
+#define X264_LEAN     "x264-params=bframes=0:rc-lookahead=0:sync-lookahead=0:mbtree=0:scenecut=0:weightp=0"
+#define X264_DRAFT    "preset=ultrafast qp=26 " X264_LEAN ":cabac=1"
+#define X264_STANDARD "preset=veryfast qp=24 " X264_LEAN ":subme=1:me=dia:ref=1"
+#define X264_HIGH     "preset=fast qp=17 " X264_LEAN
+#define X264_LOSSLESS "preset=ultrafast qp=0 " X264_LEAN ":cabac=1"
+#define VP9_LEAN      "lag-in-frames=0 auto-alt-ref=0 row-mt=0 tile-columns=0 frame-parallel=0 aq-mode=0 b=0 "
+
+/* By quality: draft, standard, high, lossless. */
+static const struct bead_preset h264[] = {{"libx264", AV_PIX_FMT_YUV420P, X264_DRAFT},
+                                          {"libx264", AV_PIX_FMT_YUV420P, X264_STANDARD},
+                                          {"libx264", AV_PIX_FMT_YUV420P, X264_HIGH},
+                                          {"libx264rgb", AV_PIX_FMT_BGR0, X264_LOSSLESS}};
+static const struct bead_preset h264_or_ffv1[] = {{"libx264", AV_PIX_FMT_YUV420P, X264_DRAFT},
+                                                  {"libx264", AV_PIX_FMT_YUV420P, X264_STANDARD},
+                                                  {"libx264", AV_PIX_FMT_YUV420P, X264_HIGH},
+                                                  {"ffv1", AV_PIX_FMT_BGR0, "level=3 coder=rice context=0 slices=4 slicecrc=1"}};
+static const struct bead_preset vp9[] = {{"libvpx-vp9", AV_PIX_FMT_YUV420P, VP9_LEAN "deadline=realtime cpu-used=8 crf=32"},
+                                         {"libvpx-vp9", AV_PIX_FMT_YUV420P, VP9_LEAN "deadline=realtime cpu-used=7 crf=24"},
+                                         {"libvpx-vp9", AV_PIX_FMT_YUV420P, VP9_LEAN "deadline=good cpu-used=4 crf=15"},
+                                         {"libvpx-vp9", AV_PIX_FMT_GBRP, VP9_LEAN "deadline=realtime cpu-used=8 lossless=1"}};
+/* The same pixels at every quality: only the work on the size differs. */
+static const struct bead_preset apng[] = {{"apng", AV_PIX_FMT_RGB24, "pred=sub compression_level=1"},
+                                          {"apng", AV_PIX_FMT_RGB24, "pred=sub compression_level=3"},
+                                          {"apng", AV_PIX_FMT_RGB24, "pred=sub compression_level=6"},
+                                          {"apng", AV_PIX_FMT_RGB24, "pred=sub compression_level=6"}};
+static const struct bead_preset gif[] = {
+    {"gif", AV_PIX_FMT_PAL8, ""}, {"gif", AV_PIX_FMT_PAL8, ""}, {"gif", AV_PIX_FMT_PAL8, ""}, {"gif", AV_PIX_FMT_PAL8, ""}};
 
 static const struct bead_codec codecs[CODECS] = {
-    [MP4] = {.way = &bead_movie_libav,
-             .muxer = "mp4",
-             .muxer_options = "movflags=+faststart",
-             .preset = {X264_DRAFT, X264_STANDARD, X264_HIGH, X264_LOSSLESS}},
-    [MKV] = {.way = &bead_movie_libav,
-             .muxer = "matroska",
-             .muxer_options = "",
-             .preset = {X264_DRAFT, X264_STANDARD, X264_HIGH, FFV1_LOSSLESS}},
-    [WEBM] = {.way = &bead_movie_libav,
-              .muxer = "webm",
-              .muxer_options = "",
-              .preset = {{"libvpx-vp9", AV_PIX_FMT_YUV420P, VP9 "deadline=realtime cpu-used=8 b=0 crf=32"},
-                         {"libvpx-vp9", AV_PIX_FMT_YUV420P, VP9 "deadline=realtime cpu-used=7 b=0 crf=24"},
-                         {"libvpx-vp9", AV_PIX_FMT_YUV420P, VP9 "deadline=good cpu-used=4 b=0 crf=15"},
-                         {"libvpx-vp9", AV_PIX_FMT_GBRP, VP9 "deadline=realtime cpu-used=8 lossless=1"}}},
-    [GIF] = {.way = &bead_movie_libav,
-             .muxer = "gif",
-             .muxer_options = "loop=0",
-             .delay_unit = 100,
-             .most_fps = 50,
-             .same_preset = true,
-             .preset[BEAD_QUALITY_LOSSLESS] = {"gif", AV_PIX_FMT_PAL8, ""}},
-    [APNG] = APNG_CODEC,
-    [PNG] = APNG_CODEC,
-    [HASH] = {.way = &bead_movie_hashes, .same_preset = true},
+    [MP4] = {&bead_movie_libav, "mp4", "movflags=+faststart", h264, 0, 0},
+    [MKV] = {&bead_movie_libav, "matroska", "", h264_or_ffv1, 0, 0},
+    [WEBM] = {&bead_movie_libav, "webm", "", vp9, 0, 0},
+    [GIF] = {&bead_movie_libav, "gif", "loop=0", gif, 100, 50},
+    [APNG] = {&bead_movie_libav, "apng", "plays=0", apng, 1, 0},
+    [PNG] = {&bead_movie_libav, "apng", "plays=0", apng, 1, 0},
+    [HASH] = {&bead_movie_hashes, NULL, NULL, NULL, 0, 0},
 };
 
 const struct bead_codec_info *bead_movie_codecs(void)
@@ -86,9 +68,4 @@ const struct bead_codec *bead_codec_find(const char *path)
             return &codecs[i];
     }
     return NULL;
-}
-
-const struct bead_preset *bead_codec_preset(const struct bead_codec *codec, enum bead_quality quality)
-{
-    return &codec->preset[codec->same_preset ? BEAD_QUALITY_LOSSLESS : quality];
 }

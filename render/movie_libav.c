@@ -204,7 +204,7 @@ static enum bead_error libav_open(struct bead_movie *movie, struct bead_message 
     e->group = e->group < 1 ? 1 : e->group;
     enum bead_error err = open_format(movie, msg);
     if (!err)
-        err = open_codec(movie, bead_codec_preset(movie->codec, movie->settings.quality), msg);
+        err = open_codec(movie, &movie->codec->presets[movie->settings.quality], msg);
     if (!err)
         err = open_picture(movie, msg);
     return err ? err : open_file(movie, msg);

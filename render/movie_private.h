@@ -32,17 +32,15 @@ struct bead_preset {
 
 struct bead_codec {
     const struct bead_movie_way *way;
-    const char *muxer;         /* libav's name */
-    const char *muxer_options; /* "key=value key=value" */
-    int delay_unit;            /* of the muxer's option final_delay, 1/s; 0: durations are packets' own */
-    int most_fps;              /* 1/s: more are thinned out, because players slow such files down; 0: no limit */
-    bool same_preset;          /* all qualities are lossless: the last preset serves for all */
-    struct bead_preset preset[BEAD_QUALITY_LOSSLESS + 1];
+    const char *muxer;                 /* libav's name; NULL, like all behind it, where the way has no codec */
+    const char *muxer_options;         /* "key=value key=value" */
+    const struct bead_preset *presets; /* by enum bead_quality */
+    int delay_unit;                    /* 1/s: of the muxer's option final_delay; 0: durations are the packets' own */
+    int most_fps;                      /* 1/s: more are thinned out, because players slow such files down; 0: no limit */
 };
 
 /* By the extension of `path`, in any case of letters; NULL: none. */
 const struct bead_codec *bead_codec_find(const char *path);
-const struct bead_preset *bead_codec_preset(const struct bead_codec *codec, enum bead_quality quality);
 
 struct bead_movie {
     const struct bead_codec *codec;
