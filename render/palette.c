@@ -143,14 +143,6 @@ static void miss(struct bead_palette *palette, uint32_t colour)
         palette->missed[palette->missed_count++] = (struct bead_tone){colour, 1};
 }
 
-static int by_count(const void *a, const void *b)
-{
-    const struct bead_tone *s = a, *t = b;
-    if (s->count != t->count)
-        return s->count < t->count ? 1 : -1;
-    return (s->colour > t->colour) - (s->colour < t->colour);
-}
-
 /* The distance at which a new colour wants a place of its own. */
 static int tolerance(const struct bead_palette *palette)
 {
@@ -185,8 +177,8 @@ static void convert(struct bead_palette *palette, const struct bead_frame *frame
     }
 }
 
-/* Give the new colours places, the most frequent first. A changed palette costs a whole new picture in the file, so
- * a few stray pixels do not get it. */
+/* Give the new colours places: all of them, or those that stand best for them in half of the room there is. A changed
+ * palette costs a whole new picture in the file, so a few stray pixels do not get it. */
 static bool extend(struct bead_palette *palette, const struct bead_frame *frame)
 {
     uint64_t pixels = 0, enough = (uint64_t)frame->width * (uint64_t)frame->height / RARE_SHARE;
@@ -194,12 +186,14 @@ static bool extend(struct bead_palette *palette, const struct bead_frame *frame)
         pixels += palette->missed[i].count;
     if (!pixels || (pixels < enough && palette->used >= EXACT_BELOW))
         return false;
-    qsort(palette->missed, palette->missed_count, sizeof *palette->missed, by_count);
-    for (size_t i = 0; i < palette->missed_count && palette->used < BEAD_PALETTE_MOST; i++) {
+    size_t most = (BEAD_PALETTE_MOST - palette->used + 1) / 2;
+    uint32_t chosen[BEAD_PALETTE_MOST];
+    size_t count = bead_palette_cut(palette->missed, palette->missed_count, most, chosen);
+    for (size_t i = 0; i < count; i++) {
         int least;
-        nearest(palette, palette->missed[i].colour, &least);
+        nearest(palette, chosen[i], &least);
         if (least > tolerance(palette))
-            append(palette, palette->missed[i].colour);
+            append(palette, chosen[i]);
     }
     return true;
 }
