@@ -6,7 +6,7 @@
 enum { MP4, MKV, WEBM, GIF, APNG, PNG, HASH, CODECS };
 
 static const struct bead_codec_info infos[CODECS + 1] = {
-    [MP4] = {"mp4", "H.264, plays everywhere (lossless: RGB, few players)"},
+    [MP4] = {"mp4", "H.264, plays everywhere (lossless: RGB, not in all players)"},
     [MKV] = {"mkv", "H.264 in Matroska; lossless: FFV1"},
     [WEBM] = {"webm", "VP9, plays in browsers (lossless: RGB)"},
     [GIF] = {"gif", "animated GIF, 255 colours, at most 50 frames a second"},
