@@ -24,8 +24,8 @@ typedef enum bead_error (*bead_pipe_work)(void *context, void *slot, int last, s
 /* `slots` >= 1 of `slot_bytes` each, zeroed at first, 64-byte aligned; a slot comes back as the worker left it.
  * With threads == 1 the first call of `work` happens here; if it fails, finish tells, as with a thread.
  * Errors: MEMORY, IO (no thread). On failure *pipe is NULL and `work` was not called. */
-BEAD_API BEAD_CHECK enum bead_error bead_pipe_create(size_t slots, size_t slot_bytes, int threads, bead_pipe_work work, void *context,
-                                                     struct bead_pipe **pipe, struct bead_message *msg);
+BEAD_API BEAD_CHECK enum bead_error bead_pipe_create(size_t slots, size_t slot_bytes, int threads, bead_pipe_work work,
+                                                     void *context, struct bead_pipe **pipe, struct bead_message *msg);
 /* A free slot to fill; waits for one. NULL after the worker has failed: then finish tells why. */
 BEAD_API void *bead_pipe_slot(struct bead_pipe *pipe);
 /* Hand over the slot got last; without one nothing happens. */
