@@ -72,7 +72,8 @@ static enum bead_error open_with(const struct bead_canvas_driver *driver, int wi
     return err;
 }
 
-enum bead_error bead_canvas_create(const char *backend, int width, int height, struct bead_canvas **canvas, struct bead_message *msg)
+enum bead_error bead_canvas_create(const char *backend, int width, int height, struct bead_canvas **canvas,
+                                   struct bead_message *msg)
 {
     *canvas = NULL;
     if (width < 1 || height < 1)

@@ -29,8 +29,15 @@ static void osmesa_close(struct bead_context *context)
 
 static enum bead_error osmesa_open(struct bead_context **context, struct bead_message *msg)
 {
-    static const int attributes[] = {OSMESA_FORMAT, OSMESA_BGRA, OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 3,
-                                     OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+    static const int attributes[] = {OSMESA_FORMAT,
+                                     OSMESA_BGRA,
+                                     OSMESA_PROFILE,
+                                     OSMESA_CORE_PROFILE,
+                                     OSMESA_CONTEXT_MAJOR_VERSION,
+                                     3,
+                                     OSMESA_CONTEXT_MINOR_VERSION,
+                                     3,
+                                     0};
     *context = NULL;
     struct bead_context *c = calloc(1, sizeof *c);
     if (!c)
@@ -38,7 +45,8 @@ static enum bead_error osmesa_open(struct bead_context **context, struct bead_me
     c->mesa = OSMesaCreateContextAttribs(attributes, NULL);
     if (!c->mesa || !osmesa_use(c)) {
         osmesa_close(c);
-        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "OSMesa gives no OpenGL 3.3 core context: is Mesa's software renderer installed?");
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS,
+                         "OSMesa gives no OpenGL 3.3 core context: is Mesa's software renderer installed?");
     }
     *context = c;
     return BEAD_OK;

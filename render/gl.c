@@ -9,9 +9,9 @@
 enum bead_error bead_gl_load(struct bead_gl *gl, const struct bead_canvas *canvas, struct bead_message *msg)
 {
     const char *missing = NULL;
-#define BEAD_GL_LOAD(type, name)                                \
-    gl->name = (type)bead_canvas_function(canvas, "gl" #name);  \
-    if (!gl->name)                                              \
+#define BEAD_GL_LOAD(type, name)                                                                                                   \
+    gl->name = (type)bead_canvas_function(canvas, "gl" #name);                                                                     \
+    if (!gl->name)                                                                                                                 \
         missing = "gl" #name;
     BEAD_GL_FUNCTIONS(BEAD_GL_LOAD)
 #undef BEAD_GL_LOAD
@@ -77,8 +77,8 @@ enum bead_error bead_gl_program(const struct bead_gl *gl, const char *name, GLui
     return err;
 }
 
-enum bead_error bead_gl_target(const struct bead_gl *gl, int width, int height, const void *pixels, size_t stride,
-                               GLuint *texture, GLuint *framebuffer, struct bead_message *msg)
+enum bead_error bead_gl_target(const struct bead_gl *gl, int width, int height, const void *pixels, size_t stride, GLuint *texture,
+                               GLuint *framebuffer, struct bead_message *msg)
 {
     gl->GenTextures(1, texture);
     gl->BindTexture(GL_TEXTURE_2D, *texture);
@@ -93,7 +93,8 @@ enum bead_error bead_gl_target(const struct bead_gl *gl, int width, int height, 
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, *texture, 0);
     GLenum status = gl->CheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "OpenGL gives no framebuffer of %d x %d pixels (status 0x%x)", width, height, status);
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "OpenGL gives no framebuffer of %d x %d pixels (status 0x%x)", width, height,
+                         status);
     return bead_gl_check(gl, "making a framebuffer", msg);
 }
 

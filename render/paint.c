@@ -97,7 +97,8 @@ enum bead_error bead_backdrop_set(struct bead_canvas *canvas, struct bead_backdr
         return err;
     bead_backdrop_free(canvas, backdrop);
     const void *pixels = frame->pixels + (size_t)rect.y * frame->stride + (size_t)rect.x * 4;
-    return bead_gl_target(&canvas->gl, rect.width, rect.height, pixels, frame->stride, &backdrop->texture, &backdrop->framebuffer, msg);
+    return bead_gl_target(&canvas->gl, rect.width, rect.height, pixels, frame->stride, &backdrop->texture, &backdrop->framebuffer,
+                          msg);
 }
 
 void bead_backdrop_free(struct bead_canvas *canvas, struct bead_backdrop *backdrop)

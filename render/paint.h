@@ -18,19 +18,19 @@ struct bead_ball {
 };
 
 enum bead_mark_kind {
-    BEAD_MARK_BOX,      /* filled */
-    BEAD_MARK_HATCHED,  /* stripes, shape[0] their distance */
-    BEAD_MARK_RING,     /* in the middle of the box: radius shape[0], width of line shape[1] */
-    BEAD_MARK_ARROW,    /* a triangle that points right and fills the box */
-    BEAD_MARK_GLOW,     /* an ellipse that fills the box, bright in the middle */
-    BEAD_MARK_ZOOM,     /* from shape[0]..shape[1] at the top of the box to shape[2]..shape[3] at its bottom */
-    BEAD_MARK_FRAME     /* outline inside the box: radius of corners shape[0], width of line shape[1] */
+    BEAD_MARK_BOX,     /* filled */
+    BEAD_MARK_HATCHED, /* stripes, shape[0] their distance */
+    BEAD_MARK_RING,    /* in the middle of the box: radius shape[0], width of line shape[1] */
+    BEAD_MARK_ARROW,   /* a triangle that points right and fills the box */
+    BEAD_MARK_GLOW,    /* an ellipse that fills the box, bright in the middle */
+    BEAD_MARK_ZOOM,    /* from shape[0]..shape[1] at the top of the box to shape[2]..shape[3] at its bottom */
+    BEAD_MARK_FRAME    /* outline inside the box: radius of corners shape[0], width of line shape[1] */
 };
 
 struct bead_mark {
     float box[4]; /* x0, y0, x1, y1 */
     float shape[4];
-    float kind;   /* enum bead_mark_kind */
+    float kind; /* enum bead_mark_kind */
     uint8_t rgba[4];
 };
 
@@ -40,8 +40,8 @@ struct bead_backdrop {
 };
 
 /* Upload `rect` of `frame`; its corner becomes (0, 0). Frees what was there. Errors: GRAPHICS, IO, MEMORY. */
-BEAD_CHECK enum bead_error bead_backdrop_set(struct bead_canvas *canvas, struct bead_backdrop *backdrop, const struct bead_frame *frame,
-                                             struct bead_rect rect, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_backdrop_set(struct bead_canvas *canvas, struct bead_backdrop *backdrop,
+                                             const struct bead_frame *frame, struct bead_rect rect, struct bead_message *msg);
 void bead_backdrop_free(struct bead_canvas *canvas, struct bead_backdrop *backdrop);
 
 /* Until the next begin only pixels inside `rect` are touched; they show the backdrop now. Errors: GRAPHICS, IO, MEMORY. */

@@ -36,7 +36,8 @@ void main()
     } else if (what == 5) { // zoom
         float down = clamp((p.y - bounds.y) / (bounds.w - bounds.y), 0.0, 1.0);
         float from = mix(shape.x, shape.z, down), to = mix(shape.y, shape.w, down);
-        cover = within(p.y, bounds.y, bounds.w) * (0.16 * within(p.x, from, to) + 0.5 * (line(p.x, from, 1.5) + line(p.x, to, 1.5)));
+        float edges = max(max(line(p.x, from, 1.5), line(p.x, to, 1.5)) * 0.6, line(p.y, bounds.y + 1.0, 2.0) * within(p.x, from, to));
+        cover = within(p.y, bounds.y, bounds.w) * max(0.16 * within(p.x, from, to), edges);
     } else if (what == 6) { // frame
         vec2 d = abs(p - middle) - extent + shape.x;
         float outside = length(max(d, 0.0)) + min(max(d.x, d.y), 0.0) - shape.x;

@@ -21,12 +21,13 @@ BEAD_API const struct bead_canvas_backend *bead_canvas_backend_info(size_t index
  * other threads start; creating a canvas does it too. */
 BEAD_API void bead_canvas_prepare(void);
 /* backend NULL: the first that works. Errors: GRAPHICS, MEMORY, USAGE (no such back end). On failure *canvas is NULL. */
-BEAD_API BEAD_CHECK enum bead_error bead_canvas_create(const char *backend, int width, int height, struct bead_canvas **canvas, struct bead_message *msg);
-BEAD_API const char *bead_canvas_describe(const struct bead_canvas *canvas); /* "osmesa, llvmpipe ..., OpenGL 4.5" */
+BEAD_API BEAD_CHECK enum bead_error bead_canvas_create(const char *backend, int width, int height, struct bead_canvas **canvas,
+                                                       struct bead_message *msg);
+BEAD_API const char *bead_canvas_describe(const struct bead_canvas *canvas);             /* "osmesa, llvmpipe ..., OpenGL 4.5" */
 BEAD_API void *bead_canvas_function(const struct bead_canvas *canvas, const char *name); /* a GL function or NULL */
 /* Read `source` of the canvas into `frame` with its corner at (x, y); both must lie inside. Errors: GRAPHICS. */
-BEAD_API BEAD_CHECK enum bead_error bead_canvas_read(struct bead_canvas *canvas, struct bead_rect source, struct bead_frame *frame, int x, int y,
-                                          struct bead_message *msg);
+BEAD_API BEAD_CHECK enum bead_error bead_canvas_read(struct bead_canvas *canvas, struct bead_rect source, struct bead_frame *frame,
+                                                     int x, int y, struct bead_message *msg);
 /* In the thread that created it; NULL is allowed. */
 BEAD_API void bead_canvas_destroy(struct bead_canvas *canvas);
 

@@ -1,0 +1,197 @@
+/* Where row and lens lie, and what never changes around them. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "render/beads.h"
+#include "render/view_beads.h"
+
+/* Rows of smaller beads are drawn as a strip, px of diameter. */
+static const double strip_below = 2.5;
+
+void bead_beads_margins(const struct bead_look *look, int *left, int *right)
+{
+    *left = (int)ceil(2.6 * look->tick);
+    *right = (int)ceil(1.1 * look->gap);
+}
+
+static void set_window(struct bead_window *w, const struct bead_view *v, double scale, double y, double height, bool wide)
+{
+    int x = wide ? 0 : v->plot.x - v->area.x, width = wide ? v->area.width : v->plot.width;
+    double top = floor(y), bottom = floor(y + height);
+    *w = (struct bead_window){.rect = {x, (int)top, width, (int)(bottom - top)}, .scale = scale, .middle = 0.5 * (top + bottom)};
+}
+
+/* One row as large as fits, in the middle where the height limits it. */
+static void only_row(struct bead_view *v, double scale, double top)
+{
+    double height = v->plot.height - top, length = v->ends[1] - v->ends[0];
+    double fitting = fmin(scale, 0.9 * height / (2 * v->largest));
+    set_window(&v->row, v, fitting, top, height, true);
+    v->row.left = v->plot.x - v->area.x + 0.5 * (v->plot.width - length * fitting);
+    v->row.from = v->ends[0];
+}
+
+void bead_beads_divide(struct bead_view *v)
+{
+    const struct bead_look *look = &v->look;
+    double length = v->ends[1] - v->ends[0], scale = v->plot.width / length, diameter = 2 * v->largest * scale;
+    double top = v->setup.axes && v->plot.height > 2.6 * look->tick ? round(1.35 * look->tick) : 0;
+    v->label_y = top > 0 ? 0.95 * look->tick : -1;
+    v->strip = diameter < strip_below;
+    v->lens = (struct bead_window){.scale = 0};
+    double row = v->strip ? fmax(6, 0.5 * look->tick) : ceil(diameter + fmax(4, 0.4 * diameter)), zoom = round(1.2 * look->gap);
+    double height = v->plot.height - top - row - zoom, large = fmin(0.8 * height, v->plot.width / 10.0);
+    bool worth = large > fmax(14, 1.7 * diameter) && v->plot.width / large < 0.8 * (double)v->count;
+    if (diameter >= 1.25 * look->label || !worth) {
+        only_row(v, scale, top);
+        v->row.rect.height = v->strip ? (int)row : v->row.rect.height;
+        v->row.middle = v->strip ? v->row.rect.y + 0.5 * row : v->row.middle;
+        return;
+    }
+    set_window(&v->row, v, scale, top, row, true);
+    v->row.left = v->plot.x - v->area.x;
+    v->row.from = v->ends[0];
+    v->zoom = (struct bead_rect){v->plot.x - v->area.x, v->row.rect.y + v->row.rect.height, v->plot.width, (int)zoom};
+    set_window(&v->lens, v, large / (2 * v->largest), v->zoom.y + v->zoom.height, large / 0.8, false);
+    v->lens.left = v->lens.rect.x;
+    v->lens.from = v->ends[0];
+}
+
+static void rounded(cairo_t *cr, double x, double y, double width, double height, double r)
+{
+    cairo_new_path(cr);
+    cairo_arc(cr, x + width - r, y + r, r, -M_PI_2, 0);
+    cairo_arc(cr, x + width - r, y + height - r, r, 0, M_PI_2);
+    cairo_arc(cr, x + r, y + height - r, r, M_PI_2, M_PI);
+    cairo_arc(cr, x + r, y + r, r, M_PI, 3 * M_PI_2);
+    cairo_close_path(cr);
+}
+
+static void set_colour(cairo_t *cr, struct bead_rgb c, double alpha)
+{
+    cairo_set_source_rgba(cr, c.r, c.g, c.b, alpha);
+}
+
+static void draw_wall(const struct bead_view *v, cairo_t *cr)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(v->setup.chain);
+    double r = fmax(v->largest * v->row.scale, 3), x = v->area.x + bead_window_x(&v->row, v->ends[1]);
+    double half = fmin(1.35 * r + 2, 0.5 * v->row.rect.height), y = v->area.y + v->row.middle - half;
+    double width = fmin(v->area.x + v->area.width - x, fmax(4, 0.8 * v->look.gap));
+    cairo_rectangle(cr, x, y, width, 2 * half);
+    if (spec->wall == BEAD_WALL_MATERIAL) {
+        const double *own = bead_chain_scene(v->setup.chain)->materials[spec->wall_material].colour;
+        cairo_set_source_rgb(cr, own[0], own[1], own[2]);
+        cairo_fill(cr);
+        return;
+    }
+    set_colour(cr, v->look.faint, 0.35);
+    cairo_fill(cr);
+    cairo_save(cr);
+    cairo_rectangle(cr, x, y, width, 2 * half);
+    cairo_clip(cr);
+    set_colour(cr, v->look.faint, 1);
+    cairo_set_line_width(cr, fmax(1, v->look.line));
+    for (double d = 0; d < 2 * half + width; d += fmax(4, 0.3 * v->look.gap)) {
+        cairo_move_to(cr, x, y + d);
+        cairo_line_to(cr, x + width, y + d - width);
+    }
+    cairo_stroke(cr);
+    cairo_restore(cr);
+}
+
+/* Names above the row, from the left; one that would run into another is left out. */
+struct names {
+    cairo_t *cr;
+    const struct bead_view *v;
+    double taken[40][2];
+    size_t count;
+};
+
+static void add_name(struct names *names, double x, const char *markup, enum bead_align across, struct bead_rgb colour)
+{
+    const struct bead_view *v = names->v;
+    struct bead_text_style style = {v->look.family, 0.92 * v->look.tick, colour, false, across, BEAD_ALIGN_BASELINE, false};
+    double width, height, gap = 0.6 * v->look.gap;
+    bead_text_size(names->cr, &style, markup, &width, &height);
+    double from = across == BEAD_ALIGN_START ? x : across == BEAD_ALIGN_MIDDLE ? x - 0.5 * width : x - width;
+    bool free = from >= v->area.x && from + width <= v->area.x + v->area.width;
+    for (size_t i = 0; i < names->count; i++)
+        free = free && (from + width + gap < names->taken[i][0] || from - gap > names->taken[i][1]);
+    if (!free || names->count == sizeof names->taken / sizeof names->taken[0])
+        return;
+    names->taken[names->count][0] = from;
+    names->taken[names->count++][1] = from + width;
+    bead_text_draw(names->cr, &style, x, v->area.y + v->label_y, markup);
+}
+
+static void name_sensors(struct names *names)
+{
+    const struct bead_view *v = names->v;
+    size_t count;
+    const struct bead_sensor *sensors = bead_chain_sensors(v->setup.chain, &count);
+    for (size_t i = 0; i < count; i++) {
+        char plain[64], markup[160];
+        if (sensors[i].bead < v->first || sensors[i].bead >= v->first + v->count)
+            continue;
+        snprintf(plain, sizeof plain, "%.40s", sensors[i].name);
+        bead_text_escape(plain, markup, sizeof markup);
+        double x = v->area.x + bead_window_x(&v->row, v->position[sensors[i].bead - v->first]), y = v->area.y + v->label_y;
+        double em = 0.3 * v->look.tick;
+        set_colour(names->cr, v->look.ink, 1);
+        cairo_move_to(names->cr, x - em, y + 0.2 * em);
+        cairo_line_to(names->cr, x + em, y + 0.2 * em);
+        cairo_line_to(names->cr, x, y + 1.5 * em);
+        cairo_fill(names->cr);
+        add_name(names, x, markup, BEAD_ALIGN_MIDDLE, v->look.ink);
+    }
+}
+
+static void name_ends(struct names *names)
+{
+    const struct bead_view *v = names->v;
+    const struct bead_chain_spec *spec = bead_chain_spec(v->setup.chain);
+    if (v->striker)
+        add_name(names, v->area.x + bead_window_x(&v->row, v->ends[0]), "striker", BEAD_ALIGN_START, v->look.faint);
+    if (!v->wall)
+        return;
+    char text[96], markup[200];
+    snprintf(text, sizeof text, "%.40s wall",
+             spec->wall == BEAD_WALL_RIGID ? "rigid" : bead_chain_scene(v->setup.chain)->materials[spec->wall_material].name);
+    bead_text_escape(text, markup, sizeof markup);
+    add_name(names, v->area.x + bead_window_x(&v->row, v->ends[1]), markup, BEAD_ALIGN_END, v->look.faint);
+}
+
+static void name_numbers(struct names *names)
+{
+    const struct bead_view *v = names->v;
+    struct bead_axis axis;
+    bead_axis_make(&axis, (double)v->first - 0.5, (double)(v->first + v->count) - 0.5, "", BEAD_SCALE_LINEAR, v->plot.width,
+                   v->look.tick, true);
+    for (size_t i = 0; i < axis.count; i++) {
+        double bead = axis.ticks[i].value - (double)v->first;
+        if (bead >= 0 && bead < (double)v->count)
+            add_name(names, v->area.x + bead_window_x(&v->row, v->position[(size_t)bead]), axis.ticks[i].label, BEAD_ALIGN_MIDDLE,
+                     v->look.faint);
+    }
+}
+
+void bead_beads_decorate(struct bead_view *v, cairo_t *cr)
+{
+    if (v->lens.scale > 0) {
+        const struct bead_rect *r = &v->lens.rect;
+        rounded(cr, v->area.x + r->x, v->area.y + r->y, r->width, r->height, fmin(0.4 * v->look.gap, 0.5 * r->height));
+        set_colour(cr, v->look.panel, 1);
+        cairo_fill(cr);
+    }
+    if (v->wall)
+        draw_wall(v, cr);
+    struct names names = {.cr = cr, .v = v};
+    if (v->label_y < 0)
+        return;
+    name_sensors(&names);
+    name_ends(&names);
+    if (v->setup.bead_labels)
+        name_numbers(&names);
+}

@@ -1,0 +1,10 @@
+/* The beads view beyond its table: what layouts must know of it. */
+#ifndef BEAD_RENDER_VIEW_BEADS_H
+#define BEAD_RENDER_VIEW_BEADS_H
+
+#include "beadreel/look.h"
+
+/* How far left and right of its plot rectangle the view draws (the striker flying back; the wall), px. */
+void bead_beads_margins(const struct bead_look *look, int *left, int *right);
+
+#endif
