@@ -106,18 +106,6 @@ static void one_chain_has_plain_sensor_names(void **state)
     tear_down(&s, 1);
 }
 
-static void no_sensors_no_table(void **state)
-{
-    (void)state;
-    struct stand s;
-    struct bead_message msg = {""};
-    assert_int_equal(
-        try_set_up(&s, "chain: {beads: [{cell: [large-steel, aluminium], count: 6}]}\n", "table: t.csv, show: sensors", 1e-3, &msg),
-        BEAD_ERROR_SCENE);
-    assert_non_null(strstr(msg.text, "sensor"));
-    tear_down(&s, 0);
-}
-
 static void failures_leave_no_file(void **state)
 {
     (void)state;
@@ -162,7 +150,6 @@ int main(void)
         cmocka_unit_test(peaks_of_two_chains_and_some_beads),
         cmocka_unit_test(sensors),
         cmocka_unit_test(one_chain_has_plain_sensor_names),
-        cmocka_unit_test(no_sensors_no_table),
         cmocka_unit_test(failures_leave_no_file),
         cmocka_unit_test(a_full_disk_is_an_error),
     };
