@@ -14,6 +14,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "beadreel/error.h"
 #include "beadreel/sample.h"
@@ -25,9 +26,9 @@ struct bead_place {
 
 struct bead_material {
     char *name;
-    double mass;     /* kg, of one bead; from density and radius where not given; NaN for walls only */
-    double radius;   /* m; NaN where the material serves for walls only */
-    double modulus;  /* Pa, Young's */
+    double mass;    /* kg, of one bead; from density and radius where not given; NaN for walls only */
+    double radius;  /* m; NaN where the material serves for walls only */
+    double modulus; /* Pa, Young's */
     double poisson;
     double colour[3]; /* sRGB 0..1, how beads of it are drawn */
 };
@@ -36,14 +37,15 @@ enum bead_spins { BEAD_SPINS_UP, BEAD_SPINS_DOWN, BEAD_SPINS_DIGITS, BEAD_SPINS_
 
 /* One entry of `beads`: `count` cells of the same beads. Spin 1 ("up") is the cell as written, 0 reversed. */
 struct bead_segment {
-    size_t *cell;       /* material indices, left to right */
-    size_t cell_beads;  /* >= 1 */
-    size_t count;       /* cells, >= 1 */
+    size_t *cell;      /* material indices, left to right */
+    size_t cell_beads; /* >= 1 */
+    size_t count;      /* cells, >= 1 */
     enum bead_spins spins;
-    char *digits;       /* BEAD_SPINS_DIGITS: '0' and '1', one a cell */
-    double magnetism;   /* BEAD_SPINS_RANDOM: the nearest that `count` allows is taken, majority up */
+    bool spins_given; /* `spins` stands in the scene: these cells count for the magnetism of the chain */
+    char *digits;     /* BEAD_SPINS_DIGITS: '0' and '1', one a cell */
+    double magnetism; /* BEAD_SPINS_RANDOM: the nearest that `count` allows is taken, majority up */
     uint64_t seed;
-    char *sensor;       /* name of the sensor on this (single) bead, or NULL */
+    char *sensor; /* name of the sensor on this (single) bead, or NULL */
     struct bead_place place;
 };
 
@@ -106,20 +108,20 @@ struct bead_output {
     struct bead_span beads; /* {0, SIZE_MAX}: all */
     double every;           /* s; 0: what the output needs */
     enum bead_show show;
-    double size[2];    /* pixels, or metres where size_is_length; 0: the kind's own default */
+    double size[2]; /* pixels, or metres where size_is_length; 0: the kind's own default */
     bool size_is_length;
-    double dpi;        /* of lengths, and of rasters in vector files */
+    double dpi; /* of lengths, and of rasters in vector files */
     char *colormap;
     enum bead_scale scale;
-    double range[2];   /* SI; NaN: automatic */
+    double range[2]; /* SI; NaN: automatic */
     bool axes;
     double fps, duration; /* 1/s, s: movie; duration is that of the film, not of the motion */
     enum bead_view_kind views[8];
     size_t view_count;
     enum bead_quality quality;
     enum bead_theme theme;
-    double magnify;    /* factor on displacements; 0: automatic */
-    double at;         /* s; time of a still with views other than spacetime; NaN: end */
+    double magnify; /* factor on displacements; 0: automatic */
+    double at;      /* s; time of a still with views other than spacetime; NaN: end */
     struct bead_place place;
 };
 
@@ -141,15 +143,30 @@ struct bead_scene {
  * *scene belongs to the caller; on failure it is NULL and the message reads
  * `file:line:column: key: what is wrong and what is allowed`. Errors: SCENE, IO, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_scene_load(const char *path, const char *const *settings, size_t setting_count,
-                                         struct bead_scene **scene, struct bead_message *msg);
+                                                    struct bead_scene **scene, struct bead_message *msg);
 /* The same from memory; `name` stands for the file in messages. */
-BEAD_API BEAD_CHECK enum bead_error bead_scene_parse(const char *name, const char *text, size_t length,
-                                          const char *const *settings, size_t setting_count,
-                                          struct bead_scene **scene, struct bead_message *msg);
+BEAD_API BEAD_CHECK enum bead_error bead_scene_parse(const char *name, const char *text, size_t length, const char *const *settings,
+                                                     size_t setting_count, struct bead_scene **scene, struct bead_message *msg);
 BEAD_API void bead_scene_free(struct bead_scene *scene);
 
-/* Find a ready scene ("clean-vs-delocalised", "thesis/fig5") or keep a path as it is: fills
- * `path` (size bytes). A name that is neither is an error that suggests the nearest. */
+/* Find a ready scene ("clean-vs-delocalised", "thesis/fig5") or keep the path of a file that exists: fills
+ * `path` (size bytes). A name that is neither is an error that suggests the nearest. Errors: USAGE, IO, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_scene_find(const char *name, char *path, size_t size, struct bead_message *msg);
+
+/* The ready scenes, by name; `title` is "" where the scene has none. To be freed with bead_scene_ready_free. Errors: IO, MEMORY. */
+struct bead_ready_scene {
+    char *name; /* "thesis/fig5" */
+    char *title;
+};
+BEAD_API BEAD_CHECK enum bead_error bead_scene_ready(struct bead_ready_scene **scenes, size_t *count, struct bead_message *msg);
+BEAD_API void bead_scene_ready_free(struct bead_ready_scene *scenes, size_t count);
+
+/* The ready materials: a scene with nothing else in it, to be freed with bead_scene_free. Errors: IO, SCENE, MEMORY. */
+BEAD_API BEAD_CHECK enum bead_error bead_scene_materials(struct bead_scene **scene, struct bead_message *msg);
+
+/* Write all keys of scenes with units, ranges and defaults, from the tables that the parser uses: as text, or as sections
+ * of a man page. */
+BEAD_API void bead_scene_help(FILE *out);
+BEAD_API void bead_scene_help_man(FILE *out);
 
 #endif

@@ -1,0 +1,166 @@
+/* `outputs`: the list, and what must fit together in it. */
+#include "sim/scene_output.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "sim/suggest.h"
+
+static const char *const kinds[] = {"trajectory", "image", "movie", "plot", "table"};
+
+bool bead_scene_has_sensors(const struct bead_scene *scene)
+{
+    for (size_t c = 0; c < scene->chain_count; c++) {
+        for (size_t s = 0; s < scene->chains[c].segment_count; s++) {
+            if (scene->chains[c].segments[s].sensor)
+                return true;
+        }
+    }
+    return false;
+}
+
+static bool is_vector(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    return dot && (strcasecmp(dot, ".pdf") == 0 || strcasecmp(dot, ".svg") == 0);
+}
+
+/* Which kind: the one key of the map that is the name of one. */
+static enum bead_error find_kind(const struct bead_reader *reader, const struct bead_at *at, struct bead_output *output,
+                                 unsigned *form)
+{
+    size_t found = 0;
+    char shown[64];
+    if (at->node->kind != BEAD_NODE_MAP)
+        return bead_wrong(reader, at, "is %s; must be a map such as {image: force.png}",
+                          bead_node_show(at->node, shown, sizeof shown));
+    for (size_t i = 0; i < BEAD_OUTPUT_KINDS; i++) {
+        struct bead_at where = bead_at_key(at, kinds[i]);
+        if (where.node == at->node)
+            continue;
+        if (found++ > 0)
+            return bead_wrong(reader, &where, "is a second kind beside `%s`; give every file an entry of its own",
+                              kinds[output->kind]);
+        output->kind = (enum bead_output_kind)i;
+        bool vector = where.node->kind == BEAD_NODE_SCALAR && is_vector(where.node->text) &&
+                      (output->kind == BEAD_OUTPUT_IMAGE || output->kind == BEAD_OUTPUT_PLOT);
+        *form = 1u << (i + (vector ? BEAD_OUTPUT_KINDS : 0));
+    }
+    return BEAD_OK;
+}
+
+/* No key is the name of a kind: is one nearly so? */
+static enum bead_error no_kind(const struct bead_reader *reader, const struct bead_at *at)
+{
+    struct bead_suggest search;
+    char near[96];
+    for (size_t i = 0; i + 1 < at->node->count; i += 2) {
+        struct bead_at key = {at, at->node->items[i]->text, 0, at->node->items[i]};
+        bead_suggest_begin(&search, key.key);
+        for (size_t k = 0; k < BEAD_OUTPUT_KINDS; k++)
+            bead_suggest_try(&search, kinds[k]);
+        if (search.best)
+            return bead_wrong(reader, &key, "unknown key%s", bead_suggest_text(&search, near, sizeof near));
+    }
+    return bead_wrong(reader, at,
+                      "has no kind; must have one of the keys trajectory, image, movie, plot or table, with a file's name");
+}
+
+static enum bead_error check_times(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+{
+    struct bead_at where = bead_at_key(at, "time");
+    double until = reader->scene->simulate.until;
+    if (output->time[0] >= output->time[1])
+        return bead_wrong(reader, &where, "is [%g, %g] s; the first must be before the second", output->time[0], output->time[1]);
+    if (output->time[0] >= until)
+        return bead_wrong(reader, &where, "begins at %g s; must begin before the run ends at %g s", output->time[0], until);
+    where = bead_at_key(at, "at");
+    if (output->at > until)
+        return bead_wrong(reader, &where, "is %g s; must not be later than the end of the run at %g s", output->at, until);
+    return BEAD_OK;
+}
+
+static enum bead_error check_shown(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+{
+    static const char *const of_samples[] = {"every", "time"};
+    struct bead_at where = bead_at_key(at, "show");
+    if (output->kind != BEAD_OUTPUT_TABLE && output->kind != BEAD_OUTPUT_PLOT)
+        return BEAD_OK;
+    if (output->show == BEAD_SHOW_SENSORS && !bead_scene_has_sensors(reader->scene))
+        return bead_wrong(reader, &where, "shows sensors, but no bead of the chain has a `sensor`");
+    for (size_t i = 0; i < 2 && output->show != BEAD_SHOW_SENSORS; i++) {
+        where = bead_at_key(at, of_samples[i]);
+        if (where.node != at->node)
+            return bead_wrong(reader, &where, "belongs to `show: sensors`; peaks are those of the whole first passage");
+    }
+    return BEAD_OK;
+}
+
+/* Past any `./` and `/` that name nothing. */
+static const char *skip(const char *path)
+{
+    while (path[0] == '.' && path[1] == '/')
+        path += 2 + strspn(path + 2, "/");
+    return path;
+}
+
+/* The same file, whatever `./` and `//` are in between. */
+static bool same_path(const char *a, const char *b)
+{
+    while (*a && *b) {
+        a = skip(a);
+        b = skip(b);
+        size_t length = strcspn(a, "/");
+        if (length != strcspn(b, "/") || memcmp(a, b, length) != 0 || !a[length] != !b[length])
+            return false;
+        a += length + strspn(a + length, "/");
+        b += length + strspn(b + length, "/");
+    }
+    return *a == *b;
+}
+
+static enum bead_error read_output(struct bead_reader *reader, const struct bead_at *at, size_t index)
+{
+    struct bead_output *outputs = reader->scene->outputs, *output = &outputs[index];
+    unsigned form = 0;
+    output->place = at->node->place;
+    enum bead_error err = find_kind(reader, at, output, &form);
+    if (!err && !form && !bead_node_get(at->node, "sweep", NULL))
+        return no_kind(reader, at);
+    if (!err)
+        err = bead_options_read(reader, at, &bead_output_options, form, output);
+    if (!err)
+        err = check_times(reader, at, output);
+    if (!err)
+        err = check_shown(reader, at, output);
+    for (size_t i = 0; i < index && !err; i++) {
+        struct bead_at where = bead_at_key(at, kinds[output->kind]);
+        if (same_path(outputs[i].path, output->path))
+            err = bead_wrong(reader, &where, "`%s` is the file of another output, too; names must differ", output->path);
+    }
+    return err;
+}
+
+enum bead_error bead_scene_read_outputs(struct bead_reader *reader, const struct bead_at *at)
+{
+    struct bead_scene *scene = reader->scene;
+    size_t count = at->node->count;
+    char shown[64];
+    if (at->node->kind != BEAD_NODE_LIST)
+        return bead_wrong(reader, at, "is %s; must be a list such as [{image: force.png}]",
+                          bead_node_show(at->node, shown, sizeof shown));
+    if (count == 0 || count > BEAD_SCENE_OUTPUTS)
+        return bead_wrong(reader, at, "has %zu entries; must have from 1 to %d", count, BEAD_SCENE_OUTPUTS);
+    scene->outputs = calloc(count, sizeof *scene->outputs);
+    if (!scene->outputs)
+        return bead_no_memory(reader);
+    scene->output_count = count;
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; i < count && !err; i++) {
+        struct bead_at element = {at, NULL, i, at->node->items[i]};
+        err = read_output(reader, &element, i);
+    }
+    return err;
+}

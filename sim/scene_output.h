@@ -1,0 +1,20 @@
+/* Readers of the keys of outputs that are more than a number, a word or a choice. */
+#ifndef BEADREEL_SIM_SCENE_OUTPUT_H
+#define BEADREEL_SIM_SCENE_OUTPUT_H
+
+#include "sim/scene_private.h"
+
+/* Names of fields in the order of enum bead_field, NULL-terminated. */
+const char *const *bead_output_field_names(void);
+
+#define BEAD_OUTPUT_READER(name)                                                                                                   \
+    enum bead_error name(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option, void *settings)
+BEAD_OUTPUT_READER(bead_output_read_path);
+BEAD_OUTPUT_READER(bead_output_read_fields);
+BEAD_OUTPUT_READER(bead_output_read_beads);
+BEAD_OUTPUT_READER(bead_output_read_size);
+BEAD_OUTPUT_READER(bead_output_read_range);
+BEAD_OUTPUT_READER(bead_output_read_views);
+BEAD_OUTPUT_READER(bead_scene_read_sweep);
+
+#endif

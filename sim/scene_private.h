@@ -1,0 +1,39 @@
+/* Inside of scenes, shared by sim/scene*.c: one reader and one option table for each structure. */
+#ifndef BEADREEL_SIM_SCENE_PRIVATE_H
+#define BEADREEL_SIM_SCENE_PRIVATE_H
+
+#include "beadreel/scene.h"
+#include "sim/options.h"
+
+enum { BEAD_SCENE_CHAINS = 64, BEAD_SCENE_OUTPUTS = 1000, BEAD_SCENE_BEADS = 100000000 };
+
+extern const struct bead_options bead_scene_options, bead_material_options, bead_chain_options, bead_striker_options,
+    bead_segment_options, bead_power_options, bead_fpu_options, bead_damping_options, bead_simulate_options, bead_output_options;
+
+/* Readers of custom options, with the signature of bead_option.read; `settings` is the structure of the row. */
+enum bead_error bead_scene_read_materials(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                          void *settings);
+enum bead_error bead_scene_read_segments(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                         void *settings);
+/* A material's name to a size_t at the option's offset. */
+enum bead_error bead_scene_read_material(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                         void *settings);
+
+/* Fill one structure from the map at `at`; what was filled in before a failure is freed with the scene. */
+BEAD_CHECK enum bead_error bead_scene_read_chain(struct bead_reader *reader, const struct bead_at *at,
+                                                 struct bead_chain_spec *chain);
+BEAD_CHECK enum bead_error bead_scene_read_simulate(struct bead_reader *reader, const struct bead_at *at);
+BEAD_CHECK enum bead_error bead_scene_read_outputs(struct bead_reader *reader, const struct bead_at *at);
+
+/* Index of a material that has a radius and a mass (`bead`), or of any. */
+BEAD_CHECK enum bead_error bead_scene_find_material(const struct bead_reader *reader, const struct bead_at *at, bool bead,
+                                                    size_t *index);
+/* Add the materials of assets/materials.yaml to the reader's scene. Errors: IO, SCENE, MEMORY. */
+BEAD_CHECK enum bead_error bead_scene_add_ready_materials(struct bead_reader *reader);
+
+/* Beads of a chain without its striker. */
+size_t bead_scene_count_beads(const struct bead_chain_spec *chain);
+/* Does any chain of the scene have a sensor? */
+bool bead_scene_has_sensors(const struct bead_scene *scene);
+
+#endif
