@@ -2,17 +2,22 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "sim/events_patch.h"
 #include "sim/stepper.h"
 #include "sim/tableau.h"
 
-/* Picard sweeps: one is 40 times worse, a third brings nothing. */
-enum { SWEEPS = 2 };
-/* Contacts integrated again on each side of a flagged one. */
+/* Picard sweeps: the second changes 20 to 40 times less than the first, a third brings nothing. */
+enum { SWEEPS = 2, SWEEP_GAIN = 8 };
+/* Contacts integrated again on each side of a flagged one: without them an order is lost, more bring nothing. */
 enum { WIDTH = 1 };
+/* Contacts between patches whose forces are rather computed again than passed over. */
+enum { GAP = 64 };
+/* Elements before and behind the constants of the contacts: vectors may begin one before the first and end behind the last. */
+enum { MARGIN = 16, LANES = 8 };
 /* A branch point further outside the step than this does no harm that doubles can hold. */
-static const double reach = 2;
+static const double reach_most = 2;
 /* What a branch point inside the step, rate r, does to the velocity of a bead is less than this times A (h r)^{3/2} h/m. */
 static const double effect = 0.01;
 /* The same for one x steps outside: less than this over (1 + x/0.03)^3 (1 + x/2)^4, at least 5 times what RKN8's quadrature of
@@ -21,36 +26,51 @@ static const double effect_outside = 3e-4, effect_decay = 0.03;
 
 struct bead_events {
     struct bead_patch_rule rule;
-    unsigned char *mark; /* [beads] */
+    /* Constants of the contacts, 0 in the margins but for "contact -1", the constant force on the striker. */
+    double *constants, *stiffness, *static_compression, *static_force, *inverse_mass;
+    unsigned char *mark; /* a byte a contact, whole words */
     size_t *flagged, flagged_room, flagged_count;
-    struct bead_patch_contact *contact;
-    size_t contact_room;
-    struct bead_patch_branch *branch;
+    struct bead_patch patch;
+    struct bead_patch_source source;
+    struct bead_patch_branch *branch; /* in order of s */
     size_t branch_room, branch_count;
+    /* Bounds over the chain: of A/m, and of the rate of a compression that the energy allows, m/s. */
+    double hardest, fastest;
+    double reach, reach_h, reach_tolerance; /* how far outside a step of length reach_h a branch point may matter */
     bool failed;
 };
 
-/* Room for `count` elements; what was there is lost unless `keep`. */
-static bool grow(void **array, size_t *room, size_t count, size_t size, bool keep)
+static bool copy_constants(struct bead_events *e, const struct bead_stepper *s)
 {
-    if (count <= *room)
-        return true;
-    size_t more = count + count / 2 + 16, bytes;
-    if (__builtin_mul_overflow(more, size, &bytes))
+    const struct bead_chain *chain = s->chain;
+    size_t length = chain->beads + 2 * MARGIN;
+    e->constants = calloc(length, 4 * sizeof *e->constants);
+    e->mark = calloc(chain->beads / LANES + 1, LANES);
+    if (!e->constants || !e->mark)
         return false;
-    void *made;
-    if (keep) {
-        made = realloc(*array, bytes);
-    } else {
-        made = aligned_alloc(64, (bytes + 63) / 64 * 64);
-        if (made)
-            free(*array);
-    }
-    if (!made)
-        return false;
-    *array = made;
-    *room = more;
+    e->stiffness = e->constants + MARGIN;
+    e->static_compression = e->stiffness + length;
+    e->static_force = e->static_compression + length;
+    e->inverse_mass = e->static_force + length;
+    memcpy(e->stiffness, chain->stiffness, chain->beads * sizeof(double));
+    memcpy(e->static_compression, chain->static_compression, chain->beads * sizeof(double));
+    memcpy(e->static_force, chain->static_force, chain->beads * sizeof(double));
+    memcpy(e->inverse_mass, chain->inverse_mass, chain->beads * sizeof(double));
+    e->static_force[-1] = -chain->striker_force;
     return true;
+}
+
+/* Two beads of reduced mass m part or meet at less than sqrt(2 E/m). */
+static void bound(struct bead_events *e, const struct bead_stepper *s)
+{
+    double lightest = 0;
+    for (size_t k = 0; k < s->beads; k++) {
+        double left = e->inverse_mass[k], right = e->inverse_mass[k + 1];
+        e->hardest = fmax(e->hardest, e->stiffness[k] * fmax(left, right));
+        lightest = fmax(lightest, left + right);
+    }
+    e->fastest = sqrt(2 * bead_chain_energy(s->chain) * lightest);
+    e->reach = reach_most;
 }
 
 enum bead_error bead_events_create(const struct bead_stepper *s, struct bead_events **events, struct bead_message *msg)
@@ -59,13 +79,12 @@ enum bead_error bead_events_create(const struct bead_stepper *s, struct bead_eve
     if (!s->chain->law->one_sided)
         return BEAD_OK;
     struct bead_events *e = calloc(1, sizeof *e);
-    if (e)
-        e->mark = malloc((s->beads + 7) / 8 * 8);
-    if (!e || !e->mark) {
+    if (!e || !copy_constants(e, s)) {
         bead_events_destroy(e);
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contact events of %zu beads", s->beads);
     }
     e->rule = bead_patch_rule_make(s->chain->law, &s->chain->spec->law);
+    bound(e, s);
     *events = e;
     return BEAD_OK;
 }
@@ -74,9 +93,10 @@ void bead_events_destroy(struct bead_events *events)
 {
     if (!events)
         return;
+    free(events->constants);
     free(events->mark);
     free(events->flagged);
-    free(events->contact);
+    free(events->patch.memory);
     free(events->branch);
     free(events);
 }
@@ -86,9 +106,42 @@ bool bead_events_failed(const struct bead_events *events)
     return events && events->failed;
 }
 
-static double inverse_mass(const struct bead_stepper *s, size_t bead)
+/* Room for `count` elements of `size` bytes in an array that keeps what it has. */
+static bool grow(void **array, size_t *room, size_t count, size_t size)
 {
-    return bead < s->beads ? s->chain->inverse_mass[bead] : 0;
+    if (count <= *room)
+        return true;
+    void *made = reallocarray(*array, count + count / 2 + 16, size);
+    if (!made)
+        return false;
+    *array = made;
+    *room = count + count / 2 + 16;
+    return true;
+}
+
+/* The same for the arrays of a patch, which lose what they had. */
+static bool grow_patch(struct bead_patch *patch, size_t count)
+{
+    size_t room = (count + count / 2 + 2 * LANES) / LANES * LANES, bytes;
+    const size_t each = (BEAD_PATCH_ARRAYS + 2 * BEAD_GAUSS_NODES) * sizeof(double) + 2 * sizeof(bool);
+    if (count <= patch->room)
+        return true;
+    if (__builtin_mul_overflow(room, each, &bytes))
+        return false;
+    void *memory = aligned_alloc(64, (bytes + 63) / 64 * 64);
+    if (!memory)
+        return false;
+    free(patch->memory);
+    patch->memory = memory;
+    patch->room = room;
+    double *at = memory;
+    for (size_t i = 0; i < BEAD_PATCH_ARRAYS; i++, at += room)
+        patch->array[i] = at;
+    patch->force = at;
+    patch->curvature = at + BEAD_GAUSS_NODES * room;
+    patch->closed = (bool *)(patch->curvature + BEAD_GAUSS_NODES * room);
+    patch->bends = patch->closed + room;
+    return true;
 }
 
 static double force_power(const struct bead_patch_rule *rule, double r)
@@ -96,86 +149,118 @@ static double force_power(const struct bead_patch_rule *rule, double r)
     return rule->hertz ? r * sqrt(r) : pow(r, rule->spec->power);
 }
 
-/* Effect in units of A h/m of a branch point outside the step that compression d and rate r, away from zero, point to. */
-static double outside(const struct bead_patch_rule *rule, double d, double r)
+/* Effect in units of A (h r)^p h/m of a branch point x steps outside. */
+static double loss_outside(double x)
 {
-    if (!(r > 0 && d < reach * r))
-        return 0;
-    double near = 1 + d / (effect_decay * r), far = (1 + d / (2 * r)) * (1 + d / (2 * r));
-    return effect_outside * force_power(rule, r) / (near * near * near * far * far);
+    const double near = 1 + x * (1 / effect_decay), far = (1 + 0.5 * x) * (1 + 0.5 * x);
+    return effect_outside / (near * near * near * far * far);
+}
+
+/* How far outside a branch point may matter at most: halving, to three digits. */
+static void find_reach(struct bead_events *e, double h, double tolerance)
+{
+    const double worst = e->hardest * h * force_power(&e->rule, h * e->fastest);
+    double low = 0, high = reach_most;
+    while (high - low > 1e-3) {
+        double x = 0.5 * (low + high);
+        *(worst * loss_outside(x) > tolerance ? &low : &high) = x;
+    }
+    e->reach = high;
+    e->reach_h = h;
+    e->reach_tolerance = tolerance;
+}
+
+/* The same in units of A h/m of the one that compression d and rate h r, away from zero, point to. */
+static double outside(const struct bead_events *e, double d, double r)
+{
+    return r > 0 && d < e->reach * r ? force_power(&e->rule, r) * loss_outside(d / r) : 0;
 }
 
 /* Whether what contact k can do to a velocity exceeds the tolerance. */
-static bool matters(const struct bead_patch_rule *rule, const struct bead_stepper *s, size_t k, double h)
+static bool matters(const struct bead_events *e, const struct bead_stepper *s, size_t k, double h)
 {
-    const double *u = s->start.u, *v = s->start.v, *y = s->end.u, *w = s->end.v, d = s->chain->static_compression[k];
+    const double *u = s->start.u, *v = s->start.v, *y = s->end.u, *w = s->end.v, d = e->static_compression[k];
     double d0 = d + (u[k] - u[k + 1]), d1 = d + (y[k] - y[k + 1]), r0 = h * (v[k] - v[k + 1]), r1 = h * (w[k] - w[k + 1]);
-    double left = s->chain->inverse_mass[k], right = inverse_mass(s, k + 1), loss;
+    double left = e->inverse_mass[k], right = e->inverse_mass[k + 1], loss;
     if (d0 > 0 && d1 > 0 && !(r0 < 0 && r1 > 0))
-        loss = fmax(outside(rule, d0, r0), outside(rule, d1, -r1));
+        loss = fmax(outside(e, d0, r0), outside(e, d1, -r1));
     else
-        loss = effect * force_power(rule, fmax(fabs(r0), fabs(r1)));
-    return loss * s->chain->stiffness[k] * h * (left > right ? left : right) > s->event_tolerance;
+        loss = effect * force_power(&e->rule, fmax(fabs(r0), fabs(r1)));
+    return loss * e->stiffness[k] * h * (left > right ? left : right) > s->event_tolerance;
 }
 
-static bool flag(struct bead_events *e, const struct bead_stepper *s, double h)
+static bool flag_contacts(struct bead_events *e, const struct bead_stepper *s, double h)
 {
-    struct bead_event_ends ends = {s->chain->static_compression, s->start.u, s->start.v, s->end.u, s->end.v, h};
+    struct bead_event_ends ends = {e->static_compression, s->start.u, s->start.v, s->end.u, s->end.v, h};
     e->flagged_count = 0;
-    if (!s->kernels->mark_events(s->active, &ends, reach, e->mark))
+    if (h != e->reach_h || s->event_tolerance != e->reach_tolerance)
+        find_reach(e, h, s->event_tolerance);
+    if (!s->kernels->mark_events(s->active, &ends, e->reach, e->mark))
         return true;
-    for (size_t k = 0; k < s->active; k++) {
-        if (!e->mark[k] || !matters(&e->rule, s, k, h))
-            continue;
-        if (!grow((void **)&e->flagged, &e->flagged_room, e->flagged_count + 1, sizeof *e->flagged, true))
-            return false;
-        e->flagged[e->flagged_count++] = k;
+    for (size_t i = 0; i * LANES < s->active; i++) {
+        uint64_t left;
+        memcpy(&left, e->mark + i * LANES, LANES);
+        for (; left; left &= left - 1) {
+            size_t k = i * LANES + (size_t)__builtin_ctzll(left) / 8;
+            if (!matters(e, s, k, h))
+                continue;
+            if (!grow((void **)&e->flagged, &e->flagged_room, e->flagged_count + 1, sizeof *e->flagged))
+                return false;
+            e->flagged[e->flagged_count++] = k;
+        }
     }
     return true;
 }
 
-static void load_state(const struct bead_stepper *s, const struct bead_state *state, size_t k, double h, double out[3])
+/* The forces that the method's quadrature has added up. */
+static void list_stages(struct bead_events *e, const struct bead_stepper *s)
 {
-    double next = k + 1 < s->beads ? state->a[k + 1] : 0;
-    out[0] = s->chain->static_compression[k] + (state->u[k] - state->u[k + 1]);
-    out[1] = h * (state->v[k] - state->v[k + 1]);
-    out[2] = h * h * (state->a[k] - next);
+    const struct bead_tableau *t = s->method->tableau;
+    struct bead_patch_source *source = &e->source;
+    source->stages = 0;
+    for (size_t i = 0; i < t->stages; i++) {
+        if (t->b[i] == 0 && t->bp[i] == 0)
+            continue;
+        source->impulse[source->stages] = t->bp[i];
+        source->moment[source->stages] = t->b[i];
+        source->stage[source->stages++] = i == 0 ? s->start.f : t->fsal && i + 1 == t->stages ? s->end.f : s->stage_f[i];
+    }
 }
 
-static void load_contact(const struct bead_stepper *s, size_t k, double h, struct bead_patch_contact *contact)
-{
-    double start[3], end[3];
-    *contact = (struct bead_patch_contact){.stiffness = s->chain->stiffness[k],
-                                           .static_force = s->chain->static_force[k],
-                                           .left = h * h * s->chain->inverse_mass[k],
-                                           .right = h * h * inverse_mass(s, k + 1)};
-    load_state(s, &s->start, k, h, start);
-    load_state(s, &s->end, k, h, end);
-    bead_patch_hermite(contact, start, end);
-    contact->closed = start[0] > 0 || end[0] > 0;
-}
-
-/* Contacts first..last of the chain into contact[1..], the frozen ones around them. Beyond the ends of the chain there is a
- * constant force on the striker, and nothing behind the last contact. */
+/* Contacts first..last of the chain, and the frozen ones around them. */
 static bool load(struct bead_events *e, const struct bead_stepper *s, size_t first, size_t last, double h)
 {
-    size_t count = last - first + 1;
-    if (!grow((void **)&e->contact, &e->contact_room, count + 2, sizeof *e->contact, false))
+    const ptrdiff_t at = (ptrdiff_t)first - 1;
+    e->patch.count = last - first + 1;
+    if (!grow_patch(&e->patch, e->patch.count + 2))
         return false;
-    for (size_t k = first; k <= last; k++)
-        load_contact(s, k, h, &e->contact[k - first + 1]);
-    if (first > 0)
-        load_contact(s, first - 1, h, &e->contact[0]);
-    else
-        e->contact[0] = (struct bead_patch_contact){.static_force = -s->start.f[-1]};
-    if (last + 1 < s->beads)
-        load_contact(s, last + 1, h, &e->contact[count + 1]);
-    else
-        e->contact[count + 1] = (struct bead_patch_contact){0};
+    struct bead_patch_source source = e->source;
+    source.u0 = s->start.u + at;
+    source.v0 = s->start.v + at;
+    source.a0 = s->start.a + at;
+    source.u1 = s->end.u + at;
+    source.v1 = s->end.v + at;
+    source.a1 = s->end.a + at;
+    source.stiffness = e->stiffness + at;
+    source.static_compression = e->static_compression + at;
+    source.static_force = e->static_force + at;
+    source.inverse_mass = e->inverse_mass + at;
+    source.h = h;
+    for (size_t i = 0; i < source.stages; i++)
+        source.stage[i] += at;
+    s->kernels->load_patch(&source, &e->patch);
+    memset(e->patch.bends, 0, (e->patch.count + 2) * sizeof(bool));
+    e->patch.change = 0;
     return true;
 }
 
-/* Into the list, which is in order of s; equal ones become one. */
+static void load_quintic(const struct bead_patch *patch, size_t k, double c[6])
+{
+    for (size_t i = 0; i < 6; i++)
+        c[i] = patch->array[BEAD_PATCH_C + i][k];
+}
+
+/* Equal ones become one. */
 static void insert(struct bead_events *e, struct bead_patch_branch branch)
 {
     size_t i = e->branch_count;
@@ -191,35 +276,37 @@ static void insert(struct bead_events *e, struct bead_patch_branch branch)
     e->branch[i] = branch;
 }
 
-/* The branch points of the flagged contacts among first..last. */
+/* The branch points of the flagged contacts of a patch that begins with contact `first`. */
 static bool find_branches(struct bead_events *e, size_t first, const size_t *flagged, size_t count)
 {
     e->branch_count = 0;
-    if (!grow((void **)&e->branch, &e->branch_room, count * BEAD_BRANCHES_MAX, sizeof *e->branch, false))
+    if (!grow((void **)&e->branch, &e->branch_room, count * BEAD_BRANCHES_MAX, sizeof *e->branch))
         return false;
     for (size_t i = 0; i < count; i++) {
         struct bead_patch_branch found[BEAD_BRANCHES_MAX];
-        struct bead_patch_contact *contact = &e->contact[flagged[i] - first + 1];
-        size_t n = bead_patch_branches(contact, reach, found);
-        contact->bends = n > 0;
+        const size_t k = flagged[i] - first + 1;
+        double c[6], end[2] = {e->patch.array[BEAD_PATCH_END_D][k], e->patch.array[BEAD_PATCH_END_RATE][k]};
+        load_quintic(&e->patch, k, c);
+        size_t n = bead_patch_branches(c, end, e->reach, found);
+        e->patch.bends[k] = n > 0;
         for (size_t j = 0; j < n; j++)
             insert(e, found[j]);
     }
-    return e->branch_count > 0;
+    return true;
 }
 
-static void integrate_piece(struct bead_events *e, const struct bead_stepper *s, size_t count, double from, double to,
-                            const double *tau)
+static void integrate_piece(struct bead_events *e, const struct bead_stepper *s, double from, double to, const double *tau)
 {
-    struct bead_patch_piece piece;
     if (!(to > from))
         return;
-    bead_patch_place(&e->rule, from, to, tau, &piece);
-    for (size_t k = 0; k <= count + 1; k++) {
-        if (e->contact[k].bends)
-            e->contact[k].closed = bead_patch_value(e->contact[k].c, 0.5 * (from + to)) > 0;
+    for (size_t k = 1; k <= e->patch.count; k++) {
+        double c[6];
+        if (!e->patch.bends[k])
+            continue;
+        load_quintic(&e->patch, k, c);
+        e->patch.closed[k] = bead_patch_value(c, 0.5 * (from + to)) > 0;
     }
-    s->kernels->integrate_patch(&piece, &e->rule, SWEEPS, count, e->contact);
+    s->kernels->integrate_piece(from, to, tau, &e->rule, SWEEPS, SWEEP_GAIN * s->event_tolerance * s->h, &e->patch);
 }
 
 /* The nearest branch point at or before branch[at] that must not be approached from behind, unless it is too far from the piece. */
@@ -227,14 +314,14 @@ static const double *branch_left(const struct bead_events *e, size_t at, double 
 {
     while (at > 0 && !e->branch[at - 1].after)
         at--;
-    return at > 0 && from - e->branch[at - 1].s < reach * (to - from) ? &e->branch[at - 1].s : NULL;
+    return at > 0 && from - e->branch[at - 1].s < reach_most * (to - from) ? &e->branch[at - 1].s : NULL;
 }
 
 static const double *branch_right(const struct bead_events *e, size_t at, double from, double to)
 {
     while (at < e->branch_count && !e->branch[at].before)
         at++;
-    return at < e->branch_count && e->branch[at].s - to < reach * (to - from) ? &e->branch[at].s : NULL;
+    return at < e->branch_count && e->branch[at].s - to < reach_most * (to - from) ? &e->branch[at].s : NULL;
 }
 
 static double in_step(double s)
@@ -243,57 +330,43 @@ static double in_step(double s)
 }
 
 /* From branch point to branch point; where one is near either end of an interval, to the middle between them first. */
-static void integrate(struct bead_events *e, const struct bead_stepper *s, size_t count)
+static void integrate(struct bead_events *e, const struct bead_stepper *s)
 {
     for (size_t i = 0; i <= e->branch_count; i++) {
         double from = i > 0 ? in_step(e->branch[i - 1].s) : 0, to = i < e->branch_count ? in_step(e->branch[i].s) : 1;
         const double *left = branch_left(e, i, from, to), *right = branch_right(e, i, from, to);
         if (left && right) {
             double middle = fmin(fmax(0.5 * (*left + *right), from), to);
-            integrate_piece(e, s, count, from, middle, left);
-            integrate_piece(e, s, count, middle, to, right);
+            integrate_piece(e, s, from, middle, left);
+            integrate_piece(e, s, middle, to, right);
         } else {
-            integrate_piece(e, s, count, from, to, left ? left : right);
+            integrate_piece(e, s, from, to, left ? left : right);
         }
     }
 }
 
-/* What the method's quadrature gave contact k: sums of weight_i f_i. */
-static double quadrature(const struct bead_stepper *s, const double *weight, size_t k)
+/* Give the beads of each contact the impulse that the quadrature owes them, with opposite signs. */
+static void replace(struct bead_events *e, struct bead_stepper *s, size_t first, double h)
 {
-    const struct bead_tableau *t = s->method->tableau;
-    double sum = weight[0] * s->start.f[k];
-    for (size_t i = 1; i < t->stages; i++) {
-        const double *f = t->fsal && i + 1 == t->stages ? s->end.f : s->stage_f[i];
-        sum += weight[i] * f[k];
+    double *const *array = e->patch.array;
+    for (size_t i = 1; i <= e->patch.count; i++) {
+        const size_t k = first + i - 1;
+        double dv = h * (array[BEAD_PATCH_IMPULSE][i] - array[BEAD_PATCH_GIVEN_IMPULSE][i]);
+        double du = h * h * (array[BEAD_PATCH_MOMENT][i] - array[BEAD_PATCH_GIVEN_MOMENT][i]);
+        s->end.v[k] -= dv * e->inverse_mass[k];
+        s->end.u[k] -= du * e->inverse_mass[k];
+        /* Nothing but zero is added to the wall. */
+        s->end.v[k + 1] += dv * e->inverse_mass[k + 1];
+        s->end.u[k + 1] += du * e->inverse_mass[k + 1];
     }
-    return sum;
+    s->event_change = fmax(s->event_change, e->patch.change / h);
 }
 
-/* Give the beads of each contact the impulse it is owed, with opposite signs. */
-static void replace(struct bead_events *e, struct bead_stepper *s, size_t first, size_t last, double h)
-{
-    const struct bead_tableau *t = s->method->tableau;
-    for (size_t k = first; k <= last; k++) {
-        const struct bead_patch_contact *contact = &e->contact[k - first + 1];
-        double dv = h * (contact->impulse - quadrature(s, t->bp, k)), du = h * h * (contact->moment - quadrature(s, t->b, k));
-        double left = s->chain->inverse_mass[k], right = inverse_mass(s, k + 1);
-        double change = fabs(h * contact->change) * (left > right ? left : right);
-        s->end.v[k] -= dv * left;
-        s->end.u[k] -= du * left;
-        if (k + 1 < s->beads) {
-            s->end.v[k + 1] += dv * right;
-            s->end.u[k + 1] += du * right;
-        }
-        if (change > s->event_change)
-            s->event_change = change;
-    }
-}
-
-/* Forces of all contacts whose beads have been moved, accelerations of all beads that feel them. */
+/* Forces of the contacts, and accelerations of the beads, that changed displacements of beads first..last change; what else lies
+ * between gets the values that it has. */
 static void refresh(struct bead_stepper *s, size_t first, size_t last)
 {
-    size_t from = first > 0 ? first - 1 : 0, to = last + 2 < s->active ? last + 2 : s->active;
+    size_t from = first > 0 ? first - 1 : 0, to = last + 1 < s->active ? last + 1 : s->active;
     size_t bead_to = to < s->active ? to + 1 : s->active;
     struct bead_contact_table table = s->table;
     table.stiffness += from;
@@ -303,31 +376,50 @@ static void refresh(struct bead_stepper *s, size_t first, size_t last)
     s->accelerate(bead_to - from, s->end.f + from, s->inverse_mass + from, s->end.a + from);
 }
 
-static bool correct_patch(struct bead_events *e, struct bead_stepper *s, const size_t *flagged, size_t count, double h)
+/* Contacts first..last, of which some are flagged. */
+static bool correct_patch(struct bead_events *e, struct bead_stepper *s, size_t first, size_t last, const size_t *flagged,
+                          size_t count)
 {
-    size_t first = flagged[0] > WIDTH ? flagged[0] - WIDTH : 0, last = flagged[count - 1] + WIDTH;
-    last = last < s->active ? last : s->active - 1;
-    if (!load(e, s, first, last, h))
+    if (!load(e, s, first, last, s->h) || !find_branches(e, first, flagged, count))
         return false;
-    if (!find_branches(e, first, flagged, count))
-        return e->branch_room >= count * BEAD_BRANCHES_MAX;
-    integrate(e, s, last - first + 1);
-    replace(e, s, first, last, h);
-    refresh(s, first, last);
+    if (e->branch_count == 0)
+        return true;
+    integrate(e, s);
+    replace(e, s, first, s->h);
     return true;
+}
+
+/* Patches that touch or overlap are one. Forces are computed again behind the last patch, or for those so far before a gap that is
+ * not worth going over. */
+static bool correct_patches(struct bead_events *e, struct bead_stepper *s)
+{
+    size_t begin = 0, end = 0; /* beads moved */
+    bool ok = true;
+    list_stages(e, s);
+    for (size_t i = 0, n; ok && i < e->flagged_count; i += n) {
+        const size_t *flagged = e->flagged + i;
+        for (n = 1; i + n < e->flagged_count && flagged[n] - flagged[n - 1] <= 2 * WIDTH + 1;)
+            n++;
+        size_t first = flagged[0] > WIDTH ? flagged[0] - WIDTH : 0, last = flagged[n - 1] + WIDTH;
+        last = last < s->active ? last : s->active - 1;
+        ok = correct_patch(e, s, first, last, flagged, n);
+        if (i > 0 && first - end > GAP) {
+            refresh(s, begin, end);
+            begin = first;
+        } else if (i == 0) {
+            begin = first;
+        }
+        end = last + 1;
+    }
+    refresh(s, begin, end);
+    return ok;
 }
 
 void bead_events_correct(struct bead_events *e, struct bead_stepper *s)
 {
-    const double h = s->h;
     s->event_change = 0;
-    bool ok = flag(e, s, h);
-    /* Patches that touch or overlap are one. */
-    for (size_t i = 0, n; ok && i < e->flagged_count; i += n) {
-        n = 1;
-        while (i + n < e->flagged_count && e->flagged[i + n] - e->flagged[i + n - 1] <= 2 * WIDTH + 1)
-            n++;
-        ok = correct_patch(e, s, e->flagged + i, n, h);
-    }
+    bool ok = flag_contacts(e, s, s->h);
+    if (ok && e->flagged_count > 0)
+        ok = correct_patches(e, s);
     e->failed |= !ok;
 }

@@ -1,132 +1,301 @@
-/* Included by kernels_body.h: the part of the contact-event correction that is worth vectors. Element-wise over contacts or
- * over Gauss nodes, sums in a fixed order. */
+/* Included by kernels_body.h: the part of the contact-event correction that is worth vectors, in GCC's and Clang's vector types, as
+ * wide as the set has them. Lanes are contacts or the nodes of a piece; sums have a fixed order, so every set gives the same bits.
+ */
+#include <immintrin.h>
+#include <string.h>
+
 #include "sim/events_patch.h"
 
 enum { NODES = BEAD_GAUSS_NODES };
+#if defined __AVX512F__
+#define LANES      8
+#define ROOT_OF(x) _mm512_sqrt_pd(x)
+#elif defined __AVX2__
+#define LANES      4
+#define ROOT_OF(x) _mm256_sqrt_pd(x)
+#else
+#define LANES      2
+#define ROOT_OF(x) _mm_sqrt_pd(x)
+#endif
+typedef double lanes __attribute__((vector_size(8 * LANES)));
+typedef int64_t lane_masks __attribute__((vector_size(8 * LANES)));
+typedef signed char lane_bytes __attribute__((vector_size(LANES), may_alias, aligned(1)));
+typedef double lanes_anywhere __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
+
+static inline lanes load_lanes(const double *p)
+{
+    return *(const lanes_anywhere *)p;
+}
+
+static inline void store_lanes(double *p, lanes x)
+{
+    *(lanes_anywhere *)p = x;
+}
+
+static inline lanes positive_part(lanes x)
+{
+    return (lanes)((lane_masks)x & (x > 0));
+}
+
+static inline lanes magnitude(lanes x)
+{
+    return (lanes)((lane_masks)x & INT64_MAX);
+}
+
+/* Sum over the nodes, in pairs. */
+static inline double total(const double x[NODES])
+{
+    return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]));
+}
+
+static inline double larger(double x, double y)
+{
+    return x > y ? x : y;
+}
+
+static inline double largest_lane(lanes x)
+{
+    double y[NODES] = {0};
+    for (size_t i = 0; i < LANES; i++)
+        y[i] = x[i];
+    return larger(larger(larger(y[0], y[4]), larger(y[2], y[6])), larger(larger(y[1], y[5]), larger(y[3], y[7])));
+}
 
 /* Which contacts may have a branch point in the step or within `reach` steps outside. Every test compares d with what the rate
  * alone would change it by. What is at rest and just touching, d = d' = 0, passes none of them. */
 static bool mark_events(size_t n, const struct bead_event_ends *ends, double reach, unsigned char *mark)
 {
-    const double *restrict d0 = ends->static_compression, *restrict u = ends->u0, *restrict v = ends->v0;
-    const double *restrict y = ends->u1, *restrict w = ends->v1;
     const double h = ends->h, near = reach * h;
-    unsigned char *restrict out = mark;
-    unsigned any = 0;
-    for (size_t k = 0; k < n; k++) {
-        double a = d0[k] + (u[k] - u[k + 1]), b = d0[k] + (y[k] - y[k + 1]);
-        double p = v[k] - v[k + 1], q = w[k] - w[k + 1];
-        unsigned a_closed = a > 0, b_closed = b > 0;
-        unsigned at_branch = (a < near * fabs(p)) | (b < near * fabs(q));
-        unsigned bounce = (p > 0) & (q < 0) & (a + h * p > 0) & (b - h * q > 0);
-        unsigned marked = (a_closed ^ b_closed) | (a_closed & b_closed & at_branch) | (~(a_closed | b_closed) & bounce & 1);
-        out[k] = (unsigned char)marked;
+    lane_masks any = {0};
+    for (size_t k = 0; k < n; k += LANES) {
+        lanes d = load_lanes(ends->static_compression + k);
+        lanes a = d + (load_lanes(ends->u0 + k) - load_lanes(ends->u0 + k + 1));
+        lanes b = d + (load_lanes(ends->u1 + k) - load_lanes(ends->u1 + k + 1));
+        lanes p = load_lanes(ends->v0 + k) - load_lanes(ends->v0 + k + 1);
+        lanes q = load_lanes(ends->v1 + k) - load_lanes(ends->v1 + k + 1);
+        lane_masks a_closed = a > 0, b_closed = b > 0;
+        lane_masks close = (a < near * magnitude(p)) | (b < near * magnitude(q));
+        lane_masks bounce = (p > 0) & (q < 0) & (a + h * p > 0) & (b - h * q > 0);
+        lane_masks marked = (a_closed ^ b_closed) | (a_closed & b_closed & close) | (~(a_closed | b_closed) & bounce);
+        *(lane_bytes *)(mark + k) = __builtin_convertvector(marked, lane_bytes) & 1;
         any |= marked;
     }
-    return any != 0;
+    int64_t found = 0;
+    for (size_t i = 0; i < LANES; i++)
+        found |= any[i];
+    return found != 0;
 }
 
-static double total(const double *restrict weight, const double *restrict value)
+/* Quintic Hermite: what the cubic and higher terms have to add at the end to d, d', d'' are e, e1, e2. */
+static inline void load_quintics(struct bead_patch *patch, size_t k, const lanes d0[3], const lanes d1[3])
 {
-    double t[NODES];
-    for (size_t i = 0; i < NODES; i++)
-        t[i] = weight[i] * value[i];
-    return ((t[0] + t[4]) + (t[2] + t[6])) + ((t[1] + t[5]) + (t[3] + t[7]));
+    double *const *array = patch->array;
+    lanes c2 = 0.5 * d0[2], e = d1[0] - ((d0[0] + d0[1]) + c2), e1 = d1[1] - (d0[1] + 2 * c2), e2 = d1[2] - 2 * c2;
+    store_lanes(array[BEAD_PATCH_C + 0] + k, d0[0]);
+    store_lanes(array[BEAD_PATCH_C + 1] + k, d0[1]);
+    store_lanes(array[BEAD_PATCH_C + 2] + k, c2);
+    store_lanes(array[BEAD_PATCH_C + 3] + k, (10 * e - 4 * e1) + 0.5 * e2);
+    store_lanes(array[BEAD_PATCH_C + 4] + k, (7 * e1 - 15 * e) - e2);
+    store_lanes(array[BEAD_PATCH_C + 5] + k, (6 * e - 3 * e1) + 0.5 * e2);
+    store_lanes(array[BEAD_PATCH_END_D] + k, d1[0]);
+    store_lanes(array[BEAD_PATCH_END_RATE] + k, d1[1]);
+    store_lanes(array[BEAD_PATCH_D] + k, d0[0]);
+    store_lanes(array[BEAD_PATCH_RATE] + k, d0[1]);
+    lane_masks closed = (d0[0] > 0) | (d1[0] > 0);
+    *(lane_bytes *)(patch->closed + k) = __builtin_convertvector(closed, lane_bytes) & 1;
 }
 
-/* f of compressions d, in place. A contact known to be closed may seem open by an error in tau: no force then. */
-static void node_forces(const struct bead_patch_rule *rule, const struct bead_patch_contact *k, double *restrict d)
+static inline lanes step_of(const double *x, size_t k)
 {
-    const double a = k->stiffness, f0 = k->static_force;
-    if (!rule->hertz) {
-        for (size_t i = 0; i < NODES; i++)
-            d[i] = rule->law->force(a, rule->spec, d[i]) - f0;
-        return;
-    }
-    for (size_t i = 0; i < NODES; i++) {
-        double x = d[i] > 0 ? d[i] : 0;
-        d[i] = a * (x * sqrt(x)) - f0;
+    return load_lanes(x + k) - load_lanes(x + k + 1);
+}
+
+/* All contacts of the patch; what the last vector loads beyond them is never used. */
+static void load_patch(const struct bead_patch_source *source, struct bead_patch *patch)
+{
+    const double h = source->h, square = h * h;
+    double *const *array = patch->array;
+    const lanes zero = {0};
+    for (size_t k = 0; k < patch->count + 2; k += LANES) {
+        lanes rest = load_lanes(source->static_compression + k), impulse = zero, moment = zero;
+        lanes d0[3] = {rest + step_of(source->u0, k), h * step_of(source->v0, k), square * step_of(source->a0, k)};
+        lanes d1[3] = {rest + step_of(source->u1, k), h * step_of(source->v1, k), square * step_of(source->a1, k)};
+        load_quintics(patch, k, d0, d1);
+        for (size_t i = 0; i < source->stages; i++) {
+            lanes f = load_lanes(source->stage[i] + k);
+            impulse += source->impulse[i] * f;
+            moment += source->moment[i] * f;
+        }
+        store_lanes(array[BEAD_PATCH_GIVEN_IMPULSE] + k, impulse);
+        store_lanes(array[BEAD_PATCH_GIVEN_MOMENT] + k, moment);
+        store_lanes(array[BEAD_PATCH_IMPULSE] + k, zero);
+        store_lanes(array[BEAD_PATCH_MOMENT] + k, zero);
+        store_lanes(array[BEAD_PATCH_STIFFNESS] + k, load_lanes(source->stiffness + k));
+        store_lanes(array[BEAD_PATCH_STATIC_FORCE] + k, load_lanes(source->static_force + k));
+        store_lanes(array[BEAD_PATCH_LEFT] + k, square * load_lanes(source->inverse_mass + k));
+        store_lanes(array[BEAD_PATCH_RIGHT] + k, square * load_lanes(source->inverse_mass + k + 1));
     }
 }
 
-/* First guess: forces of the quintic. */
-static void guess(const struct bead_patch_piece *piece, const struct bead_patch_rule *rule, struct bead_patch_contact *k)
+/* s = from + length z: the double integral of g up to z_i is length^2 times that of (z_i - z) g. */
+static void place_linear(struct bead_patch_piece *piece)
 {
-    double d[NODES];
-    if (!k->closed) {
-        for (size_t i = 0; i < NODES; i++)
-            k->force[i] = -k->static_force;
-        return;
+    const double length = piece->to - piece->from, square = length * length;
+    for (size_t i = 0; i < NODES; i += LANES) {
+        store_lanes(piece->s + i, piece->from + length * load_lanes(bead_gauss_node + i));
+        store_lanes(piece->weight + i, length * load_lanes(bead_gauss_weight + i));
+        for (size_t j = 0; j < NODES; j++)
+            store_lanes(piece->twice[j] + i, square * load_lanes(bead_gauss_twice[j] + i));
     }
-    for (size_t i = 0; i < NODES; i++)
-        d[i] = bead_patch_value(k->c, piece->s[i]);
-    node_forces(rule, k, d);
-    for (size_t i = 0; i < NODES; i++)
-        k->force[i] = d[i];
+}
+
+/* s = tau + sign x^2 with x = a + b z. Between nodes s_i - s = sign (x_i^2 - x^2) and ds = sign 2 b x dz, so the double integral up
+ * to node i is that of (x_i^2 - x^2) 2 b x = b^2 (z_i - z) (2 a + b (z_i + z)) 2 (a + b z) = b^2 [4 a^2 (z_i - z) + 2 a b (z_i -
+ * z)(z_i + 3 z) + b^2 2 z (z_i^2 - z^2)], three matrices that are known once and for all. */
+static void place_square(double tau, struct bead_patch_piece *piece)
+{
+    const double sign = piece->from + piece->to >= 2 * tau ? 1 : -1, first = sign * (piece->from - tau),
+                 last = sign * (piece->to - tau);
+    const double a = first > 0 ? sqrt(first) : 0, b = (last > 0 ? sqrt(last) : 0) - a;
+    const double square = b * b, twice = square * (4 * (a * a)), mixed = square * (2 * (a * b)), both = square * square;
+    for (size_t i = 0; i < NODES; i += LANES) {
+        lanes x = a + b * load_lanes(bead_gauss_node + i);
+        store_lanes(piece->s + i, tau + sign * (x * x));
+        store_lanes(piece->weight + i, sign * (2 * b * x) * load_lanes(bead_gauss_weight + i));
+        for (size_t j = 0; j < NODES; j++) {
+            lanes sum = twice * load_lanes(bead_gauss_twice[j] + i) + mixed * load_lanes(bead_gauss_twice_mixed[j] + i);
+            store_lanes(piece->twice[j] + i, sum + both * load_lanes(bead_gauss_twice_square[j] + i));
+        }
+    }
+}
+
+/* f of compressions d of one contact. One known to be closed may seem open by an error in tau: no force then. */
+static inline lanes node_forces(const struct bead_patch_rule *rule, double a, double f0, lanes d)
+{
+    if (__builtin_expect(rule->hertz, 1)) {
+        d = positive_part(d);
+        return a * (d * ROOT_OF(d)) - f0;
+    }
+    for (size_t i = 0; i < LANES; i++)
+        d[i] = rule->law->force(a, rule->spec, d[i]) - f0;
+    return d;
+}
+
+/* First guess: forces of the quintics. */
+static void guess_forces(const struct bead_patch_piece *piece, const struct bead_patch_rule *rule, const struct bead_patch *patch)
+{
+    const size_t count = patch->count;
+    const bool *closed = patch->closed;
+    const double *stiffness = patch->array[BEAD_PATCH_STIFFNESS], *static_force = patch->array[BEAD_PATCH_STATIC_FORCE];
+    double *const *array = patch->array + BEAD_PATCH_C, *force = patch->force;
+    const double *p0 = array[0], *p1 = array[1], *p2 = array[2], *p3 = array[3], *p4 = array[4], *p5 = array[5];
+    for (size_t k = 0; k < count + 2; k++) {
+        const double c0 = p0[k], c1 = p1[k], c2 = p2[k], c3 = p3[k], c4 = p4[k], c5 = p5[k], a = stiffness[k], f0 = static_force[k];
+        const lanes open = (lanes){0} - f0;
+        for (size_t i = 0; i < NODES; i += LANES) {
+            lanes s = load_lanes(piece->s + i), f = open;
+            if (closed[k])
+                f = node_forces(rule, a, f0, c0 + s * (c1 + s * (c2 + s * (c3 + s * (c4 + s * c5)))));
+            store_lanes(force + NODES * k + i, f);
+        }
+    }
 }
 
 /* d'' = h^2 (u_k'' - u_{k+1}'') at the nodes from the forces of the contact and its neighbours. */
-static void curvature(const struct bead_patch_contact *k, double *restrict r)
+static void find_curvatures(const struct bead_patch *patch)
 {
-    const double both = k->left + k->right;
-    for (size_t i = 0; i < NODES; i++)
-        r[i] = (k->left * k[-1].force[i] + k->right * k[1].force[i]) - both * k->force[i];
-}
-
-/* One Picard step of one contact: d(s) = d + s d' + double integral of d'', and the force of that. */
-static void sweep(const struct bead_patch_piece *piece, const struct bead_patch_rule *rule, struct bead_patch_contact *k)
-{
-    double r[NODES], even[NODES], odd[NODES];
-    curvature(k, r);
-    for (size_t i = 0; i < NODES; i++) {
-        even[i] = k->d + (piece->s[i] - piece->from) * k->rate;
-        odd[i] = 0;
-    }
-    for (size_t j = 0; j < NODES; j += 2) {
-        for (size_t i = 0; i < NODES; i++) {
-            even[i] += piece->twice[j][i] * r[j];
-            odd[i] += piece->twice[j + 1][i] * r[j + 1];
+    const size_t count = patch->count;
+    const bool *closed = patch->closed;
+    const double *left = patch->array[BEAD_PATCH_LEFT], *right = patch->array[BEAD_PATCH_RIGHT];
+    double *force = patch->force, *curvature = patch->curvature;
+    for (size_t k = 1; k <= count; k++) {
+        if (!closed[k])
+            continue;
+        const double w = left[k], y = right[k];
+        for (size_t i = NODES * k; i < NODES * (k + 1); i += LANES) {
+            lanes neighbours = w * load_lanes(force + i - NODES) + y * load_lanes(force + i + NODES);
+            store_lanes(curvature + i, neighbours - (w + y) * load_lanes(force + i));
         }
     }
-    for (size_t i = 0; i < NODES; i++)
-        even[i] += odd[i];
-    node_forces(rule, k, even);
-    for (size_t i = 0; i < NODES; i++) {
-        r[i] = even[i] - k->force[i];
-        k->force[i] = even[i];
-    }
-    k->last = total(piece->weight, r);
 }
 
-/* d and d' at the end of the piece, impulses over it. */
-static void finish(const struct bead_patch_piece *piece, struct bead_patch_contact *k)
+/* One Picard step: d(s) = d + s d' + double integral of d'', and the force of that. Returns the largest change of h^2 f/m. */
+static double picard(const struct bead_patch_piece *piece, const struct bead_patch_rule *rule, const struct bead_patch *patch)
 {
-    double r[NODES], later[NODES], moment[NODES];
-    curvature(k, r);
-    for (size_t i = 0; i < NODES; i++) {
-        later[i] = piece->weight[i] * (piece->to - piece->s[i]);
-        moment[i] = piece->weight[i] * (1 - piece->s[i]);
-    }
-    k->d = (k->d + (piece->to - piece->from) * k->rate) + total(later, r);
-    k->rate += total(piece->weight, r);
-    k->impulse += total(piece->weight, k->force);
-    k->moment += total(moment, k->force);
-    k->change += k->last;
-}
-
-static void integrate_patch(const struct bead_patch_piece *piece, const struct bead_patch_rule *rule, size_t sweeps, size_t count,
-                            struct bead_patch_contact *contact)
-{
-    for (size_t k = 0; k <= count + 1; k++) {
-        contact[k].last = 0;
-        guess(piece, rule, &contact[k]);
-    }
-    for (size_t i = 0; i < sweeps; i++) {
-        for (size_t k = 1; k <= count; k++) {
-            if (contact[k].closed)
-                sweep(piece, rule, &contact[k]);
+    const size_t count = patch->count;
+    const bool *closed = patch->closed;
+    double *const *array = patch->array, *force = patch->force;
+    const double *stiffness = array[BEAD_PATCH_STIFFNESS], *static_force = array[BEAD_PATCH_STATIC_FORCE];
+    const double *left = array[BEAD_PATCH_LEFT], *right = array[BEAD_PATCH_RIGHT];
+    const double *compression = array[BEAD_PATCH_D], *compression_rate = array[BEAD_PATCH_RATE], from = piece->from;
+    lanes change = {0};
+    find_curvatures(patch);
+    for (size_t k = 1; k <= count; k++) {
+        if (!closed[k])
+            continue;
+        const double *r = patch->curvature + NODES * k, a = stiffness[k], f0 = static_force[k], weight = larger(left[k], right[k]);
+        const double d = compression[k], rate = compression_rate[k];
+        for (size_t i = 0; i < NODES; i += LANES) {
+            double *f = force + NODES * k + i;
+            lanes even = d + (load_lanes(piece->s + i) - from) * rate, odd = load_lanes(piece->twice[1] + i) * r[1];
+            even += load_lanes(piece->twice[0] + i) * r[0];
+            for (size_t j = 2; j < NODES; j += 2) {
+                even += load_lanes(piece->twice[j] + i) * r[j];
+                odd += load_lanes(piece->twice[j + 1] + i) * r[j + 1];
+            }
+            lanes now = node_forces(rule, a, f0, even + odd), moved = weight * magnitude(now - load_lanes(f));
+            lane_masks more = moved > change;
+            change = (lanes)(((lane_masks)moved & more) | ((lane_masks)change & ~more));
+            store_lanes(f, now);
         }
     }
-    for (size_t k = 1; k <= count; k++)
-        finish(piece, &contact[k]);
+    return largest_lane(change);
+}
+
+/* Integrals over the piece of f and (to - s) f: impulses, and d and d' at the end of the piece. */
+static void finish_piece(const struct bead_patch_piece *piece, struct bead_patch *patch)
+{
+    double *const *array = patch->array, *sum = patch->curvature, length = piece->to - piece->from, after = 1 - piece->to;
+    for (size_t k = 0; k < patch->count + 2; k++) {
+        double *impulse = sum + 2 * k, f0 = array[BEAD_PATCH_STATIC_FORCE][k], now[NODES], later[NODES];
+        impulse[0] = -f0 * length;
+        impulse[1] = impulse[0] * (0.5 * length);
+        if (patch->closed[k]) {
+            for (size_t i = 0; i < NODES; i += LANES) {
+                lanes f = load_lanes(piece->weight + i) * load_lanes(patch->force + NODES * k + i);
+                store_lanes(now + i, f);
+                store_lanes(later + i, (piece->to - load_lanes(piece->s + i)) * f);
+            }
+            impulse[0] = total(now);
+            impulse[1] = total(later);
+        }
+        array[BEAD_PATCH_IMPULSE][k] += impulse[0];
+        array[BEAD_PATCH_MOMENT][k] += impulse[1] + after * impulse[0];
+    }
+    for (size_t k = 1; k <= patch->count && after > 0; k++) {
+        const double left = array[BEAD_PATCH_LEFT][k], right = array[BEAD_PATCH_RIGHT][k], *i = sum + 2 * k;
+        array[BEAD_PATCH_D][k] += length * array[BEAD_PATCH_RATE][k] + ((left * i[-1] + right * i[3]) - (left + right) * i[1]);
+        array[BEAD_PATCH_RATE][k] += (left * i[-2] + right * i[2]) - (left + right) * i[0];
+    }
+}
+
+/* Picard steps until one changes no velocity by more than `enough` (m/s times h), `sweeps` at most. */
+static void integrate_piece(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps,
+                            double enough, struct bead_patch *patch)
+{
+    struct bead_patch_piece piece;
+    double most = 0;
+    piece.from = from;
+    piece.to = to;
+    if (!tau)
+        place_linear(&piece);
+    else if (rule->power == 2)
+        place_square(*tau, &piece);
+    else
+        bead_patch_place_power(rule->power, *tau, &piece);
+    guess_forces(&piece, rule, patch);
+    for (size_t n = 0; n < sweeps && (n == 0 || most > enough); n++)
+        most = picard(&piece, rule, patch);
+    finish_piece(&piece, patch);
+    patch->change = larger(most, patch->change);
 }

@@ -8,6 +8,7 @@
 #include <stdalign.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "beadreel/law.h"
 
@@ -17,43 +18,48 @@ extern const double bead_gauss_node[BEAD_GAUSS_NODES], bead_gauss_weight[BEAD_GA
 extern const double bead_gauss_once[BEAD_GAUSS_NODES][BEAD_GAUSS_NODES], bead_gauss_twice[BEAD_GAUSS_NODES][BEAD_GAUSS_NODES],
     bead_gauss_twice_mixed[BEAD_GAUSS_NODES][BEAD_GAUSS_NODES], bead_gauss_twice_square[BEAD_GAUSS_NODES][BEAD_GAUSS_NODES];
 
-/* One contact of a patch. */
-struct bead_patch_contact {
-    alignas(64) double force[BEAD_GAUSS_NODES]; /* N, less the static force: at the nodes of the piece at hand */
-    double c[6];                                /* d(s) = sum c_i s^i: quintic Hermite over the step just made */
-    double end[2];                              /* m: d and d' at the end of the step */
-    double d, rate;                             /* m: the same at the start of the piece at hand */
-    double stiffness, static_force;
-    double left, right;     /* h^2/m of its two beads; 0 for the wall */
-    double impulse, moment; /* N: integrals of f ds and of (1 - s) f ds over the pieces done */
-    double change, last;    /* N: what the last Picard sweep changed in the impulse: over the pieces done, over that at hand */
-    bool closed;            /* in the piece at hand */
-    bool bends;             /* flagged: opens, closes or is about to */
+/* Quantities of the contacts of a patch, an array each. */
+enum bead_patch_array {
+    BEAD_PATCH_C, /* d(s) = sum c_i s^i, m: quintic Hermite over the step just made, from d, d', d'' at both ends; 6 arrays */
+    BEAD_PATCH_END_D = BEAD_PATCH_C + 6, /* d and d' at the end of the step */
+    BEAD_PATCH_END_RATE,
+    BEAD_PATCH_D, /* the same at the start of the piece at hand */
+    BEAD_PATCH_RATE,
+    BEAD_PATCH_STIFFNESS,
+    BEAD_PATCH_STATIC_FORCE,
+    BEAD_PATCH_LEFT, /* h^2/m of the two beads; 0 for the wall */
+    BEAD_PATCH_RIGHT,
+    BEAD_PATCH_IMPULSE, /* N: integrals of f ds and of (1 - s) f ds over the pieces done ... */
+    BEAD_PATCH_MOMENT,
+    BEAD_PATCH_GIVEN_IMPULSE, /* ... and what the method's quadrature took for them over the whole step */
+    BEAD_PATCH_GIVEN_MOMENT,
+    BEAD_PATCH_ARRAYS
 };
 
-/* A part of the step in which every force of the patch is analytic in the variable that places the nodes. */
-struct bead_patch_piece {
-    alignas(64) double s[BEAD_GAUSS_NODES];           /* nodes */
-    double weight[BEAD_GAUSS_NODES];                  /* integral of g ds = sum weight_i g(s_i) */
-    double twice[BEAD_GAUSS_NODES][BEAD_GAUSS_NODES]; /* double integral up to node i = sum_j twice[j][i] g(s_j) */
-    double from, to;
+/* Contacts 1..count; 0 and count + 1 are frozen, their forces follow from the quintic. Arrays have room for whole vectors. */
+struct bead_patch {
+    size_t count, room;
+    double *array[BEAD_PATCH_ARRAYS];
+    double *force, *curvature; /* BEAD_GAUSS_NODES each: at the nodes of the piece at hand, f less its static part, N, and d'', m */
+    bool *closed;              /* in the piece at hand */
+    bool *bends;               /* opens, closes or is about to */
+    double change;             /* m: largest h^2/m |f - f before| at a node in the last Picard sweep */
+    void *memory;
 };
 
-/* Where, in s, a force has a branch point, or nearly one; may lie outside the step. */
-struct bead_patch_branch {
-    double s;
-    bool before, after; /* which side of it must not be integrated as if it were smooth */
+/* What load needs of a step: states at both ends and constants of the contacts, all shifted to contact 0 of the patch; stages are
+ * the forces that the method's quadrature adds up, with weights for the impulse and its moment. */
+enum { BEAD_PATCH_STAGES_MAX = 18 };
+struct bead_patch_source {
+    const double *u0, *v0, *a0, *u1, *v1, *a1;
+    const double *stiffness, *static_compression, *static_force, *inverse_mass;
+    double h;
+    size_t stages;
+    const double *stage[BEAD_PATCH_STAGES_MAX];
+    double impulse[BEAD_PATCH_STAGES_MAX], moment[BEAD_PATCH_STAGES_MAX];
 };
 
-enum { BEAD_BRANCHES_MAX = 8 }; /* a quintic's 5 roots, or extrema in their place, and one outside at either end */
-
-/* Quintic Hermite of d, d', d'' at both ends. */
-void bead_patch_hermite(struct bead_patch_contact *contact, const double start[3], const double end[3]);
-/* Branch points of a flagged contact; `reach`: how far outside the step they matter. Returns how many. */
-size_t bead_patch_branches(const struct bead_patch_contact *contact, double reach,
-                           struct bead_patch_branch branch[BEAD_BRANCHES_MAX]);
-
-/* How t = tau +- x^m takes the branch point out of (t - tau)^p: m p should be a whole number. For Hertz's p = 3/2, m = 2. */
+/* How s = tau +- x^m takes the branch point out of (s - tau)^p: m p should be a whole number. For Hertz's p = 3/2, m = 2. */
 struct bead_patch_rule {
     int power; /* m */
     const struct bead_law *law;
@@ -62,9 +68,29 @@ struct bead_patch_rule {
 };
 struct bead_patch_rule bead_patch_rule_make(const struct bead_law *law, const struct bead_law_spec *spec);
 
-/* Nodes of the piece [from, to]; `tau` is the branch point at or near one of its ends, NULL where there is none. */
-void bead_patch_place(const struct bead_patch_rule *rule, double from, double to, const double *tau,
-                      struct bead_patch_piece *piece);
+/* A part of the step in which every force of the patch is analytic in the variable that places the nodes. */
+struct bead_patch_piece {
+    alignas(64) double s[BEAD_GAUSS_NODES];           /* nodes */
+    double weight[BEAD_GAUSS_NODES];                  /* integral of g ds = sum weight_i g(s_i) */
+    double twice[BEAD_GAUSS_NODES][BEAD_GAUSS_NODES]; /* double integral up to node i = sum_j twice[j][i] g(s_j) */
+    double from, to;
+};
+/* Nodes of [from, to] where s = tau +- x^m, or s = tau +- x^2, or where no branch point is near. */
+void bead_patch_place_power(int power, double tau, struct bead_patch_piece *piece);
+void bead_patch_place_square(double tau, struct bead_patch_piece *piece);
+void bead_patch_place_linear(struct bead_patch_piece *piece);
+
+/* Where, in s, a force has a branch point, or nearly one; may lie outside the step. */
+struct bead_patch_branch {
+    double s;
+    bool before, after; /* which side of it must not be integrated as if it were smooth */
+};
+enum { BEAD_BRANCHES_MAX = 8 }; /* a quintic's 5 roots, or extrema in their place, and one outside at either end */
+
+/* Branch points of d(s) = sum c_i s^i with d and d' at the end given to the last bit; `reach`: how far outside the step they
+ * matter. Returns how many. */
+size_t bead_patch_branches(const double c[6], const double end[2], double reach,
+                           struct bead_patch_branch branch[BEAD_BRANCHES_MAX]);
 
 /* Value and slope of the quintic. */
 static inline double bead_patch_value(const double c[6], double s)

@@ -3,26 +3,10 @@
 
 #include "sim/events_patch.h"
 
-/* Roots this close, in steps, are close enough: an error e of the branch point leaves one of order e^{5/2} in the impulse. */
-static const double root_close = 1e-6;
+/* An error e of a branch point, in steps, leaves one of order e^{5/2} in the impulse. Newton's method squares it: when it has moved
+ * by less than this it is there. */
+static const double root_close = 1e-4;
 enum { ITERATIONS = 60, SAMPLES = 8 };
-
-void bead_patch_hermite(struct bead_patch_contact *k, const double start[3], const double end[3])
-{
-    double c0 = start[0], c1 = start[1], c2 = 0.5 * start[2];
-    /* What the cubic and higher terms have to add at the end to d, d', d''. */
-    double e = end[0] - ((c0 + c1) + c2), e1 = end[1] - (c1 + 2 * c2), e2 = end[2] - 2 * c2;
-    k->c[0] = c0;
-    k->c[1] = c1;
-    k->c[2] = c2;
-    k->c[3] = (10 * e - 4 * e1) + 0.5 * e2;
-    k->c[4] = (7 * e1 - 15 * e) - e2;
-    k->c[5] = (6 * e - 3 * e1) + 0.5 * e2;
-    k->d = c0;
-    k->rate = c1;
-    k->end[0] = end[0];
-    k->end[1] = end[1];
-}
 
 typedef double (*polynomial)(const double c[6], double s);
 
@@ -92,36 +76,36 @@ static void add_turn(const double c[6], double a, double b, double fa, double fb
 }
 
 /* All within the step, from samples that part zeros and extrema. */
-static void search(const struct bead_patch_contact *k, struct bead_patch_branch *branch, size_t *count)
+static void search(const double c[6], const double end[2], struct bead_patch_branch *branch, size_t *count)
 {
-    double fa = k->c[0], sa = k->c[1];
+    double fa = c[0], sa = c[1];
     for (int i = 1; i <= SAMPLES; i++) {
         const double a = (i - 1.0) / SAMPLES, b = (double)i / SAMPLES;
-        double fb = i < SAMPLES ? bead_patch_value(k->c, b) : k->end[0];
-        double sb = i < SAMPLES ? bead_patch_slope(k->c, b) : k->end[1];
+        double fb = i < SAMPLES ? bead_patch_value(c, b) : end[0];
+        double sb = i < SAMPLES ? bead_patch_slope(c, b) : end[1];
         bool closed = fa > 0;
         if (closed != (fb > 0))
-            add(branch, count, root_between(k->c, a, b, fa, fb), closed, !closed);
+            add(branch, count, root_between(c, a, b, fa, fb), closed, !closed);
         else if (closed ? sa < 0 && sb > 0 : sa > 0 && sb < 0)
-            add_turn(k->c, a, b, fa, fb, branch, count);
+            add_turn(c, a, b, fa, fb, branch, count);
         fa = fb;
         sa = sb;
     }
 }
 
-size_t bead_patch_branches(const struct bead_patch_contact *k, double reach, struct bead_patch_branch branch[BEAD_BRANCHES_MAX])
+size_t bead_patch_branches(const double c[6], const double end[2], double reach, struct bead_patch_branch branch[BEAD_BRANCHES_MAX])
 {
-    const double d0 = k->c[0], v0 = k->c[1], d1 = k->end[0], v1 = k->end[1];
+    const double d0 = c[0], v0 = c[1], d1 = end[0], v1 = end[1];
     const bool closed0 = d0 > 0, closed1 = d1 > 0;
     size_t count = 0;
-    double x, end_curve = 0.5 * second(k->c, 1);
+    double x, end_curve = 0.5 * second(c, 1);
 
-    if (closed0 && outside(d0, v0, k->c[2], reach, &x))
+    if (closed0 && outside(d0, v0, c[2], reach, &x))
         add(branch, &count, -x, false, true);
     if (closed0 != closed1 && (closed0 ? v0 < 0 && v1 < 0 : v0 > 0 && v1 > 0))
-        add(branch, &count, root_between(k->c, 0, 1, d0, d1), closed0, closed1);
+        add(branch, &count, root_between(c, 0, 1, d0, d1), closed0, closed1);
     else if (closed0 != closed1 || (closed0 ? v0 < 0 && v1 > 0 : v0 > 0 && v1 < 0))
-        search(k, branch, &count);
+        search(c, end, branch, &count);
     if (closed1 && outside(d1, -v1, end_curve, reach, &x))
         add(branch, &count, 1 + x, true, false);
     return count;

@@ -7,11 +7,12 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 struct bead_law_spec;
-struct bead_patch_piece;
+struct bead_patch;
 struct bead_patch_rule;
-struct bead_patch_contact;
+struct bead_patch_source;
 
 /* Constants of the contacts 0..n-1 as the force kernels want them. */
 struct bead_contact_table {
@@ -50,11 +51,14 @@ struct bead_kernels {
     double (*largest)(size_t n, const double *f); /* max of f_0..f_{n-1} and 0 */
     /* mark[k] = 1 where the relative velocity v_k - v_{k+1} was > 0 in `before` and is <= 0 in `after`; returns whether any. */
     bool (*turns)(size_t n, const double *before, const double *after, unsigned char *mark);
-    /* mark[k] = 1 where contact k may open or close within the step or `reach` steps outside; returns whether any. */
+    /* Contact events, see events_patch.h. mark[k] = 1 where contact k may open or close within the step or `reach` steps outside;
+     * returns whether any. Whole vectors are read, and written. */
     bool (*mark_events)(size_t n, const struct bead_event_ends *ends, double reach, unsigned char *mark);
-    /* Contacts 1..count of a patch over a piece of the step (events_patch.h); 0 and count + 1 are frozen. */
-    void (*integrate_patch)(const struct bead_patch_piece *piece, const struct bead_patch_rule *rule, size_t sweeps, size_t count,
-                            struct bead_patch_contact *contact);
+    void (*load_patch)(const struct bead_patch_source *source, struct bead_patch *patch);
+    /* Over from <= s <= to; tau: the branch point at or near one of its ends, NULL where there is none. Picard steps end when one
+     * changes no h^2 f/m by more than `enough`. */
+    void (*integrate_piece)(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps, double enough,
+                            struct bead_patch *patch);
 };
 
 /* NULL: the best this machine has. Otherwise by name; NULL is returned for one that is unknown or not to be had. */

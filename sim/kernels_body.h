@@ -134,4 +134,4 @@ static bool turns(size_t n, const double *before, const double *after, unsigned 
 
 const struct bead_kernels KERNELS_TABLE = {
     KERNELS_NAME, KERNELS_DESCRIPTION, hertz,          hertz_static, accelerations, rk4_sum, combine, largest,
-    turns,        mark_events,         integrate_patch};
+    turns,        mark_events,         load_patch, integrate_piece};

@@ -9,7 +9,7 @@
 #include "sim/tableau.h"
 
 /* Elements before and behind each array: f[-1], u[n], and whole vectors for the aligned ends. */
-enum { MARGIN = 8, ALIGN = 64 };
+enum { MARGIN = 16, ALIGN = 64 };
 
 static size_t padded(size_t beads)
 {
