@@ -106,12 +106,20 @@ static void lay_beads(struct bead_chain *chain)
         chain->position[i] = chain->position[i - 1] + chain->radius[i - 1] + chain->radius[i];
 }
 
-static double find_magnetism(const char *spins)
+/* Cells whose spins the scene gives make the magnetism; fixed ones beside them are only the way there. */
+static double find_magnetism(const struct bead_chain *chain)
 {
-    double up = 0, all = 0;
-    for (const char *s = spins; *s; s++, all++)
-        up += *s == '1';
-    return all > 0 ? fabs(2 * up - all) / all : 1;
+    double up[2] = {0, 0}, all[2] = {0, 0};
+    const char *spin = chain->spins;
+    for (size_t s = 0; s < chain->spec->segment_count; s++) {
+        const struct bead_segment *segment = &chain->spec->segments[s];
+        for (size_t cell = 0; segment->cell_beads > 1 && cell < segment->count; cell++, spin++) {
+            up[segment->spins_given] += *spin == '1';
+            all[segment->spins_given]++;
+        }
+    }
+    bool given = all[1] > 0;
+    return all[given] > 0 ? fabs(2 * up[given] - all[given]) / all[given] : 1;
 }
 
 static double stiffness_of(const struct bead_chain *chain, size_t k)
@@ -172,7 +180,7 @@ static enum bead_error fill(struct bead_chain *chain, struct bead_message *msg)
     if (err)
         return err;
     lay_beads(chain);
-    chain->magnetism = find_magnetism(chain->spins);
+    chain->magnetism = find_magnetism(chain);
     for (size_t k = 0; k < chain->contacts; k++)
         chain->stiffness[k] = stiffness_of(chain, k);
     compress(chain);
