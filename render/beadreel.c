@@ -39,6 +39,7 @@ static const struct command_list lists[] = {
     {"laws", command_list_laws},
     {"colormaps", list_colormaps},
     {"codecs", list_codecs},
+    {"keys", command_list_keys},
     {"views", list_views},
     {NULL, NULL},
 };

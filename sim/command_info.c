@@ -3,6 +3,7 @@
 
 #include <limits.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -125,7 +126,10 @@ static void print_samples(FILE *out, const struct bead_trajectory *trajectory)
         fprintf(out, ", every %s from %s to %s", command_quantity(grid->every, "s", every, sizeof every),
                 command_quantity(grid->start, "s", start, sizeof start),
                 command_quantity(bead_grid_time(grid, count - 1), "s", end, sizeof end));
-    fprintf(out, ", beads %zu to %zu\nfields:", beads.first, beads.last);
+    if (beads.last == SIZE_MAX)
+        fputs(", all beads\nfields:", out);
+    else
+        fprintf(out, ", beads %zu to %zu\nfields:", beads.first, beads.last);
     for (int field = 0; field < BEAD_FIELD_COUNT; field++)
         if (fields & BEAD_FIELD_BIT(field))
             fprintf(out, " %s (%s)", bead_field_info((enum bead_field)field)->name, bead_field_info((enum bead_field)field)->unit);

@@ -7,6 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "beadreel/scene.h"
+#include "sim/suggest.h"
+
 /* Set by the handler, read by sessions. */
 static volatile sig_atomic_t stop_signal;
 
@@ -19,7 +22,7 @@ struct option_row {
 };
 
 /* An enumerated value of an option; at most CHOICES of them. */
-enum { CHOICES = 8 };
+enum { CHOICES = 12 };
 struct choice {
     const char *name;
     int value;
@@ -28,8 +31,9 @@ struct choice {
 static enum bead_error choose(const char *option, const char *value, const struct choice *choices, size_t count, int *out,
                               struct bead_message *msg)
 {
-    char all[160] = "";
-    const char *names[CHOICES];
+    char all[160] = "", near[64];
+    struct bead_suggest search;
+    bead_suggest_begin(&search, value);
     for (size_t i = 0; i < count; i++) {
         if (strcmp(value, choices[i].name) == 0) {
             *out = choices[i].value;
@@ -37,12 +41,10 @@ static enum bead_error choose(const char *option, const char *value, const struc
         }
         size_t used = strlen(all);
         snprintf(all + used, sizeof all - used, "%s%s", i == 0 ? "" : ", ", choices[i].name);
-        names[i] = choices[i].name;
+        bead_suggest_try(&search, choices[i].name);
     }
-    const char *near = command_nearest(value, names, count);
-    if (near)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: unknown value '%s'; did you mean '%s'? (%s)", option, value, near, all);
-    return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: unknown value '%s'; it can be %s", option, value, all);
+    return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: unknown value `%s`%s (allowed: %s)", option, value,
+                     bead_suggest_text(&search, near, sizeof near), all);
 }
 
 static enum bead_error set_output(struct command *command, const char *value, struct bead_message *msg)
@@ -57,7 +59,7 @@ static enum bead_error set_setting(struct command *command, const char *value, s
 {
     const char *equals = strchr(value, '=');
     if (!equals || equals == value)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--set: '%s' is not of the form key.path=value", value);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--set: `%s` is not of the form key.path=value", value);
     command->settings[command->setting_count++] = value;
     return BEAD_OK;
 }
@@ -76,7 +78,7 @@ static enum bead_error set_threads(struct command *command, const char *value, s
     errno = 0;
     long threads = strtol(value, &end, 10);
     if (end == value || *end || errno || threads < 0 || threads > 1024)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--threads: '%s' is not a whole number from 0 (all cores) to 1024", value);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--threads: `%s` is not a whole number from 0 (all cores) to 1024", value);
     command->threads = (int)threads;
     return BEAD_OK;
 }
@@ -194,7 +196,7 @@ static void print_help(const struct command_program *program, FILE *out)
             program->examples);
 }
 
-/* The options part of the man page. */
+/* The man page from its options to the keys of scenes. */
 static void print_man(const struct command_program *program, FILE *out)
 {
     char text[256];
@@ -211,6 +213,8 @@ static void print_man(const struct command_program *program, FILE *out)
             fputs(*c == '-' ? "\\-" : *c == '\'' ? "\\(aq" : (char[]){*c, 0}, out);
         fputc('\n', out);
     }
+    fputs(".SH KEYS OF A SCENE\n", out);
+    bead_scene_help_man(out);
 }
 
 static void print_version(const struct command_program *program, FILE *out)
@@ -221,34 +225,36 @@ static void print_version(const struct command_program *program, FILE *out)
 /* What getopt_long could not make sense of. */
 static enum bead_error unknown_option(char **argv, int found, struct bead_message *msg)
 {
-    const char *names[ROWS];
-    for (size_t i = 0; i < ROWS; i++)
-        names[i] = rows[i].name;
-    const char *argument = argv[optind - 1];
-    if (found == ':' && optopt)
+    char near[64];
+    if (found == ':')
         for (size_t i = 0; i < ROWS; i++)
             if (rows[i].letter == optopt || 256 + (int)i == optopt)
                 return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: needs a value: %s", rows[i].name, rows[i].argument);
     if (optopt >= 256 && optopt < 256 + ROWS)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: takes no value", rows[optopt - 256].name);
     if (optopt)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "unknown option '-%c'; see --help", optopt);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "unknown option `-%c`; see --help", optopt);
     char word[64];
-    snprintf(word, sizeof word, "%.*s", (int)strcspn(argument + 2, "="), argument + 2);
-    const char *near = command_nearest(word, names, ROWS);
-    if (near)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "unknown option '--%s'; did you mean '--%s'?", word, near);
-    return bead_fail(msg, BEAD_ERROR_USAGE, "unknown option '--%s'; see --help", word);
+    struct bead_suggest search;
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(argv[optind - 1], "="), argv[optind - 1]);
+    bead_suggest_begin(&search, word);
+    char names[ROWS][32];
+    for (size_t i = 0; i < ROWS; i++) {
+        snprintf(names[i], sizeof names[i], "--%s", rows[i].name);
+        bead_suggest_try(&search, names[i]);
+    }
+    bead_suggest_text(&search, near, sizeof near);
+    return bead_fail(msg, BEAD_ERROR_USAGE, "unknown option `%s`%s", word, *near ? near : "; see --help");
 }
 
 static enum bead_error take_input(struct command *command, int argc, char **argv, struct bead_message *msg)
 {
     if (optind < argc && command->input)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: '%s' and '%s'", command->input, argv[optind]);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: `%s` and `%s`", command->input, argv[optind]);
     if (optind < argc)
         command->input = argv[optind++];
     if (optind < argc)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: '%s' and '%s'", command->input, argv[optind]);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: `%s` and `%s`", command->input, argv[optind]);
     bool needed = command->action == COMMAND_RUN || command->action == COMMAND_PLAN;
     if (needed && (!command->input || !*command->input))
         return bead_fail(msg, BEAD_ERROR_USAGE, "no scene given; see --help, or --list scenes for ready ones");
@@ -322,7 +328,8 @@ static enum bead_error act(const struct command *command, struct bead_message *m
     case COMMAND_RUN:
         break;
     }
-    return command_run(command, &stop_signal, msg);
+    enum bead_error err = catch_signals(msg);
+    return err ? err : command_run(command, &stop_signal, msg);
 }
 
 /* One line, whatever is in the message. */
@@ -338,7 +345,7 @@ int command_main(const struct command_program *program, int argc, char **argv)
 {
     struct bead_message msg = {""};
     struct command command = {.program = program};
-    enum bead_error err = catch_signals(&msg);
+    enum bead_error err = BEAD_OK;
     command.settings = calloc((size_t)argc + 1, sizeof *command.settings);
     command.only = calloc((size_t)argc + 1, sizeof *command.only);
     if (!err && (!command.settings || !command.only))

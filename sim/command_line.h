@@ -55,6 +55,7 @@ enum bead_error command_list_scenes(FILE *out, struct bead_message *msg);
 enum bead_error command_list_materials(FILE *out, struct bead_message *msg);
 enum bead_error command_list_methods(FILE *out, struct bead_message *msg);
 enum bead_error command_list_laws(FILE *out, struct bead_message *msg);
+enum bead_error command_list_keys(FILE *out, struct bead_message *msg); /* of scenes: unit, range, default */
 
 /* Progress on stderr. */
 struct command_meter {
@@ -71,8 +72,6 @@ void command_meter_clear(struct command_meter *meter);
 /* Seconds of a clock that only runs forward. */
 double command_clock(void);
 
-/* The nearest of `count` names by edit distance, or NULL where none is near. */
-const char *command_nearest(const char *word, const char *const *names, size_t count);
 /* "4.76 mm", "470 kB": number with an SI prefix and unit into `text`; returns text. */
 const char *command_quantity(double value, const char *unit, char *text, size_t size);
 

@@ -1,4 +1,4 @@
-/* Progress on stderr, names that are nearly right, numbers with units. */
+/* Progress on stderr; numbers with units. */
 #include "sim/command_line.h"
 
 #include <math.h>
@@ -109,45 +109,6 @@ void command_meter_clear(struct command_meter *meter)
     if (meter->drawn)
         fputs("\r\033[K", stderr);
     meter->drawn = false;
-}
-
-/* Levenshtein's distance, swaps of neighbours counted once; words longer than the table are far from everything. */
-static size_t distance(const char *a, const char *b)
-{
-    enum { LONGEST = 32 };
-    size_t n = strlen(a), m = strlen(b), d[LONGEST + 1][LONGEST + 1];
-    if (n > LONGEST || m > LONGEST)
-        return LONGEST;
-    for (size_t i = 0; i <= n; i++)
-        d[i][0] = i;
-    for (size_t j = 0; j <= m; j++)
-        d[0][j] = j;
-    for (size_t i = 1; i <= n; i++)
-        for (size_t j = 1; j <= m; j++) {
-            size_t best = d[i - 1][j - 1] + (a[i - 1] != b[j - 1]);
-            if (d[i - 1][j] + 1 < best)
-                best = d[i - 1][j] + 1;
-            if (d[i][j - 1] + 1 < best)
-                best = d[i][j - 1] + 1;
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] && d[i - 2][j - 2] + 1 < best)
-                best = d[i - 2][j - 2] + 1;
-            d[i][j] = best;
-        }
-    return d[n][m];
-}
-
-const char *command_nearest(const char *word, const char *const *names, size_t count)
-{
-    const char *nearest = NULL;
-    size_t best = strlen(word) / 3 + 1; /* a third of the letters may be wrong */
-    for (size_t i = 0; i < count; i++) {
-        size_t d = distance(word, names[i]);
-        if (d <= best && d < strlen(names[i])) {
-            best = d - (d > 0);
-            nearest = names[i];
-        }
-    }
-    return nearest;
 }
 
 const char *command_quantity(double value, const char *unit, char *text, size_t size)

@@ -69,11 +69,13 @@ static void print_summary(const struct bead_session *session, size_t files, uint
 
 static void print_skipped(const struct command *command, const struct bead_session *session)
 {
-    const char *name;
-    for (size_t i = 0; (name = bead_session_skipped(session, i)); i++)
-        printf("%s%s", i == 0 ? "skipped: " : ", ", name);
-    if (bead_session_skipped(session, 0))
-        printf(" (%s draws nothing; beadreel does)\n", command->program->name);
+    const char *name = bead_session_skipped(session, 0);
+    if (!name)
+        return;
+    printf("skipped, %s does not make these: %s", command->program->name, name);
+    for (size_t i = 1; (name = bead_session_skipped(session, i)); i++)
+        printf(", %s", name);
+    putchar('\n');
 }
 
 static enum bead_error play(const struct command *command, struct bead_session *session, struct command_meter *meter, double began,
@@ -93,7 +95,7 @@ static enum bead_error play(const struct command *command, struct bead_session *
         return err;
     print_skipped(command, session);
     print_summary(session, count, bytes, command_clock() - began);
-    return err;
+    return BEAD_OK;
 }
 
 enum bead_error command_run(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg)

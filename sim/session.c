@@ -207,7 +207,8 @@ static enum bead_error create_sinks(struct bead_session *s, struct bead_message 
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < s->made_count; i++) {
         struct bead_made *m = &s->made[i];
-        if (m->output != s->keeper || !m->type)
+        bool clock = isfinite(s->end); /* else nothing asked for samples its times */
+        if (m->output != s->keeper || !m->type || (!m->asked && !clock))
             continue;
         err = create_sink(s, m, msg);
         s->native = m->needs.grid;

@@ -1,27 +1,28 @@
 #!/bin/bash
 # The command line: help, lists, near misses, wrong values.
 source "$(dirname "$0")/../shell.bash"
-cd "$T" || exit 1
+mkdir "$T/here"
+cd "$T/here" || exit 1
 
 for program in beadreel beadsim; do
     p=$BUILD/$program
     ok "$program --help" exits 0 "$p" --help
-    ok "$program --help fits a screen" test "$(wc -l <out)" -le 40
-    ok "$program --help fits 132 columns" test "$(wc -L <out)" -le 132
+    ok "$program --help fits a screen" test "$(wc -l <"$T/out")" -le 40
+    ok "$program --help fits 132 columns" test "$(wc -L <"$T/out")" -le 132
     ok "$program --help has examples" prints "Examples:"
     ok "$program -h is --help" cmp <("$p" -h) <("$p" --help)
     ok "$program --version" exits 0 "$p" --version
     ok "$program --version names itself" prints "$program $(sed -n 's/^#define BEADREEL_VERSION "\(.*\)"/\1/p' "$top/include/beadreel/api.h")"
     ok "$program without arguments" fails 2 "$p"
     ok "$program without arguments points to --help" says --help
-    ok "$program starts its error with its name" grep -q "^$program: " err
+    ok "$program starts its error with its name" grep -q "^$program: " "$T/err"
     ok "$program stdout closed" fails 1 bash -c "'$p' --help >/dev/full"
 done
 
-for what in scenes materials methods laws colormaps codecs views; do
+for what in scenes materials methods laws keys colormaps codecs views; do
     ok "--list $what" exits 0 "$beadreel" --list $what
-    ok "--list $what has lines" test -s out
-    ok "--list $what is quiet on stderr" test ! -s err
+    ok "--list $what has lines" test -s "$T/out"
+    ok "--list $what is quiet on stderr" test ! -s "$T/err"
 done
 ok "materials: brass" bash -c "'$beadreel' --list materials | grep -q '^brass'"
 ok "scenes: clean-vs-delocalised" bash -c "'$beadreel' --list scenes | grep -q '^clean-vs-delocalised'"
@@ -35,14 +36,14 @@ ok "beadsim lists no codecs" fails 2 "$beadsim" --list codecs
 near_miss() {
     local expected=$1
     shift
-    fails 2 "$beadreel" "$@" && says "did you mean '$expected'"
+    fails 2 "$beadreel" "$@" && says "did you mean \`$expected\`"
 }
 ok "unknown long option" near_miss --threads --thraeds 2 scene.yaml
 ok "unknown long option with a value" near_miss --progress --progres5=plain scene.yaml
 ok "unknown long option far from all" fails 2 "$beadreel" --frobnicate scene.yaml
-ok "... says so" says "unknown option '--frobnicate'"
+ok "... says so" says '`--frobnicate`'
 ok "unknown short option" fails 2 "$beadreel" -x scene.yaml
-ok "... says so" says "'-x'"
+ok "... says so" says '`-x`'
 ok "missing value" fails 2 "$beadreel" clean-vs-delocalised --set
 ok "... says so" says "--set: needs a value"
 ok "missing value of a short option" fails 2 "$beadreel" clean-vs-delocalised -o
@@ -66,9 +67,8 @@ ok "... suggests" says clean-vs-delocalised
 ok "--info of a ready scene" exits 0 "$beadreel" --info clean-vs-delocalised
 ok "--info says M" prints "M = "
 ok "--plan of a ready scene" exits 0 "$beadreel" --plan clean-vs-delocalised
-ok "--plan prints lines" test -s out
-rm -f out err
-ok "nothing was written" empty "$T"
+ok "--plan prints lines" test -s "$T/out"
+ok "nothing was written" empty "$T/here"
 
 ok "the man page has the options of the program" "$top/tests/man_options.sh" --check "$beadreel" "$top/assets/beadreel.1"
 completion_knows() {
