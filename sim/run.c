@@ -10,8 +10,9 @@
 
 /* The front has arrived when the last contact's force first exceeds this part of the largest force so far. */
 static const double front_part = 1e-4;
-/* How often energy is looked at, in steps, and how far it may be off, of all that was put in. */
-enum { CHECK_EVERY = 64 };
+/* How often energy is looked at, in steps, at least, and before a sample is given away; and how far it may be off, of all
+ * that was put in. */
+enum { CHECK_EVERY = 64, CHECK_SAMPLES = 8 };
 static const double energy_limit = 1e-2;
 /* A step ends at the end of the run where it would miss it by this part of itself only. */
 static const double last_sliver = 1e-6;
@@ -26,6 +27,7 @@ struct bead_run {
     struct bead_peaks *contact_peaks, *bead_peaks;
     double *state_memory, *u, *v, *f; /* samples: state between steps */
     double *field[BEAD_FIELD_COUNT];
+    uint64_t checked; /* step that energy was looked at last */
     uint64_t hash;
 };
 
@@ -189,6 +191,7 @@ static void hash_state(struct bead_run *run)
 static enum bead_error check_energy(struct bead_run *run, struct bead_message *msg)
 {
     const struct bead_stepper *s = run->stepper;
+    run->checked = s->steps;
     double energy = bead_stepper_energy(s, &s->end), change = energy - run->energy_start;
     bool damped = s->chain->spec->damping_coefficient > 0;
     double error = run->input > 0 ? fabs(change) / run->input : fabs(change);
@@ -231,7 +234,7 @@ enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
         bead_peaks_step(run->bead_peaks, s, limit);
     if (run->settings.hash)
         hash_state(run);
-    if (s->steps % CHECK_EVERY == 0 || s->t1 >= run->settings.end)
+    if (s->steps >= run->checked + CHECK_EVERY || s->t1 >= run->settings.end)
         return check_energy(run, msg);
     return BEAD_OK;
 }
@@ -272,6 +275,9 @@ enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields,
     const struct bead_chain *c = s->chain;
     if (!(t >= s->t0 && t <= s->t1))
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "a sample at %.9g s lies outside the step from %.9g to %.9g s", t, s->t0, s->t1);
+    enum bead_error err = s->steps >= run->checked + CHECK_SAMPLES ? check_energy(run, msg) : BEAD_OK;
+    if (err)
+        return err;
     size_t last = span.last < c->beads ? span.last : c->beads - 1, first = span.first < last ? span.first : last;
     sample->time = t;
     /* Beads that static forces compress are never nothing. */

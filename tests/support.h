@@ -2,12 +2,12 @@
 #ifndef BEADREEL_TESTS_SUPPORT_H
 #define BEADREEL_TESTS_SUPPORT_H
 
-/* clang-format off: cmocka wants these first */
-#include <cmocka.h>
+/* clang-format off */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <cmocka.h> /* wants those above first */
 /* clang-format on */
 #include <math.h>
 #include <stdbool.h>

@@ -65,7 +65,8 @@ static void orders_are_those_of_the_tables(void **state)
     static const struct {
         const char *method;
         double step, order;
-    } cases[] = {{"rk4", 2e-6, 4}, {"verlet", 0.5e-6, 2}, {"pefrl", 2e-6, 4}, {"vefrl", 2e-6, 4}, {"rkn6", 5e-6, 6}, {"rkn8", 8e-6, 8}};
+    } cases[] = {{"rk4", 2e-6, 4},   {"verlet", 0.5e-6, 2}, {"pefrl", 2e-6, 4},
+                 {"vefrl", 2e-6, 4}, {"rkn6", 5e-6, 6},     {"rkn8", 8e-6, 8}};
     const double end = 0.4e-3;
     double exact[BEADS], coarse[BEADS], fine[BEADS];
     solve_p4("rkn12", 1e-6, end, exact, BEADS);
@@ -120,8 +121,10 @@ static double largest_behind(const char *bits)
 {
     size_t n = strlen(bits);
     char chain[1024];
-    snprintf(chain, sizeof chain, "chain:\n  beads:\n    - {cell: [large-steel, aluminium], spins: \"%s\"}\n"
-                                  "    - {cell: [large-steel, aluminium], count: 15}\n", bits);
+    snprintf(chain, sizeof chain,
+             "chain:\n  beads:\n    - {cell: [large-steel, aluminium], spins: \"%s\"}\n"
+             "    - {cell: [large-steel, aluminium], count: 15}\n",
+             bits);
     struct built built = build(chain, "method: rkn8, step: 0.1 us");
     struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = INFINITY, .passage = true, .bead_peaks = true});
     while (isnan(bead_run_arrival(run)))

@@ -1,0 +1,208 @@
+/* What a scene does not need is not computed: proved by what was not evaluated, sampled or written; and what is
+ * computed does not depend on what else was asked for. */
+#include "support.h"
+
+#include <dirent.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "beadreel/session.h"
+#include "beadreel/trajectory.h"
+
+static char directory[256];
+
+static int make_directory(void **state)
+{
+    (void)state;
+    snprintf(directory, sizeof directory, "%s/beadreel-session-XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
+    return mkdtemp(directory) ? 0 : -1;
+}
+
+static int empty_directory(void **state)
+{
+    (void)state;
+    char path[768];
+    DIR *dir = opendir(directory);
+    for (struct dirent *e; dir && (e = readdir(dir));) {
+        snprintf(path, sizeof path, "%s/%s", directory, e->d_name);
+        if (e->d_name[0] != '.')
+            unlink(path);
+    }
+    if (dir)
+        closedir(dir);
+    return rmdir(directory);
+}
+
+static bool is_there(const char *name)
+{
+    char path[768];
+    struct stat found;
+    snprintf(path, sizeof path, "%s/%s", directory, name);
+    return stat(path, &found) == 0;
+}
+
+/* Run a scene text into `directory`. */
+static struct bead_counts play(const char *text, struct bead_job job)
+{
+    static const struct bead_sink_type *const *lists[2];
+    lists[0] = bead_data_sinks();
+    char path[512];
+    snprintf(path, sizeof path, "%s/scene.yaml", directory);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+    struct bead_message msg = {""};
+    struct bead_session *session = NULL;
+    job.input = path;
+    job.output = directory;
+    job.sinks = lists;
+    job.hash = true;
+    if (bead_session_open(&job, &session, &msg) || bead_session_run(session, &msg))
+        fail_msg("%s", msg.text);
+    struct bead_counts counts = *bead_session_counts(session);
+    bead_session_close(session);
+    return counts;
+}
+
+#define CHAIN  "chain: {beads: [{cell: [large-steel, aluminium], count: 34}], wall: brass}\n"
+#define ONE_MS CHAIN "simulate: {until: 1 ms, method: rkn8, step: 1 us}\n"
+
+static void a_table_of_peaks_takes_no_samples(void **state)
+{
+    (void)state;
+    struct bead_counts counts = play(ONE_MS "outputs: [{table: peaks.csv, show: peaks}]\n", (struct bead_job){0});
+    assert_int_equal(counts.samples, 0);
+    assert_int_equal(counts.sample_values, 0);
+    assert_int_equal(counts.passes, 1);
+    assert_int_equal(counts.steps, 1000);
+    assert_true(is_there("peaks.csv"));
+    assert_false(is_there("run.h5"));
+}
+
+static void peaks_of_a_first_passage_need_no_scouting(void **state)
+{
+    (void)state;
+    struct bead_counts counts = play(CHAIN "outputs: [{table: peaks.csv, show: peaks}]\n", (struct bead_job){0});
+    assert_int_equal(counts.passes, 1);
+    struct bead_counts both =
+        play(CHAIN "outputs: [{table: peaks.csv, show: peaks}, {trajectory: run.h5, every: 5 us}]\n", (struct bead_job){0});
+    assert_int_equal(both.passes, 2);
+    assert_true(both.state_hash == counts.state_hash);
+}
+
+static void a_run_stops_when_nobody_needs_more(void **state)
+{
+    (void)state;
+    struct bead_counts counts =
+        play(ONE_MS "outputs: [{trajectory: run.h5, time: [0, 0.3 ms], beads: [20, 40], every: 2 us, fields: [force]}]\n",
+             (struct bead_job){0});
+    assert_int_equal(counts.steps, 300);
+    assert_int_equal(counts.samples, 151);
+    /* Ahead of the front nothing is sampled either. */
+    assert_true(counts.sample_values < 151 * 21);
+    struct bead_counts whole = play(ONE_MS "outputs: [{trajectory: run.h5, every: 2 us, fields: [force]}]\n", (struct bead_job){0});
+    assert_int_equal(whole.steps, 1000);
+    assert_true(counts.evaluations < whole.evaluations / 3);
+}
+
+static void outputs_do_not_change_the_states(void **state)
+{
+    (void)state;
+    uint64_t hash = play(ONE_MS "outputs: [{table: peaks.csv, show: peaks}]\n", (struct bead_job){0}).state_hash;
+    assert_true(hash != 0);
+    assert_true(play(ONE_MS "outputs: [{trajectory: run.h5, every: 0.37 us}]\n", (struct bead_job){0}).state_hash == hash);
+    assert_true(
+        play(ONE_MS "outputs: [{table: a.csv, show: bead-peaks}, {trajectory: run.h5, every: 3 us}]\n", (struct bead_job){0})
+            .state_hash == hash);
+    assert_true(play(ONE_MS "outputs: [{table: peaks.csv, show: peaks}]\n", (struct bead_job){.threads = 1}).state_hash == hash);
+    assert_true(play(ONE_MS "outputs: [{table: peaks.csv, show: peaks}]\n", (struct bead_job){.threads = 2}).state_hash == hash);
+    assert_true(play(ONE_MS "outputs: [{table: peaks.csv, show: peaks}]\n", (struct bead_job){.instructions = "sse2"}).state_hash ==
+                hash);
+    assert_true(play(ONE_MS "outputs: [{table: peaks.csv, show: peaks}]\n", (struct bead_job){.full_window = true}).state_hash ==
+                hash);
+}
+
+/* Ahead of the front a long chain costs nothing: contact forces evaluated, not seconds. */
+static void the_window_skips_what_is_at_rest(void **state)
+{
+    (void)state;
+    const char *text = "chain: {beads: [{bead: large-steel, count: 100000}]}\nsimulate: {until: 0.1 ms, method: rkn8, step: 2 us}\n"
+                       "outputs: [{table: peaks.csv, show: peaks}]\n";
+    struct bead_counts window = play(text, (struct bead_job){0}), full = play(text, (struct bead_job){.full_window = true});
+    assert_true(window.state_hash == full.state_hash);
+    assert_true(window.evaluations * 1000 < full.evaluations);
+}
+
+/* A sensors table on the trajectory's clock reads the very numbers the trajectory holds. */
+static void grids_that_meet_share_samples(void **state)
+{
+    (void)state;
+    const char *chain =
+        "chain: {beads: [{bead: large-steel, count: 20}, {bead: small-steel, sensor: s}, {bead: large-steel, count: 5}]}\n"
+        "simulate: {until: 0.4 ms, method: rkn8, step: 1 us}\n";
+    char text[1024];
+    snprintf(text, sizeof text, "%soutputs: [{trajectory: run.h5, every: 0.3 us}, {table: s.csv, show: sensors, every: 0.1 us}]\n",
+             chain);
+    struct bead_counts counts = play(text, (struct bead_job){0});
+    assert_int_equal(counts.samples, 4001);
+}
+
+static void bad_names_are_refused(void **state)
+{
+    (void)state;
+    static const struct bead_sink_type *const *lists[2];
+    lists[0] = bead_data_sinks();
+    struct bead_message msg = {""};
+    struct bead_session *session = NULL;
+    const char *only = "nothing.csv";
+    struct bead_job job = {.input = "assets/scenes/imagesc.yaml", .only = &only, .only_count = 1, .sinks = lists};
+    assert_int_equal(bead_session_open(&job, &session, &msg), BEAD_ERROR_USAGE);
+    assert_non_null(strstr(msg.text, "nothing.csv"));
+    assert_null(session);
+    job = (struct bead_job){.input = "assets/scenes/imagesc.yaml", .instructions = "mmx", .sinks = lists};
+    assert_int_equal(bead_session_open(&job, &session, &msg), BEAD_ERROR_USAGE);
+}
+
+/* A step far too long is refused; one that is too long but stable for a while stops with a message, not with nonsense. */
+static void nonsense_is_stopped(void **state)
+{
+    (void)state;
+    static const struct bead_sink_type *const *lists[2];
+    lists[0] = bead_data_sinks();
+    char path[512];
+    snprintf(path, sizeof path, "%s/wild.yaml", directory);
+    static const char *const steps[] = {"1 ms", "25 us"};
+    static const enum bead_error wanted[] = {BEAD_ERROR_SCENE, BEAD_ERROR_NUMBERS};
+    for (int i = 0; i < 2; i++) {
+        FILE *file = fopen(path, "w");
+        fprintf(file, CHAIN "simulate: {until: 20 ms, method: rk4, step: %s}\noutputs: [{trajectory: wild.h5}]\n", steps[i]);
+        fclose(file);
+        struct bead_message msg = {""};
+        struct bead_session *session = NULL;
+        struct bead_job job = {.input = path, .output = directory, .sinks = lists};
+        enum bead_error err = bead_session_open(&job, &session, &msg);
+        if (!err)
+            err = bead_session_run(session, &msg);
+        bead_session_close(session);
+        assert_int_equal(err, wanted[i]);
+        assert_non_null(strstr(msg.text, "step"));
+        assert_false(is_there("wild.h5"));
+        assert_false(is_there("wild.h5.part"));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_table_of_peaks_takes_no_samples),
+        cmocka_unit_test(peaks_of_a_first_passage_need_no_scouting),
+        cmocka_unit_test(a_run_stops_when_nobody_needs_more),
+        cmocka_unit_test(outputs_do_not_change_the_states),
+        cmocka_unit_test(the_window_skips_what_is_at_rest),
+        cmocka_unit_test(grids_that_meet_share_samples),
+        cmocka_unit_test(bad_names_are_refused),
+        cmocka_unit_test(nonsense_is_stopped),
+    };
+    return cmocka_run_group_tests_name("session", tests, make_directory, empty_directory);
+}
