@@ -82,7 +82,9 @@ void bead_number(double number, int decimals, char *out, size_t size)
 /* Decimals that leave `digits` significant ones. */
 static int decimals_for(double shown, int digits)
 {
-    int before = shown == 0 ? 1 : (int)floor(log10(fabs(shown)) + 1e-12) + 1;
+    if (shown == 0)
+        return 0;
+    int before = (int)floor(log10(fabs(shown)) + 1e-12) + 1;
     return digits > before ? digits - before : 0;
 }
 

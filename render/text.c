@@ -16,6 +16,7 @@ static void set_contents(PangoLayout *layout, const char *markup)
     char *text = NULL;
     if (pango_parse_markup(markup, -1, 0, &attributes, &text, NULL, NULL)) {
         pango_layout_set_text(layout, text, -1);
+        pango_attr_list_insert(attributes, pango_attr_font_features_new("liga=0")); /* Lato joins the t and i of "time" */
         pango_layout_set_attributes(layout, attributes);
         pango_attr_list_unref(attributes);
         g_free(text);

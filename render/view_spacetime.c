@@ -1,0 +1,305 @@
+/* Space-time image: every pixel the exact mean of the field over its stretch of chain and time.
+ *
+ * Which way it lies: in papers and stills time runs to the right and beads go up; in movies (time_down) time runs down and beads
+ * go to the right, below the beads themselves. With `fill` only what has passed is shown, with a line at the present. */
+#include "render/view_spacetime.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/area.h"
+#include "render/views.h"
+
+struct bead_view {
+    struct bead_view_setup setup;
+    struct bead_look look;
+    struct bead_rect plot;
+    struct bead_area *area;
+    int along, across; /* pixels along time, along the chain */
+    uint8_t *indices;  /* [plot.height][plot.width], colours of the columns (or rows) done */
+    int first, done;   /* time columns first <= c < done have their final colours */
+    int shown;         /* columns up to here are in the frame */
+    bool drawn, finished;
+    uint32_t colour[256]; /* as in frames */
+};
+
+static unsigned fields(const struct bead_view_setup *setup)
+{
+    return BEAD_FIELD_BIT(setup->field);
+}
+
+void bead_spacetime_recolour(struct bead_view *view, const struct bead_colours *colours)
+{
+    view->setup.colours = *colours;
+    for (int i = 0; i < 256; i++) {
+        const uint8_t *rgb = colours->map->rgb[i];
+        view->colour[i] = (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
+    }
+}
+
+static enum bead_error create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
+{
+    if (!(setup->time[1] > setup->time[0]) || setup->beads.last < setup->beads.first)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a space-time image needs a stretch of time and of beads");
+    struct bead_view *v = *view = calloc(1, sizeof *v);
+    if (!v)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a space-time image");
+    v->setup = *setup;
+    v->look = *setup->look;
+    v->setup.look = &v->look;
+    bead_spacetime_recolour(v, &setup->colours);
+    return BEAD_OK;
+}
+
+static enum bead_error place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg)
+{
+    (void)canvas;
+    if (plot.width < 1 || plot.height < 1)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "there is no room for a space-time image: make the picture larger");
+    v->plot = plot;
+    v->along = v->setup.time_down ? plot.height : plot.width;
+    v->across = v->setup.time_down ? plot.width : plot.height;
+    return BEAD_OK;
+}
+
+/* Sums and indices are taken when the first sample comes: a view that only decorates needs none. */
+static enum bead_error prepare(struct bead_view *v, struct bead_message *msg)
+{
+    struct bead_area_setup setup = {v->setup.beads, {v->setup.time[0], v->setup.time[1]}, v->across, v->along};
+    enum bead_error err = bead_area_create(&setup, &v->area, msg);
+    if (err)
+        return err;
+    v->indices = malloc((size_t)v->plot.width * (size_t)v->plot.height);
+    return v->indices ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a space-time image");
+}
+
+static void set_source(cairo_t *cr, struct bead_rgb colour)
+{
+    cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
+}
+
+static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
+{
+    (void)msg;
+    const struct bead_view_setup *s = &v->setup;
+    set_source(cr, v->look.panel);
+    cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
+    cairo_fill(cr);
+    if (!s->axes)
+        return BEAD_OK;
+    struct bead_axis time, beads;
+    const char *name = bead_field_info(s->field)->of_contacts ? "contact" : "bead";
+    bead_axis_make(&time, s->time[0], s->time[1], "s", BEAD_SCALE_LINEAR, v->along, v->look.tick, !s->time_down);
+    bead_axis_make(&beads, (double)s->beads.first - 0.5, (double)s->beads.last + 0.5, "", BEAD_SCALE_LINEAR, v->across,
+                   v->look.tick, s->time_down);
+    enum bead_side time_side = s->time_down ? BEAD_SIDE_LEFT : BEAD_SIDE_BOTTOM;
+    enum bead_side bead_side = s->time_down ? BEAD_SIDE_BOTTOM : BEAD_SIDE_LEFT;
+    if (!v->look.dark)
+        bead_box_draw(cr, &v->look, v->plot);
+    bead_axis_draw(cr, &v->look, &time, v->plot, time_side, true, !s->time_shared, "time");
+    bead_axis_draw(cr, &v->look, &beads, v->plot, bead_side, false, s->bead_labels, name);
+    return BEAD_OK;
+}
+
+static enum bead_error feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
+{
+    if (!sample->field[v->setup.field])
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no %s", bead_field_info(v->setup.field)->title);
+    enum bead_error err = v->area ? BEAD_OK : prepare(v, msg);
+    if (!err)
+        bead_area_feed(v->area, sample->time, sample->field[v->setup.field], sample->active);
+    return err;
+}
+
+enum { BLOCK = 64 };
+
+/* Colours of one time column into every BLOCK-th byte; a run of equal means is looked up once. */
+static void colour_column(const struct bead_view *v, const double *means, uint8_t *out)
+{
+    uint8_t index = bead_colours_index(&v->setup.colours, means[0]);
+    for (int p = 0; p < v->across; p++) {
+        if (p > 0 && means[p] != means[p - 1])
+            index = bead_colours_index(&v->setup.colours, means[p]);
+        out[p * BLOCK] = index;
+    }
+}
+
+/* A block of columns into their place: beads up, or to the right with time down. */
+static void put_block(struct bead_view *v, const uint8_t *block, int from, int count)
+{
+    size_t width = (size_t)v->plot.width;
+    for (int p = 0; p < v->across; p++) {
+        const uint8_t *line = block + (size_t)p * BLOCK;
+        if (!v->setup.time_down)
+            memcpy(v->indices + (size_t)(v->across - 1 - p) * width + (size_t)from, line, (size_t)count);
+        else
+            for (int c = 0; c < count; c++)
+                v->indices[(size_t)(from + c) * width + (size_t)p] = line[c];
+    }
+}
+
+/* Colours of columns from v->done to `to`; those that no sample has touched lie only at the ends and are passed over. */
+static enum bead_error colour_columns(struct bead_view *v, int to, struct bead_message *msg)
+{
+    double *means = malloc((size_t)v->across * sizeof *means);
+    uint8_t *block = malloc((size_t)v->across * BLOCK);
+    enum bead_error err = means && block ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a space-time image");
+    bool touched = true;
+    while (!err && touched && v->done < to) {
+        int count = 0;
+        for (; count < BLOCK && v->done + count < to; count++) {
+            touched = bead_area_column(v->area, v->done + count, means);
+            if (!touched)
+                break;
+            colour_column(v, means, block + count);
+        }
+        put_block(v, block, v->done, count);
+        v->done += count;
+        if (!touched && v->done == v->first) { /* before the first sample */
+            v->first = ++v->done;
+            touched = true;
+        }
+    }
+    free(means);
+    free(block);
+    return err;
+}
+
+/* Pixels of columns from..to into the frame. */
+static void show_columns(const struct bead_view *v, int from, int to, struct bead_frame *frame)
+{
+    struct bead_rect part = v->setup.time_down ? (struct bead_rect){0, from, v->plot.width, to - from}
+                                               : (struct bead_rect){from, 0, to - from, v->plot.height};
+    for (int y = part.y; y < part.y + part.height; y++) {
+        const uint8_t *index = v->indices + (size_t)y * (size_t)v->plot.width + (size_t)part.x;
+        uint8_t *row = frame->pixels + (size_t)(v->plot.y + y) * frame->stride + 4 * (size_t)(v->plot.x + part.x);
+        for (int x = 0; x < part.width; x++)
+            memcpy(row + 4 * x, &v->colour[index[x]], 4);
+    }
+}
+
+static void draw_cursor(const struct bead_view *v, int at, int thickness, struct bead_frame *frame)
+{
+    struct bead_rgb ink = v->look.ink;
+    uint32_t colour = (uint32_t)lround(ink.r * 255) << 16 | (uint32_t)lround(ink.g * 255) << 8 | (uint32_t)lround(ink.b * 255);
+    int width = v->setup.time_down ? v->plot.width : thickness, height = v->setup.time_down ? thickness : v->plot.height;
+    int left = v->plot.x + (v->setup.time_down ? 0 : at), top = v->plot.y + (v->setup.time_down ? at : 0);
+    for (int y = top; y < top + height; y++) {
+        for (int x = left; x < left + width; x++)
+            memcpy(frame->pixels + (size_t)y * frame->stride + 4 * (size_t)x, &colour, 4);
+    }
+}
+
+/* Time columns that have passed at `time`, so that their means are final: all of them in stills. */
+static int columns_until(const struct bead_view *v, double time)
+{
+    double place = (time - v->setup.time[0]) / (v->setup.time[1] - v->setup.time[0]) * v->along;
+    if (!v->setup.fill)
+        return v->along;
+    return place > 0 ? (int)fmin(floor(place + 1e-6), v->along) : 0;
+}
+
+static int smaller(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+/* Columns as a rectangle of the frame. */
+static struct bead_rect columns_rect(const struct bead_view *v, int from, int to)
+{
+    return v->setup.time_down ? (struct bead_rect){v->plot.x, v->plot.y + from, v->plot.width, to - from}
+                              : (struct bead_rect){v->plot.x + from, v->plot.y, to - from, v->plot.height};
+}
+
+static enum bead_error draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
+                            struct bead_changes *changes, struct bead_message *msg)
+{
+    int until = columns_until(v, time), thickness = smaller((int)v->look.line, v->along), last = v->along - thickness;
+    bool cursor = v->setup.fill && time < v->setup.time[1];
+    if (v->drawn && until == v->shown && (cursor || v->finished))
+        return BEAD_OK;
+    enum bead_error err = v->area ? colour_columns(v, until, msg) : BEAD_OK;
+    if (err)
+        return err;
+    /* From where the line stood. */
+    int from = v->drawn ? smaller(v->shown, last) : 0, end = until;
+    if (v->setup.fill && background)
+        bead_frame_copy(frame, background, columns_rect(v, from, until));
+    int first = from < v->first ? v->first : from, to = smaller(v->done, until);
+    if (v->area && to > first)
+        show_columns(v, first, to, frame);
+    if (cursor) {
+        int at = smaller(until, last);
+        draw_cursor(v, at, thickness, frame);
+        end = at + thickness > end ? at + thickness : end;
+    }
+    bead_changes_add(changes, columns_rect(v, from, end));
+    v->shown = until;
+    v->drawn = true;
+    v->finished = !cursor;
+    return BEAD_OK;
+}
+
+void bead_spacetime_extremes(const struct bead_view *view, double *low, double *high)
+{
+    *low = INFINITY;
+    *high = -INFINITY;
+    if (view->area)
+        bead_area_extremes(view->area, low, high);
+}
+
+/* The same pixels, as an image of their own in the file. */
+static enum bead_error vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
+{
+    int until = columns_until(v, time);
+    enum bead_error err = v->area ? colour_columns(v, until, msg) : BEAD_OK;
+    int to = smaller(v->done, until), count = to - v->first;
+    if (err || !v->area || count < 1)
+        return err;
+    bool down = v->setup.time_down;
+    int width = down ? v->plot.width : count, height = down ? count : v->plot.height;
+    int left = down ? 0 : v->first, top = down ? v->first : 0;
+    cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
+    cairo_status_t status = cairo_surface_status(image);
+    if (!status) {
+        unsigned char *pixels = cairo_image_surface_get_data(image);
+        size_t stride = (size_t)cairo_image_surface_get_stride(image);
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++)
+                memcpy(pixels + (size_t)y * stride + 4 * (size_t)x,
+                       &v->colour[v->indices[(size_t)(top + y) * (size_t)v->plot.width + (size_t)(left + x)]], 4);
+        }
+        cairo_surface_mark_dirty(image);
+        cairo_set_source_surface(cr, image, v->plot.x + left, v->plot.y + top);
+        cairo_pattern_set_filter(cairo_get_source(cr), CAIRO_FILTER_NEAREST);
+        cairo_paint(cr);
+        status = cairo_status(cr);
+    }
+    cairo_surface_destroy(image);
+    return status ? bead_fail(msg, BEAD_ERROR_MEMORY, "space-time image: %s", cairo_status_to_string(status)) : BEAD_OK;
+}
+
+static void destroy(struct bead_view *v)
+{
+    if (!v)
+        return;
+    bead_area_destroy(v->area);
+    free(v->indices);
+    free(v);
+}
+
+const struct bead_view_type bead_view_spacetime_type = {
+    .kind = BEAD_VIEW_SPACETIME,
+    .name = "spacetime",
+    .help = "the field over chain and time, area-averaged; fills as time passes in movies",
+    .height = 0.5,
+    .fields = fields,
+    .create = create,
+    .place = place,
+    .decorate = decorate,
+    .feed = feed,
+    .draw = draw,
+    .vector = vector,
+    .destroy = destroy,
+};

@@ -1,0 +1,12 @@
+/* Space-time stills: their range of colours is known only after the last sample. */
+#ifndef BEADREEL_RENDER_VIEW_SPACETIME_H
+#define BEADREEL_RENDER_VIEW_SPACETIME_H
+
+#include "beadreel/view.h"
+
+/* Least and largest pixel; low > high where there is none yet. */
+void bead_spacetime_extremes(const struct bead_view *view, double *low, double *high);
+/* Other colours, before anything is drawn. */
+void bead_spacetime_recolour(struct bead_view *view, const struct bead_colours *colours);
+
+#endif
