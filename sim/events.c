@@ -324,16 +324,18 @@ static const double *branch_right(const struct bead_events *e, size_t at, double
     return at < e->branch_count && e->branch[at].s - to < reach_most * (to - from) ? &e->branch[at].s : NULL;
 }
 
-static double in_step(double s)
+static double within(double s, double until)
 {
-    return s < 0 ? 0 : s > 1 ? 1 : s;
+    return s < 0 ? 0 : s > until ? until : s;
 }
 
-/* From branch point to branch point; where one is near either end of an interval, to the middle between them first. */
-static void integrate(struct bead_events *e, const struct bead_stepper *s)
+/* From 0 to `until`, from branch point to branch point; where one is near either end of an interval, to the middle between them
+ * first. */
+static void integrate(struct bead_events *e, const struct bead_stepper *s, double until)
 {
     for (size_t i = 0; i <= e->branch_count; i++) {
-        double from = i > 0 ? in_step(e->branch[i - 1].s) : 0, to = i < e->branch_count ? in_step(e->branch[i].s) : 1;
+        double from = i > 0 ? within(e->branch[i - 1].s, until) : 0,
+               to = i < e->branch_count ? within(e->branch[i].s, until) : until;
         const double *left = branch_left(e, i, from, to), *right = branch_right(e, i, from, to);
         if (left && right) {
             double middle = fmin(fmax(0.5 * (*left + *right), from), to);
@@ -384,7 +386,7 @@ static bool correct_patch(struct bead_events *e, struct bead_stepper *s, size_t 
         return false;
     if (e->branch_count == 0)
         return true;
-    integrate(e, s);
+    integrate(e, s, 1);
     replace(e, s, first, s->h);
     return true;
 }
@@ -422,4 +424,24 @@ void bead_events_correct(struct bead_events *e, struct bead_stepper *s)
     if (ok && e->flagged_count > 0)
         ok = correct_patches(e, s);
     e->failed |= !ok;
+}
+
+/* Every contact of the patch may bend: nothing is known about flags any more. */
+bool bead_events_compression(struct bead_events *e, const struct bead_stepper *s, size_t contact, double x, double d[2])
+{
+    size_t first = contact > WIDTH ? contact - WIDTH : 0, last = contact + WIDTH, inner[2 * WIDTH + 1], count = 0;
+    last = last < s->active ? last : s->active - 1;
+    for (size_t k = first; k <= last; k++)
+        inner[count++] = k;
+    e->source.stages = 0;
+    if (!load(e, s, first, last, s->h) || !find_branches(e, first, inner, count)) {
+        e->failed = true;
+        return false;
+    }
+    if (e->branch_count == 0)
+        return false;
+    integrate(e, s, x);
+    d[0] = e->patch.array[BEAD_PATCH_D][contact - first + 1];
+    d[1] = e->patch.array[BEAD_PATCH_RATE][contact - first + 1];
+    return true;
 }

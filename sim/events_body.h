@@ -272,7 +272,7 @@ static void finish_piece(const struct bead_patch_piece *piece, struct bead_patch
         array[BEAD_PATCH_IMPULSE][k] += impulse[0];
         array[BEAD_PATCH_MOMENT][k] += impulse[1] + after * impulse[0];
     }
-    for (size_t k = 1; k <= patch->count && after > 0; k++) {
+    for (size_t k = 1; k <= patch->count; k++) {
         const double left = array[BEAD_PATCH_LEFT][k], right = array[BEAD_PATCH_RIGHT][k], *i = sum + 2 * k;
         array[BEAD_PATCH_D][k] += length * array[BEAD_PATCH_RATE][k] + ((left * i[-1] + right * i[3]) - (left + right) * i[1]);
         array[BEAD_PATCH_RATE][k] += (left * i[-2] + right * i[2]) - (left + right) * i[0];

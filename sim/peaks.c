@@ -5,6 +5,10 @@
 #include <string.h>
 
 #include "sim/dense.h"
+#include "sim/events.h"
+
+/* Maxima this close to the best so far, relatively, are looked at more closely. */
+static const double close_call = 1e-3;
 
 struct bead_peaks {
     bool of_beads;
@@ -95,14 +99,50 @@ static double curve_rate(const void *context, double x)
     return rate;
 }
 
+/* Where contacts open or close nearby within the step, d'' has kinks that the septic smooths over: compressions and their rates at
+ * x from the forces themselves, then the vertex of the parabola through them. */
+static void sharpen(const struct bead_peaks *p, const struct bead_stepper *s, const struct force_curve *curve, double *x,
+                    double *value)
+{
+    const double near = 1e-3, bend = (curve_rate(curve, *x + near) - curve_rate(curve, *x - near)) / (2 * near);
+    double force = 0, rate = 0, d[2];
+    bool exact = false;
+    if (!(bend < 0))
+        return;
+    for (size_t i = 0; i < curve->count; i++) {
+        const size_t k = curve->contact[i];
+        const double a = curve->chain->stiffness[k];
+        const struct bead_law_spec *spec = &curve->chain->spec->law;
+        if (bead_events_compression(s->events, s, k, *x, d)) {
+            exact = true;
+        } else {
+            d[0] = bead_polynomial_value(&curve->compression[i], *x);
+            d[1] = bead_polynomial_slope(&curve->compression[i], *x);
+        }
+        double stiffness = curve->chain->law->stiffness(a, spec, d[0]);
+        if (curve->count == 1)
+            d[0] -= 0.5 * d[1] * d[1] / bend;
+        rate += (curve->count > 1 ? stiffness : 1) * d[1];
+        force += curve->chain->law->force(a, spec, d[0]);
+    }
+    if (curve->count > 1)
+        force -= 0.5 * rate * rate / bend;
+    if (!exact)
+        return;
+    *value = p->of_beads ? 0.5 * force : force;
+    *x = fmin(fmax(*x - rate / bend, 0), 1);
+}
+
 static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
     struct force_curve curve = curve_of(p, s, index);
     double rate0 = curve_rate(&curve, 0), rate1 = curve_rate(&curve, 1);
     if (!(rate0 > 0 && rate1 <= 0))
         return;
-    double x = bead_find_root(curve_rate, &curve, rate0, rate1), time = s->t0 + x * s->h;
-    double value = curve_force(p, &curve, x);
+    double x = bead_find_root(curve_rate, &curve, rate0, rate1), value = curve_force(p, &curve, x);
+    if (s->events && x > 0 && value > p->best[index].value * (1 - close_call))
+        sharpen(p, s, &curve, &x, &value);
+    double time = s->t0 + x * s->h;
     if (time <= limit && value > p->best[index].value)
         p->best[index] = (struct bead_peak){value, time, false};
 }

@@ -147,7 +147,7 @@ static void peaks_and_energy(void **state)
         int problem;
         double until, peaks;
         const char *reference;
-    } cases[] = {{1, 0.8e-3, 1e-9, "p1_peaks.csv"}, {2, 1.5e-3, 1e-9, "p2_peaks.csv"}, {3, 3e-3, 1e-8, "p3_peaks.csv"}};
+    } cases[] = {{1, 0.8e-3, 1e-10, "p1_peaks.csv"}, {2, 1.5e-3, 1e-10, "p2_peaks.csv"}, {3, 3e-3, 1e-10, "p3_peaks.csv"}};
     for (size_t i = 0; i < 3; i++) {
         struct table reference = read_table(cases[i].reference, 3);
         struct setup x;
