@@ -137,7 +137,8 @@ $(BUILD)/beadreel: $(BUILD)/render/beadreel.o $(COMMAND_OBJECTS) $(BUILD)/libbea
 demo: $(BUILD)/beadreel ## a clean beside a delocalised wave: movie, pictures, data into demo/
 	BEADREEL_ASSETS=assets $(BUILD)/beadreel clean-vs-delocalised -o $(DEMO)
 
-compile_test = $(CC) $(FLAGS) -Itests $(sim_cflags) $(render_cflags)
+# Tests fill structures that own their strings with literals.
+compile_test = $(CC) $(FLAGS) -Wno-write-strings -Itests $(sim_cflags) $(render_cflags)
 $(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT)
 	@mkdir -p $(@D)
 	$(call say,CC,$<) $(run) $(compile_test) -c $< -o $@

@@ -52,7 +52,7 @@ ok "make install" install_to
 root=$T/root${PREFIX:-/usr/local}
 relative() { [ "$(readlink "$root/lib/libbeadsim.so")" = libbeadsim.so.0 ] && [ -e "$root/lib/libbeadsim.so" ]; }
 ok "library links are relative" relative
-no_asset_env() { cd "$T" && env -u BEADREEL_ASSETS "$@"; }
+no_asset_env() (cd "$T" && env -u BEADREEL_ASSETS "$@")
 ok "the installed program finds its scenes" no_asset_env "$root/bin/beadreel" --info clean-vs-delocalised
 ok "manual page" test -s "$root/share/man/man1/beadreel.1"
 compile_example() {
@@ -69,7 +69,7 @@ cat >"$T/small.yaml" <<'YAML'
 chain: {striker: {bead: large-steel, velocity: 1 m/s}, beads: [{bead: large-steel, count: 5}]}
 outputs: [{table: peaks.csv, show: peaks}]
 YAML
-ok "... and runs" bash -c "cd '$T' && BEADREEL_ASSETS= ./minimal small.yaml . | grep 'peak force'"
+ok "... and runs" bash -c "cd '$T' && BEADREEL_ASSETS='$root/share/beadreel' ./minimal small.yaml . | grep 'peak force'"
 ok "make uninstall" quiet make --no-print-directory BUILD="$BUILD" DESTDIR="$T/root" uninstall
 ok "... leaves no file" bash -c "[ -z \"\$(find '$T/root' -type f -o -type l)\" ]"
 finish
