@@ -1,32 +1,67 @@
 #include "sim/control.h"
 
 #include <math.h>
+#include <stdint.h>
 
-/* Stiffness to be expected of contact k: at the larger of the compressions now and `ahead`. */
+/* omega is looked at again after this many steps, and looks as far ahead. */
+enum { EVERY = 4 };
+/* No step is longer than this many times the first. */
+static const double growth = 4;
+/* The accuracy that the theta in a method's row stands for. */
+static const double row_accuracy = 1e-6;
+
+double bead_control_theta(const struct bead_method_info *method, double accuracy)
+{
+    return fmin(method->theta * pow(accuracy / row_accuracy, 1 / method->theta_order), method->theta_cap);
+}
+
+static double stiffness(const struct bead_stepper *s, size_t k, double d)
+{
+    double a = s->table.stiffness[k];
+    if (s->table.law->kind == BEAD_LAW_HERTZ)
+        return d > 0 ? 1.5 * a * sqrt(d) : 0;
+    double here = s->chain->law->stiffness(a, s->table.law, d);
+    return s->chain->law->one_sided ? here : fmax(here, s->chain->law->stiffness(a, s->table.law, -d));
+}
+
+/* To be expected of contact k: at the compression now, or the one its beads' velocities lead to within `ahead` seconds. */
 static double expected(const struct bead_stepper *s, size_t k, double ahead)
 {
     const struct bead_state *now = &s->end;
     double rate = now->v[k] - now->v[k + 1], d = s->table.static_compression[k] + (now->u[k] - now->u[k + 1]);
-    d += rate > 0 ? ahead * rate : 0;
-    if (!s->chain->law->one_sided)
-        return fmax(s->chain->law->stiffness(s->table.stiffness[k], s->table.law, d),
-                    s->chain->law->stiffness(s->table.stiffness[k], s->table.law, -d));
-    if (s->table.law->kind == BEAD_LAW_HERTZ)
-        return d > 0 ? 1.5 * s->table.stiffness[k] * sqrt(d) : 0;
-    return s->chain->law->stiffness(s->table.stiffness[k], s->table.law, d);
+    return stiffness(s, k, d + (rate > 0 ? ahead * rate : 0));
 }
 
-double bead_control_omega(const struct bead_stepper *s, double ahead)
+/* Gershgorin's circles of contacts 0..n-1, omega^2; see bead_chain_omega. */
+static double circles(const struct bead_stepper *s, size_t n, double ahead, bool at_rest)
 {
-    const double *w = s->chain->inverse_mass;
-    size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
-    double worst = 0, before = 0, here = expected(s, 0, ahead);
+    const double *w = s->chain->inverse_mass, *d0 = s->table.static_compression;
+    const size_t contacts = s->chain->contacts;
+    double worst = 0, before = 0, here = at_rest ? stiffness(s, 0, d0[0]) : expected(s, 0, ahead);
     for (size_t k = 0; k < n; k++) {
-        double after = k + 1 < s->chain->contacts ? expected(s, k + 1, ahead) : 0, right = k + 1 < s->beads ? w[k + 1] : 0;
+        double after = 0, right = k + 1 < s->beads ? w[k + 1] : 0;
+        if (k + 1 < contacts)
+            after = at_rest ? stiffness(s, k + 1, d0[k + 1]) : expected(s, k + 1, ahead);
         double row = here * (w[k] + right) + before * w[k] + after * right;
         worst = row > worst ? row : worst;
         before = here;
         here = after;
     }
-    return sqrt(worst);
+    return worst;
+}
+
+struct bead_control bead_control_start(const struct bead_stepper *s, double theta, double omega)
+{
+    double first = theta / omega;
+    return (struct bead_control){theta, sqrt(circles(s, s->chain->contacts, 0, true)), growth * first, first};
+}
+
+double bead_control_next(struct bead_control *control, const struct bead_stepper *s)
+{
+    if (s->steps == 0 || s->steps % EVERY != 0)
+        return control->h;
+    size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
+    double omega = fmax(sqrt(circles(s, n, EVERY * control->h, false)), control->static_omega);
+    control->h = omega * control->longest > control->theta ? control->theta / omega : control->longest;
+    return control->h;
 }

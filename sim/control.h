@@ -1,11 +1,25 @@
-/* Step control: how long the next steps may be. */
+/* Step control: how long the next step may be.
+ *
+ * The step is theta/omega. omega bounds the frequencies the chain can show: at first from the energy put in, then again every few
+ * steps from the compressions as they are, so that the step grows as amplitudes decay. theta follows from the accuracy asked
+ * by a law measured for each method. Only the state decides, never the outputs. */
 #ifndef BEADREEL_SIM_CONTROL_H
 #define BEADREEL_SIM_CONTROL_H
 
 #include "sim/stepper.h"
 
-/* Bound of the frequencies that the chain can show within about `ahead` seconds from the end of the step just made, rad/s:
- * Gershgorin's circles for the stiffnesses at the compressions to be expected, those of now and what the beads' velocities add. */
-double bead_control_omega(const struct bead_stepper *stepper, double ahead);
+struct bead_control {
+    double theta;        /* step in units of 1/omega */
+    double static_omega; /* rad/s, of the whole chain at rest: what lies ahead of the window counts as well */
+    double longest;      /* s */
+    double h;            /* s: the step now */
+};
+
+/* theta of a method for an accuracy: its row's, scaled by accuracy^(1/theta_order), no more than its row's cap. */
+double bead_control_theta(const struct bead_method_info *method, double accuracy);
+/* For a chain whose energy bounds its frequencies by omega. */
+struct bead_control bead_control_start(const struct bead_stepper *stepper, double theta, double omega);
+/* Length of the next step, s. */
+double bead_control_next(struct bead_control *control, const struct bead_stepper *stepper);
 
 #endif

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/control.h"
 #include "sim/dense.h"
 #include "sim/peaks.h"
 #include "sim/stepper.h"
@@ -21,6 +22,7 @@ struct bead_run {
     struct bead_run_settings settings;
     struct bead_stepping stepping;
     struct bead_stepper *stepper;
+    struct bead_control control;
     double arrival;                                           /* s, NaN before */
     double largest_force;                                     /* N, of all contacts so far (at the ends of steps) */
     double energy_start, momentum_start, energy_error, input; /* input: energy that counts as 1 */
@@ -50,7 +52,8 @@ enum bead_error bead_run_stepping(const struct bead_chain *chain, struct bead_st
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: `%s` is for forces without damping; use rk4 or auto", file,
                          name);
     double omega = bead_chain_omega(chain, bead_chain_energy(chain)), step = chain->scene->simulate.step;
-    *stepping = (struct bead_stepping){method, step > 0 ? step : method->info.theta / omega, omega};
+    double theta = bead_control_theta(&method->info, chain->scene->simulate.accuracy);
+    *stepping = (struct bead_stepping){method, step > 0 ? step : theta / omega, omega, theta, !(step > 0) && method->info.variable};
     /* The bound is generous: a step is hopeless only when it exceeds the limit twice over. */
     if (step * omega > 2 * method->info.theta_max)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.step: %.3g s is too long for `%s` to be stable: at most %.3g s", file,
@@ -96,6 +99,7 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
         bead_run_destroy(r);
         return err;
     }
+    r->control = bead_control_start(r->stepper, r->stepping.theta, r->stepping.omega);
     r->energy_start = bead_stepper_energy(r->stepper, &r->stepper->end);
     r->momentum_start = bead_stepper_momentum(r->stepper, &r->stepper->end);
     r->input = bead_chain_energy(settings->chain);
@@ -207,11 +211,15 @@ static enum bead_error check_energy(struct bead_run *run, struct bead_message *m
     return BEAD_OK;
 }
 
-/* One step of the usual length, or a shorter one that ends where the run does. */
+/* One step of the length chosen, or a shorter one that ends where the run does. */
 static void advance(struct bead_run *run)
 {
     struct bead_stepper *s = run->stepper;
     double h = run->stepping.step, t = (double)(s->steps + 1) * h;
+    if (run->stepping.variable) {
+        h = bead_control_next(&run->control, s);
+        t = s->t1 + h;
+    }
     /* Where the front's arrival ends the run the steps keep their length: they must not depend on whether it was known before. */
     double end = run->settings.passage ? INFINITY : run->settings.end;
     if (t > end + last_sliver * h && s->t1 < end)

@@ -13,7 +13,10 @@ struct bead_method_info {
     int order;               /* for smooth forces */
     int evaluations;         /* of the force, per step */
     bool damping;            /* forces may depend on velocities */
-    double theta;            /* default step in units of 1/omega */
+    bool variable;           /* the step follows the state; else it is fixed */
+    double theta;            /* step in units of 1/omega for peaks to 1e-6 */
+    double theta_order;      /* theta ~ accuracy^(1/theta_order) */
+    double theta_cap;        /* never more, whatever the accuracy */
     double theta_max;        /* largest stable step in units of 1/omega */
 };
 
