@@ -165,10 +165,10 @@ bench: all $(BENCHES) ## measure: every program and script of tests/bench
 	@set -e; for b in $(sort $(BENCHES) $(wildcard tests/bench/*.sh)); do echo "== $$b"; BEADREEL_ASSETS=assets $$b $(BUILD); done
 
 lint: ## formatting, static analysis
-	clang-format --dry-run -Werror $(FORMATTED)
-	cppcheck --quiet --std=c11 --language=c --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
+	@echo "clang-format" && clang-format --dry-run -Werror $(FORMATTED)
+	@echo "cppcheck" && cppcheck --quiet --std=c11 --language=c --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
 	    --suppressions-list=tests/cppcheck.txt -j $$(nproc) -Iinclude -I. -D__linux__ -D__x86_64__ -DBEAD_DATADIR='""' sim render tests
-	shellcheck -S warning -e SC2034,SC2154 $(wildcard .ci/run tests/*.sh tests/*/*.sh tests/*.bash)
+	@echo "shellcheck" && shellcheck -S warning -e SC2034,SC2154 $(wildcard .ci/run tests/*.sh tests/*/*.sh tests/*.bash)
 
 man: $(BUILD)/beadreel ## write the options into the man page again
 	@tests/man_options.sh $(BUILD)/beadreel assets/beadreel.1

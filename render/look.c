@@ -3,13 +3,13 @@
 #include <math.h>
 #include <stdio.h>
 
-#define WHITE                                                                                                                      \
-    {                                                                                                                              \
-        1, 1, 1                                                                                                                    \
+#define WHITE   \
+    {           \
+        1, 1, 1 \
     }
-#define BLACK                                                                                                                      \
-    {                                                                                                                              \
-        0, 0, 0                                                                                                                    \
+#define BLACK   \
+    {           \
+        0, 0, 0 \
     }
 
 static double whole(double px)

@@ -57,8 +57,8 @@ struct bead_kernels {
     void (*load_patch)(const struct bead_patch_source *source, struct bead_patch *patch);
     /* Over from <= s <= to; tau: the branch point at or near one of its ends, NULL where there is none. Picard steps end when one
      * changes no h^2 f/m by more than `enough`. */
-    void (*integrate_piece)(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps, double enough,
-                            struct bead_patch *patch);
+    void (*integrate_piece)(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps,
+                            double enough, struct bead_patch *patch);
 };
 
 /* NULL: the best this machine has. Otherwise by name; NULL is returned for one that is unknown or not to be had. */

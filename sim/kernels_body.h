@@ -46,18 +46,18 @@ static void rk4_sum(size_t n, double *y, const double *base, double h, const dou
 
 /* One fused loop for each number of terms: the sum stays in registers. */
 #define TERM(i) s += c##i * t##i[j];
-#define LOAD(i)                                                                                                                    \
-    const double c##i = c[i];                                                                                                      \
+#define LOAD(i)               \
+    const double c##i = c[i]; \
     const double *restrict t##i = t[i];
-#define COMBINE(count, loads, terms)                                                                                               \
-    static void combine_##count(size_t n, double *restrict y, const double *base, double scale, const double *v, const double *c,  \
-                                const double *const *t)                                                                            \
-    {                                                                                                                              \
-        loads for (size_t j = 0; j < n; j++)                                                                                       \
-        {                                                                                                                          \
-            double s = base[j] + scale * v[j];                                                                                     \
-            terms y[j] = s;                                                                                                        \
-        }                                                                                                                          \
+#define COMBINE(count, loads, terms)                                                                                              \
+    static void combine_##count(size_t n, double *restrict y, const double *base, double scale, const double *v, const double *c, \
+                                const double *const *t)                                                                           \
+    {                                                                                                                             \
+        loads for (size_t j = 0; j < n; j++)                                                                                      \
+        {                                                                                                                         \
+            double s = base[j] + scale * v[j];                                                                                    \
+            terms y[j] = s;                                                                                                       \
+        }                                                                                                                         \
     }
 COMBINE(1, LOAD(0), TERM(0))
 COMBINE(2, LOAD(0) LOAD(1), TERM(0) TERM(1))
@@ -133,5 +133,5 @@ static bool turns(size_t n, const double *before, const double *after, unsigned 
 #include "sim/events_body.h"
 
 const struct bead_kernels KERNELS_TABLE = {
-    KERNELS_NAME, KERNELS_DESCRIPTION, hertz,          hertz_static, accelerations, rk4_sum, combine, largest,
+    KERNELS_NAME, KERNELS_DESCRIPTION, hertz,      hertz_static,   accelerations, rk4_sum, combine, largest,
     turns,        mark_events,         load_patch, integrate_piece};

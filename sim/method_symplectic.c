@@ -20,9 +20,9 @@ static const double vefrl[] = {XI, (1 - 2 * LAMBDA) / 2, CHI, LAMBDA, 1 - 2 * (C
 #undef LAMBDA
 #undef CHI
 
-#define ROW(first, array)                                                                                                          \
-    {                                                                                                                              \
-        first, sizeof array / sizeof *array, array                                                                                 \
+#define ROW(first, array)                          \
+    {                                              \
+        first, sizeof array / sizeof *array, array \
     }
 const struct bead_composition bead_composition_verlet = ROW(true, verlet);
 const struct bead_composition bead_composition_pefrl = ROW(false, pefrl);

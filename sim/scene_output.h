@@ -7,7 +7,7 @@
 /* Names of fields in the order of enum bead_field, NULL-terminated. */
 const char *const *bead_output_field_names(void);
 
-#define BEAD_OUTPUT_READER(name)                                                                                                   \
+#define BEAD_OUTPUT_READER(name) \
     enum bead_error name(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option, void *settings)
 BEAD_OUTPUT_READER(bead_output_read_path);
 BEAD_OUTPUT_READER(bead_output_read_fields);

@@ -36,9 +36,9 @@ const char *const *bead_output_field_names(void)
 }
 
 /* The kind key has the file as its value. */
-#define KIND(name, form, file, says)                                                                                               \
-    {                                                                                                                              \
-        .key = name, .type = BEAD_OPTION_CUSTOM, .forms = form, .shape = file, .help = says, .read = bead_output_read_path         \
+#define KIND(name, form, file, says)                                                                                       \
+    {                                                                                                                      \
+        .key = name, .type = BEAD_OPTION_CUSTOM, .forms = form, .shape = file, .help = says, .read = bead_output_read_path \
     }
 
 static const struct bead_option rows[] = {

@@ -18,11 +18,11 @@
 #define P1_CHAIN "chain: {beads: [{bead: large-steel, count: 50}], wall: brass}\n"
 #define P2_CHAIN "chain: {beads: [{cell: [large-steel, aluminium], count: 34}], wall: brass}\n"
 #define P3_CHAIN "chain: {beads: [{cell: [large-steel, aluminium], spins: \"" P3_SPINS "\"}], wall: brass}\n"
-#define P4_CHAIN                                                                                                                   \
-    "chain: {striker: {bead: large-steel, velocity: 0.02 m/s}, precompression: 10 N, wall: brass,\n"                               \
+#define P4_CHAIN                                                                                     \
+    "chain: {striker: {bead: large-steel, velocity: 0.02 m/s}, precompression: 10 N, wall: brass,\n" \
     "  beads: [{cell: [large-steel, aluminium], spins: \"" P3_SPINS "\"}]}\n"
 /* 500 beads in random dimers. */
-#define LONG_CHAIN "chain: {beads: [{cell: [large-steel, aluminium], count: 250, spins: random, magnetism: 0, seed: 2009}]}\n"
+#define LONG_CHAIN "chain: {beads: [{cell: [large-steel, aluminium], count: 250, spins: random, magnetism: 0, seed: 7}]}\n"
 
 struct built {
     struct bead_scene *scene;

@@ -52,17 +52,17 @@ static inline struct bead_sample sample_at(struct bead_run *run, double time)
     return sample;
 }
 
-#define assert_below(value, limit)                                                                                                 \
-    do {                                                                                                                           \
-        double got_ = (value), limit_ = (limit);                                                                                   \
-        if (!(got_ < limit_))                                                                                                      \
-            fail_msg("%s is %.6g, not below %.6g", #value, got_, limit_);                                                          \
+#define assert_below(value, limit)                                        \
+    do {                                                                  \
+        double got_ = (value), limit_ = (limit);                          \
+        if (!(got_ < limit_))                                             \
+            fail_msg("%s is %.6g, not below %.6g", #value, got_, limit_); \
     } while (0)
-#define assert_near(value, wanted, tolerance)                                                                                      \
-    do {                                                                                                                           \
-        double got_ = (value), wanted_ = (wanted);                                                                                 \
-        if (!(fabs(got_ - wanted_) <= (tolerance)))                                                                                \
-            fail_msg("%s is %.15g, not %.15g to %.3g", #value, got_, wanted_, (double)(tolerance));                                \
+#define assert_near(value, wanted, tolerance)                                                       \
+    do {                                                                                            \
+        double got_ = (value), wanted_ = (wanted);                                                  \
+        if (!(fabs(got_ - wanted_) <= (tolerance)))                                                 \
+            fail_msg("%s is %.15g, not %.15g to %.3g", #value, got_, wanted_, (double)(tolerance)); \
     } while (0)
 
 #endif

@@ -11,12 +11,12 @@
 #include "beadreel/sink.h"
 #include "beadreel/trajectory.h"
 
-#define ONE_CHAIN                                                                                                                  \
-    "chain: {beads: [{bead: large-steel, count: 5}, {bead: small-steel, sensor: first},\n"                                         \
+#define ONE_CHAIN                                                                          \
+    "chain: {beads: [{bead: large-steel, count: 5}, {bead: small-steel, sensor: first},\n" \
     "  {cell: [large-steel, aluminium], spins: \"101\"}], wall: brass}\n"
-#define TWO_CHAINS                                                                                                                 \
-    "chains:\n"                                                                                                                    \
-    "  - {name: \"a, b\", beads: [{bead: large-steel, count: 9}, {bead: large-steel, sensor: end}]}\n"                             \
+#define TWO_CHAINS                                                                                     \
+    "chains:\n"                                                                                        \
+    "  - {name: \"a, b\", beads: [{bead: large-steel, count: 9}, {bead: large-steel, sensor: end}]}\n" \
     "  - {name: c, precompression: 5 N, wall: brass, beads: [{bead: aluminium, sensor: one}, {bead: aluminium, count: 5}]}\n"
 
 /* A scene, its chains, a sink of its only output, and a directory for files. */

@@ -20,11 +20,11 @@ struct bead_sensor {
 };
 
 /* Chain `index` of the scene. The scene must outlive the chain. Errors: SCENE (with its place), MEMORY. */
-BEAD_API BEAD_CHECK enum bead_error bead_chain_create(const struct bead_scene *scene, size_t index,
-                                           struct bead_chain **chain, struct bead_message *msg);
+BEAD_API BEAD_CHECK enum bead_error bead_chain_create(const struct bead_scene *scene, size_t index, struct bead_chain **chain,
+                                                      struct bead_message *msg);
 BEAD_API void bead_chain_destroy(struct bead_chain *chain);
 
-BEAD_API const char *bead_chain_name(const struct bead_chain *chain);  /* "" where it has none */
+BEAD_API const char *bead_chain_name(const struct bead_chain *chain); /* "" where it has none */
 BEAD_API const struct bead_chain_spec *bead_chain_spec(const struct bead_chain *chain);
 BEAD_API const struct bead_scene *bead_chain_scene(const struct bead_chain *chain);
 BEAD_API size_t bead_chain_beads(const struct bead_chain *chain);    /* with the striker: N + 1 */

@@ -9,17 +9,17 @@
 #include "beadreel/api.h"
 
 /* code, text, exit status of the programs */
-#define BEAD_ERRORS(X)                                                 \
-    X(OK, "no error", 0)                                               \
-    X(USAGE, "wrong command line", 2)                                  \
-    X(SCENE, "wrong scene", 2)                                         \
-    X(MEMORY, "out of memory", 1)                                      \
-    X(IO, "cannot read or write", 1)                                   \
-    X(FORMAT, "not a file of this kind, or damaged", 1)                \
-    X(NUMBERS, "the numbers stopped making sense", 1)                  \
-    X(GRAPHICS, "drawing failed", 1)                                   \
-    X(CODEC, "encoding failed", 1)                                     \
-    X(UNSUPPORTED, "not supported", 1)                                 \
+#define BEAD_ERRORS(X)                                  \
+    X(OK, "no error", 0)                                \
+    X(USAGE, "wrong command line", 2)                   \
+    X(SCENE, "wrong scene", 2)                          \
+    X(MEMORY, "out of memory", 1)                       \
+    X(IO, "cannot read or write", 1)                    \
+    X(FORMAT, "not a file of this kind, or damaged", 1) \
+    X(NUMBERS, "the numbers stopped making sense", 1)   \
+    X(GRAPHICS, "drawing failed", 1)                    \
+    X(CODEC, "encoding failed", 1)                      \
+    X(UNSUPPORTED, "not supported", 1)                  \
     X(STOPPED, "stopped by a signal", 1)
 
 enum bead_error {
@@ -38,7 +38,6 @@ BEAD_API const char *bead_error_text(enum bead_error code);
 /* The exit status that the programs give for a code. */
 BEAD_API int bead_error_status(enum bead_error code);
 /* Fill `msg` (may be NULL) and return `code`, so that `return bead_fail(...)` reads well. */
-BEAD_API enum bead_error bead_fail(struct bead_message *msg, enum bead_error code,
-                                   const char *format, ...) BEAD_PRINTF(3, 4);
+BEAD_API enum bead_error bead_fail(struct bead_message *msg, enum bead_error code, const char *format, ...) BEAD_PRINTF(3, 4);
 
 #endif

@@ -9,12 +9,12 @@
 #include "beadreel/scene.h"
 
 struct bead_law {
-    const char *name;        /* as in scenes */
-    const char *description; /* with the source of the formula */
-    bool one_sided;          /* no force at d <= 0: contacts open and close */
-    double (*energy)(double a, const struct bead_law_spec *spec, double d);    /* J */
-    double (*force)(double a, const struct bead_law_spec *spec, double d);     /* N */
-    double (*stiffness)(double a, const struct bead_law_spec *spec, double d); /* N/m, df/dd */
+    const char *name;                                                            /* as in scenes */
+    const char *description;                                                     /* with the source of the formula */
+    bool one_sided;                                                              /* no force at d <= 0: contacts open and close */
+    double (*energy)(double a, const struct bead_law_spec *spec, double d);      /* J */
+    double (*force)(double a, const struct bead_law_spec *spec, double d);       /* N */
+    double (*stiffness)(double a, const struct bead_law_spec *spec, double d);   /* N/m, df/dd */
     double (*compression)(double a, const struct bead_law_spec *spec, double f); /* m, inverse of force */
     double (*energy_compression)(double a, const struct bead_law_spec *spec, double e); /* m, inverse of energy */
 };

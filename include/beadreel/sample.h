@@ -8,18 +8,18 @@
 #include "beadreel/api.h"
 
 /* name in scenes, unit, long name, one value for each BEAD or CONTACT */
-#define BEAD_FIELDS(X)                                             \
-    X(FORCE, "force", "N", "bead force", BEAD)                     \
+#define BEAD_FIELDS(X)                                               \
+    X(FORCE, "force", "N", "bead force", BEAD)                       \
     X(CONTACT_FORCE, "contact-force", "N", "contact force", CONTACT) \
-    X(VELOCITY, "velocity", "m/s", "velocity", BEAD)               \
-    X(DISPLACEMENT, "displacement", "m", "displacement", BEAD)     \
+    X(VELOCITY, "velocity", "m/s", "velocity", BEAD)                 \
+    X(DISPLACEMENT, "displacement", "m", "displacement", BEAD)       \
     X(ENERGY, "energy", "J", "energy", BEAD)
 
 enum bead_field {
 #define BEAD_FIELD_ENUM(id, name, unit, title, place) BEAD_FIELD_##id,
     BEAD_FIELDS(BEAD_FIELD_ENUM)
 #undef BEAD_FIELD_ENUM
-    BEAD_FIELD_COUNT
+        BEAD_FIELD_COUNT
 };
 
 struct bead_field_info {
@@ -53,10 +53,10 @@ BEAD_API double bead_grid_time(const struct bead_grid *grid, size_t index);
  * bead (or contact) of the chain, are indexed by its number, and are valid in the spans asked for;
  * a field that nobody asked for is NULL. SI units. */
 struct bead_sample {
-    size_t chain;   /* index in the scene */
-    size_t index;   /* of the receiving sink's own grid */
-    double time;    /* s */
-    size_t active;  /* beads >= active are exactly at rest, all their values 0 (or static) */
+    size_t chain;  /* index in the scene */
+    size_t index;  /* of the receiving sink's own grid */
+    double time;   /* s */
+    size_t active; /* beads >= active are exactly at rest, all their values 0 (or static) */
     const double *field[BEAD_FIELD_COUNT];
 };
 

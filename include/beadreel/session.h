@@ -24,24 +24,24 @@
 
 /* Told now and then (at most some ten times a second) while a session runs. */
 struct bead_progress {
-    const char *what;     /* "scouting", "simulating", "drawing beads.mp4" */
-    double done;          /* 0..1 */
-    double time;          /* s of physical time reached */
+    const char *what; /* "scouting", "simulating", "drawing beads.mp4" */
+    double done;      /* 0..1 */
+    double time;      /* s of physical time reached */
 };
 
 struct bead_job {
-    const char *input;              /* scene.yaml, a ready scene's name, or a trajectory (.h5) */
-    const char *const *settings;    /* key.path=value */
+    const char *input;           /* scene.yaml, a ready scene's name, or a trajectory (.h5) */
+    const char *const *settings; /* key.path=value */
     size_t setting_count;
-    const char *output;             /* -o: a directory (scenes) or a file (trajectories); NULL: "." */
-    const char *const *only;        /* names of outputs to make; all others are skipped */
+    const char *output;      /* -o: a directory (scenes) or a file (trajectories); NULL: "." */
+    const char *const *only; /* names of outputs to make; all others are skipped */
     size_t only_count;
-    int threads;                    /* 0: all cores; 1: everything in one thread; same results for any */
-    const char *instructions;       /* NULL: the best; or sse2, avx2, avx512: same results for any */
-    bool hash;                      /* fill bead_counts.state_hash */
-    bool full_window;               /* compute beads at rest too (for checks; same results) */
+    int threads;                                      /* 0: all cores; 1: everything in one thread; same results for any */
+    const char *instructions;                         /* NULL: the best; or sse2, avx2, avx512: same results for any */
+    bool hash;                                        /* fill bead_counts.state_hash */
+    bool full_window;                                 /* compute beads at rest too (for checks; same results) */
     const struct bead_sink_type *const *const *sinks; /* NULL-terminated list of NULL-terminated lists */
-    const volatile sig_atomic_t *stop; /* non-zero: finish files and return STOPPED; may be NULL */
+    const volatile sig_atomic_t *stop;                /* non-zero: finish files and return STOPPED; may be NULL */
     void (*progress)(void *context, const struct bead_progress *progress); /* may be NULL */
     void *progress_context;
 };
@@ -51,7 +51,8 @@ struct bead_session;
 BEAD_API void bead_job_default(struct bead_job *job);
 /* Reads and checks everything; simulates only as far as needed to know times (default `until`).
  * Errors: SCENE, USAGE, IO, FORMAT, MEMORY. On failure *session is NULL. */
-BEAD_API BEAD_CHECK enum bead_error bead_session_open(const struct bead_job *job, struct bead_session **session, struct bead_message *msg);
+BEAD_API BEAD_CHECK enum bead_error bead_session_open(const struct bead_job *job, struct bead_session **session,
+                                                      struct bead_message *msg);
 /* What will be computed, what is skipped, and why: lines of text into `out`. */
 BEAD_API BEAD_CHECK enum bead_error bead_session_plan(const struct bead_session *session, FILE *out, struct bead_message *msg);
 BEAD_API BEAD_CHECK enum bead_error bead_session_run(struct bead_session *session, struct bead_message *msg);
@@ -69,10 +70,10 @@ BEAD_API const char *bead_session_skipped(const struct bead_session *session, si
 struct bead_counts {
     uint64_t evaluations; /* of one contact's force, in steps */
     uint64_t steps;
-    uint64_t samples;     /* sample times computed, of all chains */
+    uint64_t samples;       /* sample times computed, of all chains */
     uint64_t sample_values; /* bead values interpolated for samples */
-    uint64_t passes;      /* times the chains were simulated: 1, or more with scouting */
-    uint64_t state_hash;  /* FNV-1a over displacement and velocity bits of all chains after every step */
+    uint64_t passes;        /* times the chains were simulated: 1, or more with scouting */
+    uint64_t state_hash;    /* FNV-1a over displacement and velocity bits of all chains after every step */
 };
 BEAD_API const struct bead_counts *bead_session_counts(const struct bead_session *session);
 BEAD_API const struct bead_outcome *bead_session_outcomes(const struct bead_session *session, size_t *chain_count);

@@ -26,10 +26,10 @@ struct bead_needs {
     struct bead_span beads; /* valid part of the samples' arrays; contacts first..last likewise */
     struct bead_grid grid;
     bool contact_peaks, bead_peaks; /* maxima of every contact's / bead's force: in the outcome */
-    bool range;             /* wants the range of `range_field` over beads and times before begin (a scouting pass) */
+    bool range;                     /* wants the range of `range_field` over beads and times before begin (a scouting pass) */
     enum bead_field range_field;
-    double until;           /* s: nothing after this time is needed (tables of peaks: INFINITY = whole run) */
-    const char *why;        /* a few words for --plan: "600 frames of 1920 x 1080, every 5 us" (owned by the sink) */
+    double until;    /* s: nothing after this time is needed (tables of peaks: INFINITY = whole run) */
+    const char *why; /* a few words for --plan: "600 frames of 1920 x 1080, every 5 us" (owned by the sink) */
 };
 
 /* What is known before the first sample. */
@@ -57,14 +57,14 @@ struct bead_peak {
 
 /* What is known about one chain after the run. */
 struct bead_outcome {
-    double end;             /* s: simulated until here */
-    double front_arrival;   /* s: last contact exceeded 1e-4 of the largest force so far; NaN: never */
+    double end;           /* s: simulated until here */
+    double front_arrival; /* s: last contact exceeded 1e-4 of the largest force so far; NaN: never */
     const char *method;
-    double step;            /* s, nominal */
-    uint64_t steps, evaluations; /* evaluations of one bead's force */
-    double energy_start, energy_end;     /* J */
-    double momentum_start, momentum_end; /* kg m/s */
-    double energy_error;                 /* largest relative deviation seen */
+    double step;                           /* s, nominal */
+    uint64_t steps, evaluations;           /* evaluations of one bead's force */
+    double energy_start, energy_end;       /* J */
+    double momentum_start, momentum_end;   /* kg m/s */
+    double energy_error;                   /* largest relative deviation seen */
     const struct bead_peak *contact_peaks; /* [contacts], NULL where not asked */
     const struct bead_peak *bead_peaks;    /* [beads], NULL where not asked */
 };

@@ -2,7 +2,8 @@
  *
  *   create -> place (rectangle) -> decorate (axes: once) -> feed (samples, in time order) and draw (contents at a time), repeated
  *
- * A view knows neither files nor codecs, nor where the rectangle lies in the picture. The same view serves PNG, PDF, SVG and movies. */
+ * A view knows neither files nor codecs, nor where the rectangle lies in the picture. The same view serves PNG, PDF, SVG and
+ * movies. */
 #ifndef BEADREEL_VIEW_H
 #define BEADREEL_VIEW_H
 
@@ -23,16 +24,16 @@ struct bead_view_setup {
     const struct bead_chain *chain;
     size_t chain_index;
     enum bead_field field;
-    struct bead_span beads; /* shown; last is a bead (or contact) of the chain, never SIZE_MAX */
-    double time[2];         /* s: span of the picture's time axis */
+    struct bead_span beads;      /* shown; last is a bead (or contact) of the chain, never SIZE_MAX */
+    double time[2];              /* s: span of the picture's time axis */
     struct bead_colours colours; /* the range is that of all chains and all times */
     const struct bead_look *look;
-    bool axes;              /* axes and labels around the plot */
-    bool bead_labels;       /* label the bead axis; false where a view below shares it */
-    bool time_down;         /* spacetime: time runs down and beads to the right (movies); else beads up, time to the right (papers) */
-    bool time_shared;       /* spacetime, sensors: no labels on the time axis; a view below has them */
-    bool fill;              /* spacetime: show only what has passed, with a cursor at the present (movies) */
-    double magnify;         /* beads: factor on displacements, > 0 */
+    bool axes;        /* axes and labels around the plot */
+    bool bead_labels; /* label the bead axis; false where a view below shares it */
+    bool time_down;   /* spacetime: time runs down and beads to the right (movies); else beads up, time to the right (papers) */
+    bool time_shared; /* spacetime, sensors: no labels on the time axis; a view below has them */
+    bool fill;        /* spacetime: show only what has passed, with a cursor at the present (movies) */
+    double magnify;   /* beads: factor on displacements, > 0 */
 };
 
 struct bead_view; /* each type's own */
@@ -40,8 +41,8 @@ struct bead_view; /* each type's own */
 struct bead_view_type {
     enum bead_view_kind kind;
     const char *name, *help;
-    double height;      /* wanted share of the picture's height, for layouts */
-    bool canvas;        /* draws with GL */
+    double height; /* wanted share of the picture's height, for layouts */
+    bool canvas;   /* draws with GL */
     /* BEAD_FIELD_BITs it reads of samples. */
     unsigned (*fields)(const struct bead_view_setup *setup);
     enum bead_error (*create)(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg);
@@ -51,8 +52,8 @@ struct bead_view_type {
     enum bead_error (*decorate)(struct bead_view *view, cairo_t *cr, struct bead_message *msg);
     /* A sample of this view's chain. */
     enum bead_error (*feed)(struct bead_view *view, const struct bead_sample *sample, struct bead_message *msg);
-    /* Contents as of `time` (that of the last sample fed, or between the last two) into the plot rectangle of `frame`, where the static layer is
-     * `background`; adds what changed since the last draw. */
+    /* Contents as of `time` (that of the last sample fed, or between the last two) into the plot rectangle of `frame`, where the
+     * static layer is `background`; adds what changed since the last draw. */
     enum bead_error (*draw)(struct bead_view *view, double time, struct bead_frame *frame, const struct bead_frame *background,
                             struct bead_changes *changes, struct bead_message *msg);
     /* The same contents into a vector file: curves as paths, rasters with nearest-neighbour filter. */
