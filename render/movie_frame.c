@@ -1,0 +1,368 @@
+#include "render/movie_frame.h"
+
+#include <cairo.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/canvas.h"
+#include "render/magnify.h"
+#include "render/movie_layout.h"
+#include "render/movie_words.h"
+#include "render/view_beads.h"
+
+struct bead_composer {
+    struct bead_composer_setup setup;
+    struct bead_look look;
+    struct bead_colormap map;
+    struct bead_colours colours;
+    struct bead_clock clock;
+    double magnify;
+    struct bead_movie_wants wants;
+    struct bead_movie_layout layout;
+    struct bead_view **views; /* of chain c: from c * wants.view_count on */
+    struct bead_canvas *canvas;
+    struct bead_frame frame, background;
+    cairo_surface_t *surface; /* of the frame */
+    cairo_t *cr;
+    char time_text[256]; /* as shown now */
+    bool started;
+};
+
+unsigned bead_composer_fields(const struct bead_output *output)
+{
+    struct bead_view_setup setup = {.field = output->field};
+    unsigned fields = 0;
+    for (size_t i = 0; i < output->view_count; i++) {
+        const struct bead_view_type *type = bead_view_find(output->views[i]);
+        fields |= type ? type->fields(&setup) : 0;
+    }
+    return fields;
+}
+
+bool bead_composer_averages(const struct bead_output *output)
+{
+    bool averages = false;
+    for (size_t i = 0; i < output->view_count; i++)
+        averages = averages || output->views[i] == BEAD_VIEW_SPACETIME || output->views[i] == BEAD_VIEW_SENSORS;
+    return averages;
+}
+
+static struct bead_view **view_at(const struct bead_composer *c, size_t chain, size_t view)
+{
+    return &c->views[chain * c->wants.view_count + view];
+}
+
+static struct bead_span span_of(const struct bead_composer *c, size_t chain)
+{
+    const struct bead_output *output = c->setup.output;
+    const struct bead_chain *own = c->setup.chains[chain];
+    size_t count = bead_field_info(output->field)->of_contacts ? bead_chain_contacts(own) : bead_chain_beads(own);
+    struct bead_span span = output->beads;
+    if (span.last >= count)
+        span.last = count - 1;
+    if (span.first > span.last)
+        span.first = span.last;
+    return span;
+}
+
+static double reach(const struct bead_look *look, double low, double high, const char *unit, enum bead_scale scale, double length,
+                    enum bead_side side, const char *title)
+{
+    struct bead_axis axis;
+    struct bead_rect plot = {0, 0, (int)length, (int)length};
+    bead_axis_make(&axis, low, high, unit, scale, length, look->tick, side == BEAD_SIDE_BOTTOM);
+    return bead_axis_draw(NULL, look, &axis, plot, side, false, true, title);
+}
+
+/* How far axes will reach out of plots of about the size they will have. */
+static void measure_axes(struct bead_composer *c)
+{
+    struct bead_movie_wants *w = &c->wants;
+    const struct bead_look *look = &c->look;
+    const struct bead_field_info *field = bead_field_info(c->setup.output->field);
+    double length = fmax(40, 0.12 * w->height), most = 1;
+    w->same_beads = true;
+    for (size_t i = 0; i < w->chain_count; i++) {
+        struct bead_span span = span_of(c, i), first = span_of(c, 0);
+        w->same_beads = w->same_beads && span.first == first.first && span.last == first.last;
+        most = fmax(most, (double)span.last);
+    }
+    const double *range = c->setup.range, *time = c->setup.time;
+    w->left = fmax(reach(look, range[0], range[1], field->unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, field->title),
+                   reach(look, time[0], time[1], "s", BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, "time"));
+    w->left = fmax(w->left, reach(look, 0, most, "", BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, "bead"));
+    w->below_beads = reach(look, 0, most, "", BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, "bead");
+    w->below_time = reach(look, time[0], time[1], "s", BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, "time");
+    struct bead_rect bar = {0, 0, 20, (int)(4 * length)};
+    w->bar = bead_colour_bar_draw(NULL, look, &c->colours, field->unit, field->title, bar, false, false);
+    char text[256];
+    double height;
+    struct bead_text_style style = bead_clock_style(look);
+    bead_clock_text(&c->clock, c->setup.time[1], look, text, sizeof text);
+    bead_text_size(NULL, &style, text, &w->time_width, &height);
+    w->time_width = ceil(w->time_width + 0.5 * look->gap);
+}
+
+static enum bead_error fill_wants(struct bead_composer *c, struct bead_message *msg)
+{
+    const struct bead_output *output = c->setup.output;
+    struct bead_movie_wants *w = &c->wants;
+    *w = (struct bead_movie_wants){.width = c->setup.width,
+                                   .height = c->setup.height,
+                                   .look = &c->look,
+                                   .chain_count = c->setup.chain_count,
+                                   .axes = output->axes,
+                                   .title = c->setup.title && c->setup.title[0]};
+    for (size_t i = 0; i < output->view_count && i < BEAD_MOVIE_VIEWS; i++) {
+        const struct bead_view_type *type = bead_view_find(output->views[i]);
+        if (!type)
+            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: there is no such view in this program", output->path);
+        w->views[w->view_count++] = type;
+    }
+    if (w->view_count == 0)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: views: at least one is needed", output->path);
+    for (size_t i = 0; i < w->chain_count; i++)
+        w->headings = w->headings || bead_heading_has(c->setup.chains[i]);
+    measure_axes(c);
+    return BEAD_OK;
+}
+
+static enum bead_error create_views(struct bead_composer *c, struct bead_message *msg)
+{
+    const struct bead_output *output = c->setup.output;
+    c->views = calloc(c->wants.chain_count * c->wants.view_count + 1, sizeof *c->views);
+    if (!c->views)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for views");
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++) {
+        size_t chain = i / c->wants.view_count, view = i % c->wants.view_count;
+        bool sensors = c->wants.views[view]->kind == BEAD_VIEW_SENSORS, labels = c->layout.chains[chain].labels[view];
+        struct bead_view_setup setup = {.chain = c->setup.chains[chain],
+                                        .chain_index = chain,
+                                        .field = output->field,
+                                        .beads = span_of(c, chain),
+                                        .time = {c->setup.time[0], c->setup.time[1]},
+                                        .colours = c->colours,
+                                        .look = &c->look,
+                                        .axes = c->layout.axes,
+                                        .bead_labels = labels && !sensors,
+                                        .time_down = true,
+                                        .time_shared = sensors && !labels,
+                                        .fill = true,
+                                        .magnify = c->magnify};
+        err = c->wants.views[view]->create(&setup, view_at(c, chain, view), msg);
+    }
+    return err;
+}
+
+static enum bead_error fill(struct bead_composer *c, struct bead_message *msg)
+{
+    const struct bead_output *output = c->setup.output;
+    bead_look_screen(&c->look, c->setup.width, c->setup.height, output->theme != BEAD_THEME_LIGHT);
+    enum bead_error err = bead_colormap_load(output->colormap, &c->map, msg);
+    if (err)
+        return err;
+    c->colours = (struct bead_colours){&c->map, output->scale, c->setup.range[0], c->setup.range[1]};
+    c->clock = bead_clock_make(c->setup.time[1], c->setup.step);
+    c->magnify = output->magnify > 0 ? output->magnify : bead_magnify_auto(c->setup.chains, c->setup.chain_count);
+    err = fill_wants(c, msg);
+    if (!err)
+        err = bead_movie_arrange(&c->wants, &c->layout, msg);
+    if (!err)
+        err = create_views(c, msg);
+    if (!err)
+        err = bead_frame_create(c->setup.width, c->setup.height, &c->frame, msg);
+    return err ? err : bead_frame_create(c->setup.width, c->setup.height, &c->background, msg);
+}
+
+enum bead_error bead_composer_create(const struct bead_composer_setup *setup, struct bead_composer **composer,
+                                     struct bead_message *msg)
+{
+    *composer = NULL;
+    struct bead_composer *c = calloc(1, sizeof *c);
+    if (!c)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
+    c->setup = *setup;
+    enum bead_error err = fill(c, msg);
+    if (err)
+        bead_composer_destroy(c);
+    else
+        *composer = c;
+    return err;
+}
+
+/* As large as the largest rectangle that is drawn with it. */
+static enum bead_error create_canvas(struct bead_composer *c, struct bead_message *msg)
+{
+    int left, right, width = 0, height = 0;
+    bead_beads_margins(&c->look, &left, &right);
+    for (size_t i = 0; i < c->wants.chain_count * c->wants.view_count; i++) {
+        size_t view = i % c->wants.view_count;
+        const struct bead_rect *plot = &c->layout.chains[i / c->wants.view_count].plot[view];
+        if (!c->wants.views[view]->canvas)
+            continue;
+        width = plot->width > width ? plot->width : width;
+        height = plot->height > height ? plot->height : height;
+    }
+    return width ? bead_canvas_create(NULL, width + left + right, height, &c->canvas, msg) : BEAD_OK;
+}
+
+static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++) {
+        size_t chain = i / c->wants.view_count, view = i % c->wants.view_count;
+        const struct bead_view_type *type = c->wants.views[view];
+        err = type->place(c->views[i], c->layout.chains[chain].plot[view], type->canvas ? c->canvas : NULL, msg);
+        cairo_save(cr);
+        if (!err && type->decorate)
+            err = type->decorate(c->views[i], cr, msg);
+        cairo_restore(cr);
+    }
+    return err;
+}
+
+static void draw_words(struct bead_composer *c, cairo_t *cr)
+{
+    const struct bead_movie_layout *layout = &c->layout;
+    const struct bead_look *look = &c->look;
+    bool stacked = layout->facts.x <= layout->time.x;
+    if (layout->title.width > 0) {
+        struct bead_text_style style = {
+            look->family, 1.05 * look->label, look->ink, true, stacked ? BEAD_ALIGN_START : BEAD_ALIGN_END, BEAD_ALIGN_MIDDLE,
+            false};
+        bead_line_draw(cr, style, c->setup.title, layout->title);
+    }
+    bool beads = false;
+    for (size_t i = 0; i < c->wants.view_count; i++)
+        beads = beads || c->wants.views[i]->kind == BEAD_VIEW_BEADS;
+    double span = c->setup.time[1] - c->setup.time[0];
+    struct bead_facts facts = {.slowed = span > 0 ? c->setup.output->duration / span : 1,
+                               .magnify = beads ? c->magnify : 0,
+                               .chains = c->setup.chains,
+                               .chain_count = c->setup.chain_count};
+    if (layout->facts.width > 0)
+        bead_facts_draw(cr, look, &facts, layout->facts, stacked);
+    for (size_t i = 0; i < layout->chain_count; i++) {
+        if (layout->chains[i].heading.width > 0)
+            bead_heading_draw(cr, look, c->setup.chains[i], layout->chains[i].heading);
+    }
+}
+
+static enum bead_error draw_background(struct bead_composer *c, struct bead_message *msg)
+{
+    struct bead_frame *b = &c->background;
+    cairo_surface_t *surface =
+        cairo_image_surface_create_for_data(b->pixels, CAIRO_FORMAT_RGB24, b->width, b->height, (int)b->stride);
+    cairo_t *cr = cairo_create(surface);
+    cairo_set_source_rgb(cr, c->look.background.r, c->look.background.g, c->look.background.b);
+    cairo_paint(cr);
+    enum bead_error err = decorate_views(c, cr, msg);
+    draw_words(c, cr);
+    const struct bead_field_info *field = bead_field_info(c->setup.output->field);
+    if (c->layout.bar.width > 0)
+        bead_colour_bar_draw(cr, &c->look, &c->colours, field->unit, field->title, c->layout.bar, false, false);
+    cairo_surface_flush(surface);
+    if (!err && cairo_status(cr) != CAIRO_STATUS_SUCCESS)
+        err = bead_fail(msg, BEAD_ERROR_GRAPHICS, "drawing the background: %s", cairo_status_to_string(cairo_status(cr)));
+    cairo_destroy(cr);
+    cairo_surface_destroy(surface);
+    return err;
+}
+
+enum bead_error bead_composer_open(struct bead_composer *c, struct bead_message *msg)
+{
+    enum bead_error err = create_canvas(c, msg);
+    if (!err)
+        err = draw_background(c, msg);
+    if (err)
+        return err;
+    struct bead_frame *f = &c->frame;
+    c->surface = cairo_image_surface_create_for_data(f->pixels, CAIRO_FORMAT_RGB24, f->width, f->height, (int)f->stride);
+    c->cr = cairo_create(c->surface);
+    if (cairo_status(c->cr) != CAIRO_STATUS_SUCCESS)
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "drawing: %s", cairo_status_to_string(cairo_status(c->cr)));
+    return BEAD_OK;
+}
+
+enum bead_error bead_composer_feed(struct bead_composer *c, const struct bead_sample *sample, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t v = 0; !err && v < c->wants.view_count; v++)
+        err = c->wants.views[v]->feed(*view_at(c, sample->chain, v), sample, msg);
+    return err;
+}
+
+/* The time as text, where it reads differently now. */
+static void draw_time(struct bead_composer *c, double time, struct bead_changes *changes)
+{
+    char text[sizeof c->time_text];
+    struct bead_rect rect = c->layout.time;
+    bead_clock_text(&c->clock, time, &c->look, text, sizeof text);
+    if (rect.width == 0 || strcmp(text, c->time_text) == 0)
+        return;
+    snprintf(c->time_text, sizeof c->time_text, "%s", text);
+    cairo_surface_flush(c->surface);
+    bead_frame_copy(&c->frame, &c->background, rect);
+    cairo_surface_mark_dirty(c->surface);
+    struct bead_text_style style = bead_clock_style(&c->look);
+    cairo_save(c->cr);
+    cairo_rectangle(c->cr, rect.x, rect.y, rect.width, rect.height);
+    cairo_clip(c->cr);
+    bead_text_draw(c->cr, &style, rect.x, rect.y + 0.5 * rect.height, text);
+    cairo_restore(c->cr);
+    cairo_surface_flush(c->surface);
+    bead_changes_add(changes, rect);
+}
+
+enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct bead_changes *changes, struct bead_message *msg)
+{
+    struct bead_rect all = {0, 0, c->frame.width, c->frame.height};
+    if (!c->started) {
+        bead_frame_copy(&c->frame, &c->background, all);
+        bead_changes_add(changes, all);
+        c->started = true;
+    }
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++)
+        err = c->wants.views[i % c->wants.view_count]->draw(c->views[i], time, &c->frame, &c->background, changes, msg);
+    if (!err)
+        draw_time(c, time, changes);
+    return err;
+}
+
+const struct bead_frame *bead_composer_frame(const struct bead_composer *c)
+{
+    return &c->frame;
+}
+
+void bead_composer_close(struct bead_composer *c)
+{
+    for (size_t i = 0; c->views && i < c->wants.chain_count * c->wants.view_count; i++) {
+        if (c->views[i])
+            c->wants.views[i % c->wants.view_count]->destroy(c->views[i]);
+        c->views[i] = NULL;
+    }
+    bead_canvas_destroy(c->canvas);
+    c->canvas = NULL;
+    if (c->cr)
+        cairo_destroy(c->cr);
+    if (c->surface)
+        cairo_surface_destroy(c->surface);
+    c->cr = NULL;
+    c->surface = NULL;
+}
+
+void bead_composer_destroy(struct bead_composer *c)
+{
+    if (!c)
+        return;
+    bead_composer_close(c);
+    free(c->views);
+    bead_movie_layout_free(&c->layout);
+    bead_frame_free(&c->frame);
+    bead_frame_free(&c->background);
+    free(c);
+}

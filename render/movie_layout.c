@@ -1,0 +1,225 @@
+#include "render/movie_layout.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "render/view_beads.h"
+
+/* What is left out, one after the other, until the rest has room. */
+enum level { EVERYTHING, NO_WORDS, NO_HEADINGS, NO_AXES, VIEWS_ONLY, LEVELS };
+
+/* Lengths of one level, px. */
+struct measures {
+    enum level level;
+    bool axes, headings;
+    int margin, left, right, top, bottom; /* around the plots */
+    int heading, view_gap, chain_gap;
+    int bar_gap, bar_width;
+    int width;    /* of the plots */
+    bool stacked; /* words below the time, not beside it */
+    int time_height, line_height;
+};
+
+static int whole(double x)
+{
+    return (int)ceil(x);
+}
+
+static struct measures measure(const struct bead_movie_wants *w, enum level level)
+{
+    const struct bead_look *look = w->look;
+    int beads_left, beads_right;
+    bead_beads_margins(look, &beads_left, &beads_right);
+    struct measures m = {
+        .level = level, .axes = w->axes && level < NO_AXES, .headings = w->axes && w->headings && level < NO_HEADINGS};
+    m.view_gap = level == VIEWS_ONLY ? 0 : whole(0.9 * look->gap);
+    m.chain_gap = level == VIEWS_ONLY ? 0 : whole(1.5 * look->gap);
+    if (w->axes && level < VIEWS_ONLY) {
+        m.margin = whole(1.5 * look->gap);
+        m.time_height = whole(1.45 * look->title);
+        m.line_height = whole(1.4 * look->label);
+        m.stacked = w->width < w->time_width + 22 * look->label;
+    }
+    int lines = level == EVERYTHING && m.time_height ? 1 + w->title : 0;
+    int words = lines * m.line_height;
+    m.top = m.time_height == 0 ? 0
+                               : m.margin / 2 + (m.stacked               ? m.time_height + words
+                                                 : words > m.time_height ? words
+                                                                         : m.time_height);
+    m.heading = m.headings ? whole(1.75 * look->title) : 0;
+    m.left = m.right = m.margin;
+    if (m.axes) {
+        double left = fmax(w->left, beads_left);
+        m.left += whole(left);
+        m.bar_gap = whole(1.8 * look->gap);
+        m.bar_width = whole(1.3 * look->gap);
+        m.right += m.bar_gap + m.bar_width + whole(w->bar);
+    }
+    m.bottom = m.margin;
+    m.width = w->width - m.left - m.right;
+    return m;
+}
+
+static bool has_bead_axis(const struct bead_view_type *type)
+{
+    return type->kind == BEAD_VIEW_PROFILE || type->kind == BEAD_VIEW_SPACETIME;
+}
+
+/* The lowest view with a bead axis labels it for all above; beads alone number themselves. */
+static bool labels_beads(const struct bead_movie_wants *w, size_t view)
+{
+    size_t best = w->view_count;
+    for (size_t i = 0; i < w->view_count; i++) {
+        if (has_bead_axis(w->views[i]))
+            best = i;
+    }
+    for (size_t i = 0; best == w->view_count && i < w->view_count; i++)
+        best = w->views[i]->kind == BEAD_VIEW_BEADS ? i : best;
+    return view == best;
+}
+
+static bool labelled(const struct bead_movie_wants *w, const struct measures *m, size_t chain, size_t view)
+{
+    const struct bead_view_type *type = w->views[view];
+    bool lowest = chain + 1 == w->chain_count;
+    if (!m->axes)
+        return false;
+    if (type->kind == BEAD_VIEW_SENSORS)
+        return lowest;
+    return labels_beads(w, view) && (lowest || !w->same_beads || type->kind == BEAD_VIEW_BEADS);
+}
+
+static int below(const struct bead_movie_wants *w, const struct measures *m, size_t chain, size_t view)
+{
+    if (!labelled(w, m, chain, view) || w->views[view]->kind == BEAD_VIEW_BEADS)
+        return 0;
+    return whole(w->views[view]->kind == BEAD_VIEW_SENSORS ? w->below_time : w->below_beads);
+}
+
+/* Heights of one chain's views from what there is: by their shares, but no more than is good for them. */
+static int share_out(const struct bead_movie_wants *w, const struct measures *m, int height, int *heights)
+{
+    static const double most[BEAD_VIEW_KINDS] = {
+        [BEAD_VIEW_BEADS] = 0.17, [BEAD_VIEW_PROFILE] = 0.25, [BEAD_VIEW_SPACETIME] = 2, [BEAD_VIEW_SENSORS] = 0.5};
+    bool fixed[BEAD_MOVIE_VIEWS] = {false};
+    for (bool again = true; again;) {
+        double shares = 0;
+        int free = height;
+        again = false;
+        for (size_t i = 0; i < w->view_count; i++) {
+            shares += fixed[i] ? 0 : w->views[i]->height;
+            free -= fixed[i] ? heights[i] : 0;
+        }
+        for (size_t i = 0; i < w->view_count; i++) {
+            int limit = whole(most[w->views[i]->kind] * m->width);
+            if (fixed[i])
+                continue;
+            heights[i] = (int)floor(free * w->views[i]->height / shares);
+            if (m->level < VIEWS_ONLY && heights[i] > limit && limit > 0) {
+                heights[i] = limit;
+                fixed[i] = again = true;
+            }
+        }
+    }
+    int used = 0;
+    for (size_t i = 0; i < w->view_count; i++)
+        used += heights[i];
+    return used;
+}
+
+static int least_height(const struct measures *m)
+{
+    return m->level == VIEWS_ONLY ? 1 : 12;
+}
+
+/* Height that is not for plots. */
+static int fixed_height(const struct bead_movie_wants *w, const struct measures *m)
+{
+    int chains = (int)w->chain_count, views = (int)w->view_count;
+    int height = m->top + m->bottom + chains * (m->heading + (views - 1) * m->view_gap) + (chains - 1) * m->chain_gap;
+    for (size_t c = 0; c < w->chain_count; c++) {
+        for (size_t v = 0; v < w->view_count; v++)
+            height += below(w, m, c, v);
+    }
+    return height;
+}
+
+static void place_header(const struct bead_movie_wants *w, const struct measures *m, struct bead_movie_layout *layout)
+{
+    int right = m->left + m->width, half = m->margin / 2, gap = whole(w->look->gap);
+    if (m->time_height == 0)
+        return;
+    int time_width = whole(w->time_width) < m->width ? whole(w->time_width) : m->width;
+    layout->time = (struct bead_rect){m->left, half, time_width, m->time_height};
+    if (m->level > EVERYTHING)
+        return;
+    int x = m->stacked ? m->left : m->left + time_width + 2 * gap;
+    int y = m->stacked ? half + m->time_height : half;
+    if (right <= x)
+        return;
+    if (w->title)
+        layout->title = (struct bead_rect){x, y, right - x, m->line_height};
+    layout->facts = (struct bead_rect){x, y + (w->title ? m->line_height : 0), right - x, m->line_height};
+}
+
+static bool place_chains(const struct bead_movie_wants *w, const struct measures *m, struct bead_movie_layout *layout)
+{
+    int heights[BEAD_MOVIE_VIEWS], chains = (int)w->chain_count;
+    int room = (w->height - fixed_height(w, m)) / chains;
+    if (room < least_height(m) * (int)w->view_count || m->width < (m->level == VIEWS_ONLY ? 1 : 80))
+        return false;
+    int spare = (room - share_out(w, m, room, heights)) * chains, y = m->top + spare / (2 * chains);
+    for (size_t c = 0; c < w->chain_count; c++) {
+        struct bead_movie_chain *chain = &layout->chains[c];
+        if (m->heading)
+            chain->heading = (struct bead_rect){m->left, y, m->width, m->heading};
+        y += m->heading;
+        for (size_t v = 0; v < w->view_count; v++) {
+            if (heights[v] < 1)
+                return false;
+            chain->plot[v] = (struct bead_rect){m->left, y, m->width, heights[v]};
+            chain->labels[v] = labelled(w, m, c, v);
+            y += heights[v] + below(w, m, c, v) + (v + 1 < w->view_count ? m->view_gap : 0);
+        }
+        y += m->chain_gap + spare / chains;
+    }
+    return true;
+}
+
+static void place_bar(const struct bead_movie_wants *w, const struct measures *m, struct bead_movie_layout *layout)
+{
+    if (!m->axes)
+        return;
+    const struct bead_rect *first = &layout->chains[0].plot[0];
+    const struct bead_rect *last = &layout->chains[w->chain_count - 1].plot[w->view_count - 1];
+    int pad = whole(0.5 * w->look->tick); /* half a label at both ends */
+    int from = first->y + pad, to = last->y + last->height - pad;
+    if (to - from >= 8)
+        layout->bar = (struct bead_rect){m->left + m->width + m->bar_gap, from, m->bar_width, to - from};
+}
+
+enum bead_error bead_movie_arrange(const struct bead_movie_wants *wants, struct bead_movie_layout *layout, struct bead_message *msg)
+{
+    *layout = (struct bead_movie_layout){.chain_count = wants->chain_count};
+    layout->chains = calloc(wants->chain_count + 1, sizeof *layout->chains);
+    if (!layout->chains)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a layout");
+    for (enum level level = wants->axes ? EVERYTHING : VIEWS_ONLY; level < LEVELS; level++) {
+        struct measures m = measure(wants, level);
+        if (wants->chain_count > 100000 || !place_chains(wants, &m, layout))
+            continue;
+        layout->axes = m.axes;
+        place_header(wants, &m, layout);
+        place_bar(wants, &m, layout);
+        return BEAD_OK;
+    }
+    bead_movie_layout_free(layout);
+    return bead_fail(msg, BEAD_ERROR_SCENE, "size: %d x %d pixels are too small for %zu views of %zu chains", wants->width,
+                     wants->height, wants->view_count, wants->chain_count);
+}
+
+void bead_movie_layout_free(struct bead_movie_layout *layout)
+{
+    free(layout->chains);
+    *layout = (struct bead_movie_layout){.chains = NULL};
+}

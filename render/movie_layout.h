@@ -1,0 +1,49 @@
+/* Layout of a movie's frame: rectangles only. A heading and the views, stacked, for each chain; time and words above, a colour bar
+ * at the right. Plots of all views have the same left and right edge. What has no room is left out: words first, then headings,
+ * axes, and the time. Rectangles never overlap and never leave the frame. */
+#ifndef BEAD_RENDER_MOVIE_LAYOUT_H
+#define BEAD_RENDER_MOVIE_LAYOUT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/error.h"
+#include "beadreel/frame.h"
+#include "beadreel/look.h"
+#include "beadreel/view.h"
+
+enum { BEAD_MOVIE_VIEWS = 8 };
+
+/* What is to be arranged; lengths in px. */
+struct bead_movie_wants {
+    int width, height;
+    const struct bead_look *look;
+    size_t chain_count;
+    const struct bead_view_type *views[BEAD_MOVIE_VIEWS];
+    size_t view_count;
+    bool axes; /* false: nothing but the views */
+    bool title, headings;
+    bool same_beads;                           /* all chains have the same bead axis: only the lowest is labelled */
+    double time_width;                         /* of the widest time that is shown */
+    double left, below_beads, below_time, bar; /* how far the axes reach out of plots, and the bar's out of the bar */
+};
+
+struct bead_movie_chain {
+    struct bead_rect heading; /* width 0: none, also below */
+    struct bead_rect plot[BEAD_MOVIE_VIEWS];
+    bool labels[BEAD_MOVIE_VIEWS]; /* this view labels the bead axis (sensors: the time axis) */
+};
+
+struct bead_movie_layout {
+    bool axes;
+    struct bead_rect time, title, facts, bar;
+    struct bead_movie_chain *chains; /* of the layout */
+    size_t chain_count;
+};
+
+/* Errors: SCENE (frame too small for so many views), MEMORY. */
+BEAD_CHECK enum bead_error bead_movie_arrange(const struct bead_movie_wants *wants, struct bead_movie_layout *layout,
+                                              struct bead_message *msg);
+void bead_movie_layout_free(struct bead_movie_layout *layout);
+
+#endif

@@ -1,0 +1,430 @@
+/* Movies as outputs of scenes. Three things go on at the same time: the run gives samples; a second thread draws frames from copies
+ * of them; a third encodes the frames. Frames do not depend on who is faster. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/canvas.h"
+#include "beadreel/file.h"
+#include "beadreel/look.h"
+#include "beadreel/movie.h"
+#include "beadreel/pipe.h"
+#include "render/movie_frame.h"
+#include "render/sinks.h"
+
+/* Frames between drawing and encoding; bytes of samples between the run and drawing. */
+enum { FRAME_SLOTS = 4, LEAST_SAMPLES = 2, MOST_SAMPLES = 256 };
+static const size_t sample_bytes = 32u << 20;
+static const double most_frames = 1e7, most_samples = 1e9;
+
+/* A sample on its way to the drawing thread; its numbers follow behind it, field by field. */
+struct snapshot {
+    size_t chain, index, active;
+    double time;
+    size_t filled; /* values from here on are those at rest; 0: never used */
+    size_t owner;  /* chain of the numbers in here, + 1 */
+};
+
+/* A frame on its way to the encoder. */
+struct parcel {
+    size_t buffer;
+    struct bead_changes changes;
+};
+
+struct bead_sink {
+    const struct bead_output *output;
+    struct bead_stage stage;
+    char *path;
+    char why[96];
+    int width, height;
+    double time[2], step; /* s: first and last frame, and between frames */
+    size_t frames;
+    struct bead_grid grid;
+    unsigned fields;
+    size_t last_bead; /* of the longest chain, as far as asked for */
+
+    struct bead_composer *composer;
+    struct bead_movie *movie;
+    struct bead_pipe *drawing, *encoding;
+    struct bead_frame buffer[FRAME_SLOTS];
+    struct bead_changes missing[FRAME_SLOTS]; /* what each buffer lacks */
+    uint64_t bytes;
+
+    /* The drawing thread's. */
+    size_t drawn; /* frames */
+    double seen;  /* s: time that all chains have reached */
+    bool seen_any;
+};
+
+static enum bead_error wrong(const struct bead_sink *s, const char *what, struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s", s->stage.scene->file, s->output->place.line, s->output->place.column,
+                     what);
+}
+
+static struct bead_movie_settings settings_of(const struct bead_sink *s)
+{
+    return (struct bead_movie_settings){.width = s->width,
+                                        .height = s->height,
+                                        .fps = s->output->fps,
+                                        .quality = s->output->quality,
+                                        .title = s->stage.scene->title[0] ? s->stage.scene->title : NULL};
+}
+
+static enum bead_error choose_size(struct bead_sink *s, struct bead_message *msg)
+{
+    const struct bead_output *o = s->output;
+    double scale = o->size_is_length ? o->dpi / 0.0254 : 1, size[2] = {1920, 1080};
+    for (int i = 0; i < 2; i++) {
+        size[i] = o->size[i] > 0 ? round(o->size[i] * scale) : size[i];
+        if (o->size_is_length) /* codecs want even numbers */
+            size[i] = 2 * round(size[i] / 2);
+        if (!(size[i] >= 1 && size[i] <= 16384))
+            return wrong(s, "size: movies have 1 to 16384 pixels a side", msg);
+    }
+    s->width = (int)size[0];
+    s->height = (int)size[1];
+    return BEAD_OK;
+}
+
+static enum bead_error choose_times(struct bead_sink *s, struct bead_message *msg)
+{
+    const struct bead_output *o = s->output;
+    s->time[0] = isnan(o->time[0]) ? fmax(0, s->stage.native.every > 0 ? s->stage.native.start : 0) : o->time[0];
+    s->time[1] = isnan(o->time[1]) ? s->stage.end : fmin(o->time[1], s->stage.end);
+    double frames = round(o->duration * o->fps);
+    if (!(s->time[1] > s->time[0]) || !isfinite(s->time[1]))
+        return wrong(s, "time: a movie needs some time to show, within the run", msg);
+    if (!(frames >= 2 && frames <= most_frames))
+        return wrong(s, "duration: a movie has 2 to 10 million frames (duration times fps)", msg);
+    s->frames = (size_t)frames;
+    s->step = (s->time[1] - s->time[0]) / (double)(s->frames - 1);
+    return BEAD_OK;
+}
+
+static double frame_time(const struct bead_sink *s, size_t frame)
+{
+    return frame + 1 == s->frames ? s->time[1] : s->time[0] + (double)frame * s->step;
+}
+
+/* Samples at the frames, or k times as often where views average over time; or those that there are, and frames in between blend
+ * two. */
+static enum bead_error choose_grid(struct bead_sink *s, struct bead_message *msg)
+{
+    const struct bead_grid *native = &s->stage.native;
+    if (native->every > 0) {
+        double first = fmax(0, floor((s->time[0] - native->start) / native->every + 1e-6));
+        double beyond = ceil((s->time[1] - native->start) / native->every - 1e-6);
+        s->grid = (struct bead_grid){native->start + first * native->every, native->every,
+                                     fmin(native->end, native->start + beyond * native->every)};
+    } else {
+        double finer =
+            bead_composer_averages(s->output) && s->stage.resolution > 0 ? ceil(s->step / s->stage.resolution - 1e-9) : 1;
+        s->grid = (struct bead_grid){s->time[0], s->step / fmax(1, finer), s->time[1]};
+    }
+    double samples = (s->grid.end - s->grid.start) / s->grid.every;
+    if (!(samples <= most_samples))
+        return wrong(s, "duration: a movie of so much motion needs too many samples; show less time", msg);
+    return bead_grid_count(&s->grid) > 0 ? BEAD_OK : wrong(s, "time: there are no samples from then", msg);
+}
+
+static void describe(struct bead_sink *s)
+{
+    char every[48];
+    bead_quantity(s->step, "s", 3, every, sizeof every);
+    snprintf(s->why, sizeof s->why, "%zu frames of %d x %d pixels, every %s", s->frames, s->width, s->height, every);
+}
+
+static void movie_destroy(struct bead_sink *s)
+{
+    if (!s)
+        return;
+    bead_pipe_destroy(s->drawing);
+    bead_pipe_destroy(s->encoding);
+    bead_movie_abort(s->movie);
+    bead_composer_destroy(s->composer);
+    for (int i = 0; i < FRAME_SLOTS; i++)
+        bead_frame_free(&s->buffer[i]);
+    free(s->path);
+    free(s);
+}
+
+static enum bead_error prepare(struct bead_sink *s, struct bead_message *msg)
+{
+    struct bead_movie_settings settings;
+    enum bead_error err = choose_size(s, msg);
+    if (!err)
+        err = choose_times(s, msg);
+    if (!err)
+        err = choose_grid(s, msg);
+    if (!err)
+        err = bead_file_join(s->stage.directory, s->output->path, &s->path, msg);
+    if (err)
+        return err;
+    settings = settings_of(s);
+    err = bead_movie_check(s->output->path, &settings, msg);
+    s->fields = bead_composer_fields(s->output);
+    for (size_t c = 0; c < s->stage.chain_count; c++) {
+        size_t last = bead_chain_beads(s->stage.chains[c]) - 1;
+        s->last_bead = last > s->last_bead ? last : s->last_bead;
+    }
+    s->last_bead = s->output->beads.last < s->last_bead ? s->output->beads.last : s->last_bead;
+    if (s->output->beads.first > s->last_bead)
+        return wrong(s, "beads: no chain has so many beads", msg);
+    describe(s);
+    return err;
+}
+
+static enum bead_error movie_create(const struct bead_output *output, const struct bead_stage *stage, struct bead_sink **sink,
+                                    struct bead_message *msg)
+{
+    *sink = NULL;
+    struct bead_sink *s = calloc(1, sizeof *s);
+    if (!s)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
+    s->output = output;
+    s->stage = *stage;
+    enum bead_error err = prepare(s, msg);
+    if (err)
+        movie_destroy(s);
+    else
+        *sink = s;
+    return err;
+}
+
+static void movie_needs(const struct bead_sink *s, struct bead_needs *needs)
+{
+    *needs = (struct bead_needs){.fields = s->fields,
+                                 .beads = {s->output->beads.first, s->last_bead},
+                                 .grid = s->grid,
+                                 .range = isnan(s->output->range[0]) || isnan(s->output->range[1]),
+                                 .range_field = s->output->field,
+                                 .until = s->time[1],
+                                 .why = s->why};
+}
+
+/* Numbers of one field in a snapshot. */
+static size_t field_room(const struct bead_sink *s)
+{
+    return s->last_bead + 1;
+}
+
+static size_t field_count(unsigned fields)
+{
+    size_t count = 0;
+    for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++)
+        count += (fields & BEAD_FIELD_BIT(f)) != 0;
+    return count;
+}
+
+static double *numbers(struct snapshot *snapshot)
+{
+    return (double *)(snapshot + 1);
+}
+
+/* Encoding thread. */
+static enum bead_error encode(void *context, void *slot, int last, struct bead_message *msg)
+{
+    struct bead_sink *s = context;
+    struct parcel *parcel = slot;
+    (void)last;
+    return parcel ? bead_movie_add(s->movie, &s->buffer[parcel->buffer], &parcel->changes, msg) : BEAD_OK;
+}
+
+/* Drawing thread: bring a free buffer up to date and send it. False: the encoder has failed. */
+static bool send_frame(struct bead_sink *s, const struct bead_changes *changes)
+{
+    struct parcel *parcel = bead_pipe_slot(s->encoding);
+    const struct bead_frame *frame = bead_composer_frame(s->composer);
+    if (!parcel)
+        return false;
+    parcel->buffer = s->drawn % FRAME_SLOTS;
+    parcel->changes = *changes;
+    for (int b = 0; b < FRAME_SLOTS; b++) {
+        for (size_t i = 0; i < changes->count; i++)
+            bead_changes_add(&s->missing[b], changes->rect[i]);
+    }
+    struct bead_changes *missing = &s->missing[parcel->buffer];
+    for (size_t i = 0; i < missing->count; i++)
+        bead_frame_copy(&s->buffer[parcel->buffer], frame, missing->rect[i]);
+    missing->count = 0;
+    bead_pipe_submit(s->encoding);
+    return true;
+}
+
+/* Frames up to `until`. */
+static enum bead_error draw_frames(struct bead_sink *s, double until, struct bead_message *msg)
+{
+    while (s->drawn < s->frames && frame_time(s, s->drawn) <= until) {
+        struct bead_changes changes = {0};
+        enum bead_error err = bead_composer_draw(s->composer, frame_time(s, s->drawn), &changes, msg);
+        if (err)
+            return err;
+        if (!send_frame(s, &changes)) /* the encoder tells why when it is finished */
+            return bead_fail(msg, BEAD_ERROR_CODEC, "%s: encoding has failed", s->output->path);
+        s->drawn++;
+    }
+    return BEAD_OK;
+}
+
+static enum bead_error take_snapshot(struct bead_sink *s, struct snapshot *snapshot, struct bead_message *msg)
+{
+    struct bead_sample sample = {
+        .chain = snapshot->chain, .index = snapshot->index, .time = snapshot->time, .active = snapshot->active};
+    const double *data = numbers(snapshot);
+    for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++) {
+        if (!(s->fields & BEAD_FIELD_BIT(f)))
+            continue;
+        sample.field[f] = data;
+        data += field_room(s);
+    }
+    enum bead_error err = bead_composer_feed(s->composer, &sample, msg);
+    if (err || snapshot->chain + 1 < s->stage.chain_count)
+        return err;
+    s->seen = snapshot->time;
+    s->seen_any = true;
+    return draw_frames(s, snapshot->time + 1e-6 * s->grid.every, msg);
+}
+
+/* Drawing thread. */
+static enum bead_error draw(void *context, void *slot, int last, struct bead_message *msg)
+{
+    struct bead_sink *s = context;
+    if (slot)
+        return take_snapshot(s, slot, msg);
+    if (last == BEAD_PIPE_MORE)
+        return bead_composer_open(s->composer, msg);
+    /* The last sample stands for what is left of the interval after it; a run that was stopped earlier ends the movie. */
+    enum bead_error err = BEAD_OK;
+    if (last == BEAD_PIPE_DONE && s->seen_any)
+        err = draw_frames(s, s->seen + s->grid.every, msg);
+    bead_composer_close(s->composer);
+    return err;
+}
+
+/* Colours from 0 (or as far below as there is) to the largest value. */
+static void choose_range(const struct bead_output *output, struct bead_range found, double range[2])
+{
+    double high = isfinite(found.high) ? found.high : 0, low = isfinite(found.low) ? fmin(found.low, 0) : 0;
+    if (low < 0)
+        low = -(high = fmax(high, -low)); /* zero in the middle */
+    if (!(high > low))
+        high = low + 1;
+    if (output->scale == BEAD_SCALE_LOG)
+        low = 1e-4 * high;
+    range[0] = isnan(output->range[0]) ? low : output->range[0];
+    range[1] = isnan(output->range[1]) ? high : output->range[1];
+    if (!(range[1] > range[0]))
+        range[1] = range[0] + 1;
+}
+
+static enum bead_error create_pipes(struct bead_sink *s, struct bead_message *msg)
+{
+    size_t numbers_bytes = field_count(s->fields) * field_room(s) * sizeof(double);
+    size_t bytes = sizeof(struct snapshot) + numbers_bytes, chains = s->stage.chain_count;
+    size_t slots = sample_bytes / bytes;
+    slots = slots < LEAST_SAMPLES ? LEAST_SAMPLES : slots > MOST_SAMPLES ? MOST_SAMPLES : slots;
+    slots = (slots + chains - 1) / chains * chains; /* a slot meets the same chain again: less to copy */
+    enum bead_error err = bead_pipe_create(FRAME_SLOTS, sizeof(struct parcel), s->stage.threads, encode, s, &s->encoding, msg);
+    return err ? err : bead_pipe_create(slots, bytes, s->stage.threads, draw, s, &s->drawing, msg);
+}
+
+static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range, struct bead_message *msg)
+{
+    struct bead_composer_setup setup = {.output = s->output,
+                                        .chains = s->stage.chains,
+                                        .chain_count = s->stage.chain_count,
+                                        .title = s->stage.scene->title,
+                                        .width = s->width,
+                                        .height = s->height,
+                                        .time = {s->time[0], s->time[1]},
+                                        .step = s->step};
+    choose_range(s->output, range, setup.range);
+    enum bead_error err = bead_composer_create(&setup, &s->composer, msg);
+    for (int i = 0; !err && i < FRAME_SLOTS; i++)
+        err = bead_frame_create(s->width, s->height, &s->buffer[i], msg);
+    struct bead_movie_settings settings = settings_of(s);
+    if (!err)
+        err = bead_movie_open(s->path, &settings, &s->movie, msg);
+    bead_canvas_prepare(); /* while no thread of ours is running */
+    return err ? err : create_pipes(s, msg);
+}
+
+/* Copy what moves, and once what rests. */
+static void fill(const struct bead_sink *s, const struct bead_sample *sample, struct snapshot *snapshot)
+{
+    size_t first = s->output->beads.first, room = field_room(s);
+    bool fresh = snapshot->owner != sample->chain + 1;
+    size_t moving = sample->active + 1, filled = fresh ? SIZE_MAX : snapshot->filled;
+    double *data = numbers(snapshot);
+    for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++) {
+        if (!(s->fields & BEAD_FIELD_BIT(f)))
+            continue;
+        const struct bead_chain *chain = s->stage.chains[sample->chain];
+        size_t count = bead_field_info((enum bead_field)f)->of_contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain);
+        size_t end = moving > filled ? moving : filled;
+        end = end < count ? end : count;
+        end = end < room ? end : room;
+        if (end > first)
+            memcpy(data + first, sample->field[f] + first, (end - first) * sizeof *data);
+        data += room;
+    }
+    *snapshot = (struct snapshot){.chain = sample->chain,
+                                  .index = sample->index,
+                                  .active = sample->active,
+                                  .time = sample->time,
+                                  .filled = moving,
+                                  .owner = sample->chain + 1};
+}
+
+/* What went wrong in the other threads. */
+static enum bead_error finish_pipes(struct bead_sink *s, struct bead_message *msg)
+{
+    struct bead_message drawing = {""}, encoding = {""};
+    enum bead_error drawn = bead_pipe_finish(s->drawing, &drawing), encoded = bead_pipe_finish(s->encoding, &encoding);
+    if (encoded)
+        return bead_fail(msg, encoded, "%s", encoding.text);
+    return drawn ? bead_fail(msg, drawn, "%s", drawing.text) : BEAD_OK;
+}
+
+static enum bead_error movie_sample(struct bead_sink *s, const struct bead_sample *sample, struct bead_message *msg)
+{
+    struct snapshot *snapshot = bead_pipe_slot(s->drawing);
+    if (!snapshot)
+        return finish_pipes(s, msg);
+    fill(s, sample, snapshot);
+    bead_pipe_submit(s->drawing);
+    return BEAD_OK;
+}
+
+static enum bead_error movie_end(struct bead_sink *s, const struct bead_outcome *outcomes, struct bead_message *msg)
+{
+    (void)outcomes;
+    enum bead_error err = finish_pipes(s, msg);
+    if (err)
+        return err;
+    struct bead_movie *movie = s->movie;
+    s->movie = NULL;
+    return bead_movie_close(movie, &s->bytes, msg);
+}
+
+static void movie_result(const struct bead_sink *s, uint64_t *bytes, uint64_t *items)
+{
+    *bytes = s->bytes;
+    *items = s->drawn;
+}
+
+const struct bead_sink_type bead_movie_sink = {
+    .name = "movie",
+    .help = "beads, profile, space-time image and sensors in motion",
+    .kind = BEAD_OUTPUT_MOVIE,
+    .extensions = NULL,
+    .create = movie_create,
+    .needs = movie_needs,
+    .begin = movie_begin,
+    .sample = movie_sample,
+    .end = movie_end,
+    .destroy = movie_destroy,
+    .result = movie_result,
+};
