@@ -1,5 +1,4 @@
 /* What the option tables say about themselves. */
-#include <math.h>
 #include <string.h>
 
 #include "sim/options.h"
@@ -10,7 +9,16 @@ static void add(char *text, size_t size, const char *more)
     snprintf(text + used, size - used, "%s", more);
 }
 
-/* "from 0 to 90", "above 0", "": the range in words. */
+/* A limit in few characters: "1e12", "100000000" of counts. */
+static void limit_words(const struct bead_option *option, double limit, char *text, size_t size)
+{
+    snprintf(text, size, option->type == BEAD_OPTION_COUNT ? "%.0f" : "%.6g", limit);
+    char *plus = strstr(text, "e+");
+    if (plus)
+        memmove(plus + 1, plus + (plus[2] == '0' ? 3 : 2), strlen(plus + 2) + 1 - (plus[2] == '0'));
+}
+
+/* "from 0 to 90", "above 0, at most 1", "": the range in words. */
 static void range_words(const struct bead_option *option, char *text, size_t size)
 {
     bool low_open = option->open & BEAD_OPEN_LOW, high_open = option->open & BEAD_OPEN_HIGH;
@@ -18,16 +26,12 @@ static void range_words(const struct bead_option *option, char *text, size_t siz
     text[0] = 0;
     if (option->low == 0 && option->high == 0 && !option->open)
         return;
-    snprintf(low, sizeof low, "%.12g", option->low);
-    snprintf(high, sizeof high, "%.12g", option->high);
-    if (isfinite(option->low) && isfinite(option->high) && !low_open)
-        snprintf(text, size, "from %s to %s%s", low, high_open ? "below " : "", high);
-    else if (isfinite(option->low) && isfinite(option->high))
+    limit_words(option, option->low, low, sizeof low);
+    limit_words(option, option->high, high, sizeof high);
+    if (low_open)
         snprintf(text, size, "above %s, %s %s", low, high_open ? "below" : "at most", high);
-    else if (isfinite(option->low))
-        snprintf(text, size, "%s %s", low_open ? "above" : "at least", low);
     else
-        snprintf(text, size, "%s %s", high_open ? "below" : "at most", high);
+        snprintf(text, size, "from %s to %s%s", low, high_open ? "below " : "", high);
 }
 
 static void number_words(const struct bead_option *option, char *text, size_t size)

@@ -183,7 +183,7 @@ static enum bead_error read_with_unit(struct bead_units *units, const char *text
     double factor = 1;
     int power = 0;
     if (!si)
-        return wrong(why, size, text, "must be a plain number, without a unit", NULL);
+        return wrong(why, size, text, "carries a unit, where a plain number belongs", NULL);
     if (known && strcmp(known->si, si) == 0) {
         *value = shifted(units, text, length, known->power) * known->factor;
         return BEAD_OK;
@@ -221,6 +221,6 @@ enum bead_error bead_units_read(struct bead_units *units, const char *text, cons
     else
         *value = shifted(units, trimmed, length, 0);
     if (!err && !isfinite(*value))
-        err = wrong(why, size, text, "is too large; a finite number is needed", NULL);
+        err = wrong(why, size, text, "is too large", NULL);
     return err;
 }

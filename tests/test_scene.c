@@ -1,0 +1,687 @@
+/* Scenes: what every key means, its default and unit, and what is said of wrong ones. */
+/* clang-format off: cmocka wants these first */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+/* clang-format on */
+#include <dirent.h>
+#include <locale.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/assets.h"
+#include "beadreel/scene.h"
+#include "sim/scene_private.h"
+
+#define BEADS   "chain: {beads: [{bead: large-steel}]}\n"
+#define OUTPUTS "outputs: [{table: peaks.csv}]\n"
+
+static struct bead_scene *parse_with(const char *text, const char *const *settings, size_t count)
+{
+    struct bead_message msg = {""};
+    struct bead_scene *scene = NULL;
+    if (bead_scene_parse("test", text, strlen(text), settings, count, &scene, &msg))
+        fail_msg("%s", msg.text);
+    return scene;
+}
+
+static struct bead_scene *parse(const char *text)
+{
+    return parse_with(text, NULL, 0);
+}
+
+/* The scene is refused, with a message that contains `expected`; nothing is left behind. */
+static void refuse_with(const char *text, const char *const *settings, size_t count, const char *expected)
+{
+    struct bead_message msg = {""};
+    struct bead_scene *scene = (struct bead_scene *)&msg;
+    enum bead_error err = bead_scene_parse("test", text, strlen(text), settings, count, &scene, &msg);
+    assert_int_equal(err, BEAD_ERROR_SCENE);
+    assert_null(scene);
+    if (!strstr(msg.text, expected))
+        fail_msg("'%s' is not in '%s'", expected, msg.text);
+    assert_null(strchr(msg.text, '\n'));
+}
+
+static void refuse(const char *text, const char *expected)
+{
+    refuse_with(text, NULL, 0, expected);
+}
+
+static struct bead_scene *load_ready(const char *name)
+{
+    char path[4096];
+    struct bead_message msg = {""};
+    struct bead_scene *scene = NULL;
+    if (bead_scene_find(name, path, sizeof path, &msg) || bead_scene_load(path, NULL, 0, &scene, &msg))
+        fail_msg("%s", msg.text);
+    return scene;
+}
+
+static const struct bead_material *material_of(const struct bead_scene *scene, const char *name)
+{
+    for (size_t i = 0; i < scene->material_count; i++) {
+        if (strcmp(scene->materials[i].name, name) == 0)
+            return &scene->materials[i];
+    }
+    fail_msg("no material %s", name);
+    return NULL;
+}
+
+/* ---- meaning and defaults ---- */
+
+static void everything_has_a_default_but_a_chain_and_an_output(void **state)
+{
+    (void)state;
+    struct bead_scene *scene = parse(BEADS OUTPUTS);
+    assert_string_equal(scene->file, "test");
+    assert_string_equal(scene->text, BEADS OUTPUTS);
+    assert_string_equal(scene->title, "");
+    assert_int_equal(scene->chain_count, 1);
+    const struct bead_chain_spec *chain = &scene->chains[0];
+    assert_string_equal(chain->name, "");
+    assert_string_equal(chain->label, "");
+    assert_string_equal(scene->materials[chain->striker_material].name, "large-steel");
+    assert_true(chain->striker_velocity == 0.443);
+    assert_int_equal(chain->wall, BEAD_WALL_NONE);
+    assert_int_equal(chain->law.kind, BEAD_LAW_HERTZ);
+    assert_true(chain->precompression == 0 && chain->tilt == 0 && chain->damping_coefficient == 0 &&
+                chain->damping_exponent == 1.8);
+    assert_int_equal(chain->segment_count, 1);
+    assert_int_equal(chain->segments[0].count, 1);
+    assert_int_equal(chain->segments[0].cell_beads, 1);
+    assert_int_equal(chain->segments[0].spins, BEAD_SPINS_UP);
+    assert_false(chain->segments[0].spins_given);
+    assert_null(chain->segments[0].sensor);
+    assert_true(isnan(scene->simulate.until) && scene->simulate.accuracy == 1e-6 && scene->simulate.step == 0);
+    assert_string_equal(scene->simulate.method, "auto");
+    bead_scene_free(scene);
+}
+
+static void outputs_have_the_defaults_of_their_kind(void **state)
+{
+    (void)state;
+    struct bead_scene *scene = parse(BEADS "outputs:\n"
+                                           "  - {trajectory: run.h5}\n"
+                                           "  - {image: a.png}\n"
+                                           "  - {image: a.PDF}\n"
+                                           "  - {movie: a.mp4}\n"
+                                           "  - {table: a.csv}\n"
+                                           "  - {image: a.svg, size: [640, 480]}\n");
+    const struct bead_output *o = scene->outputs;
+    assert_int_equal(scene->output_count, 6);
+    assert_int_equal(o[0].kind, BEAD_OUTPUT_TRAJECTORY);
+    assert_int_equal(o[0].fields, BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) |
+                                      BEAD_FIELD_BIT(BEAD_FIELD_FORCE));
+    assert_true(o[0].every == 0 && isnan(o[0].time[0]) && isnan(o[0].time[1]));
+    assert_true(o[0].beads.first == 0 && o[0].beads.last == SIZE_MAX);
+    assert_true(o[1].size[0] == 1920 && o[1].size[1] == 1080 && !o[1].size_is_length);
+    assert_string_equal(o[1].colormap, "viridis");
+    assert_int_equal(o[1].scale, BEAD_SCALE_LINEAR);
+    assert_int_equal(o[1].field, BEAD_FIELD_FORCE);
+    assert_true(o[1].axes && isnan(o[1].range[0]) && isnan(o[1].range[1]) && isnan(o[1].at) && o[1].magnify == 0);
+    assert_int_equal(o[1].view_count, 1);
+    assert_int_equal(o[1].views[0], BEAD_VIEW_SPACETIME);
+    assert_true(o[2].size[0] == 0.178 && o[2].size[1] == 0.12 && o[2].size_is_length && o[2].dpi == 600);
+    assert_string_equal(o[3].colormap, "inferno");
+    assert_int_equal(o[3].scale, BEAD_SCALE_SQRT);
+    assert_true(o[3].fps == 60 && o[3].duration == 10 && o[3].size[0] == 1920);
+    assert_int_equal(o[3].quality, BEAD_QUALITY_STANDARD);
+    assert_int_equal(o[3].view_count, 3);
+    assert_int_equal(o[3].views[2], BEAD_VIEW_SPACETIME);
+    assert_int_equal(o[4].show, BEAD_SHOW_PEAKS);
+    assert_true(o[5].size[0] == 640 && !o[5].size_is_length);
+    bead_scene_free(scene);
+}
+
+static void outputs_mean_what_they_say(void **state)
+{
+    (void)state;
+    struct bead_scene *scene = parse(
+        "simulate: {until: 2 ms}\n"
+        "chain: {beads: [{bead: large-steel, count: 50}, {bead: small-steel, sensor: first}]}\n"
+        "outputs:\n"
+        "  - {trajectory: run.h5, every: 1 us, fields: all, beads: 7, time: [auto, 1 ms]}\n"
+        "  - {image: a.png, field: velocity, time: [0, 1.5 ms], beads: [20, 40], size: [86 mm, 6 cm], dpi: 300,\n"
+        "     colormap: grey, scale: log, range: [1 mm/s, 2], axes: no, views: [beads, sensors], at: 0.7 ms, magnify: 60}\n"
+        "  - {movie: b/a.webm, fps: 25, duration: 2.5, quality: lossless, theme: light, field: contact-force, range: [-1, auto]}\n"
+        "  - {plot: sensors.pdf, show: sensors}\n"
+        "  - {table: beads.csv, show: bead-peaks}\n"
+        "  - {table: sensors.csv, show: sensors, every: 1 \xc2\xb5s}\n");
+    const struct bead_output *o = scene->outputs;
+    assert_int_equal(o[0].fields, BEAD_FIELD_BIT(BEAD_FIELD_COUNT) - 1);
+    assert_true(o[0].every == 1e-6 && o[0].beads.first == 7 && o[0].beads.last == 7 && isnan(o[0].time[0]) && o[0].time[1] == 1e-3);
+    assert_int_equal(o[1].field, BEAD_FIELD_VELOCITY);
+    assert_true(o[1].time[0] == 0 && o[1].time[1] == 1.5e-3 && o[1].beads.first == 20 && o[1].beads.last == 40);
+    assert_true(o[1].size[0] == 0.086 && o[1].size[1] == 0.06 && o[1].size_is_length && o[1].dpi == 300);
+    assert_true(o[1].range[0] == 1e-3 && o[1].range[1] == 2 && !o[1].axes && o[1].at == 0.7e-3 && o[1].magnify == 60);
+    assert_int_equal(o[1].scale, BEAD_SCALE_LOG);
+    assert_int_equal(o[1].view_count, 2);
+    assert_int_equal(o[1].views[1], BEAD_VIEW_SENSORS);
+    assert_string_equal(o[2].path, "b/a.webm");
+    assert_true(o[2].fps == 25 && o[2].duration == 2.5 && o[2].range[0] == -1 && isnan(o[2].range[1]));
+    assert_int_equal(o[2].quality, BEAD_QUALITY_LOSSLESS);
+    assert_int_equal(o[2].theme, BEAD_THEME_LIGHT);
+    assert_int_equal(o[4].show, BEAD_SHOW_BEAD_PEAKS);
+    assert_true(o[5].every == 1e-6);
+    assert_int_equal(o[5].place.line, 10);
+    assert_int_equal(o[5].place.column, 5);
+    bead_scene_free(scene);
+}
+
+static void the_contract_s_example_is_read(void **state)
+{
+    (void)state;
+    struct bead_scene *scene =
+        parse("title: Clean and delocalised waves\n"
+              "materials:\n"
+              "  tungsten-carbide: {density: 14900 kg/m3, modulus: 668 GPa, poisson: 0.24, radius: 4.76 mm}\n"
+              "chain:\n"
+              "  striker: {bead: tungsten-carbide, velocity: 0.443 m/s}\n"
+              "  beads:\n"
+              "    - {cell: [large-steel, aluminium]}\n"
+              "    - {cell: [large-steel, aluminium], count: 18, spins: random, magnetism: 0.2, seed: 18446744073709551615}\n"
+              "    - {bead: small-steel, sensor: first}\n"
+              "    - {cell: [large-steel, aluminium], count: 4, spins: 0101}\n"
+              "    - {bead: small-steel, sensor: second}\n"
+              "    - {cell: [large-steel, aluminium, ptfe], spins: down}\n"
+              "  wall: brass\n"
+              "  law: {power: 1.5, coefficient: 6.9e9}\n"
+              "  precompression: 10 N\n"
+              "  tilt: 3.5 deg\n"
+              "  damping: {coefficient: 0.1, exponent: 1.5}\n"
+              "simulate: {until: 1.5 ms, accuracy: 1e-8, method: rk4, step: 0.1 us}\n" OUTPUTS);
+    const struct bead_chain_spec *chain = &scene->chains[0];
+    assert_string_equal(scene->title, "Clean and delocalised waves");
+    assert_string_equal(scene->materials[chain->striker_material].name, "tungsten-carbide");
+    assert_int_equal(chain->segment_count, 6);
+    assert_int_equal(chain->segments[1].spins, BEAD_SPINS_RANDOM);
+    assert_int_equal(chain->segments[1].count, 18);
+    assert_true(chain->segments[1].magnetism == 0.2 && chain->segments[1].seed == UINT64_MAX && chain->segments[1].spins_given);
+    assert_string_equal(chain->segments[2].sensor, "first");
+    assert_int_equal(chain->segments[3].spins, BEAD_SPINS_DIGITS);
+    assert_string_equal(chain->segments[3].digits, "0101");
+    assert_int_equal(chain->segments[5].cell_beads, 3);
+    assert_int_equal(chain->segments[5].spins, BEAD_SPINS_DOWN);
+    assert_string_equal(scene->materials[chain->segments[5].cell[2]].name, "ptfe");
+    assert_int_equal(chain->wall, BEAD_WALL_MATERIAL);
+    assert_string_equal(scene->materials[chain->wall_material].name, "brass");
+    assert_int_equal(chain->law.kind, BEAD_LAW_POWER);
+    assert_true(chain->law.power == 1.5 && chain->law.coefficient == 6.9e9);
+    assert_true(chain->precompression == 10 && fabs(chain->tilt - 0.061086523819801536) < 1e-17);
+    assert_true(chain->damping_coefficient == 0.1 && chain->damping_exponent == 1.5);
+    assert_true(scene->simulate.until == 1.5e-3 && scene->simulate.accuracy == 1e-8 && scene->simulate.step == 0.1e-6);
+    bead_scene_free(scene);
+}
+
+static void laws_and_walls(void **state)
+{
+    (void)state;
+    struct bead_scene *scene = parse("chains:\n"
+                                     "  - {name: a, wall: rigid, law: thesis-appendix, beads: &b [{bead: ptfe, count: 3}]}\n"
+                                     "  - {name: b, label: two, wall: none, law: {fpu-alpha: 0.25}, beads: *b}\n"
+                                     "  - {name: c, law: {fpu-alpha: -2, stiffness: 3 N/mm}, beads: *b}\n" OUTPUTS);
+    assert_int_equal(scene->chain_count, 3);
+    assert_int_equal(scene->chains[0].wall, BEAD_WALL_RIGID);
+    assert_int_equal(scene->chains[0].law.kind, BEAD_LAW_THESIS_APPENDIX);
+    assert_int_equal(scene->chains[1].law.kind, BEAD_LAW_FPU_ALPHA);
+    assert_true(scene->chains[1].law.alpha == 0.25 && scene->chains[1].law.coefficient == 1);
+    assert_true(scene->chains[2].law.alpha == -2 && scene->chains[2].law.coefficient == 3000);
+    assert_string_equal(scene->chains[1].label, "two");
+    assert_int_equal(scene->chains[2].segments[0].count, 3);
+    bead_scene_free(scene);
+}
+
+static void materials_of_the_thesis(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        double mass, modulus, poisson, radius;
+    } table[] = {{"large-steel", 3.63e-3, 193e9, 0.30, 4.76e-3},
+                 {"small-steel", 0.45e-3, 193e9, 0.30, 2.38e-3},
+                 {"ptfe", 0.123e-3, 1.46e9, 0.46, 2.38e-3},
+                 {"aluminium", 1.26e-3, 72.4e9, 0.33, 4.76e-3}};
+    struct bead_scene *scene = NULL;
+    struct bead_message msg;
+    assert_int_equal(bead_scene_materials(&scene, &msg), BEAD_OK);
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+        const struct bead_material *m = material_of(scene, table[i].name);
+        assert_true(m->mass == table[i].mass && m->modulus == table[i].modulus && m->poisson == table[i].poisson &&
+                    m->radius == table[i].radius);
+    }
+    const struct bead_material *brass = material_of(scene, "brass");
+    assert_true(brass->modulus == 90.2e9 && brass->poisson == 0.34 && brass->mass > 0);
+    bead_scene_free(scene);
+}
+
+static void materials_are_added_and_changed(void **state)
+{
+    (void)state;
+    struct bead_scene *scene =
+        parse("materials:\n"
+              "  large-steel: {mass: 3.60187 g, radius: 4.76 mm, modulus: 193 GPa, poisson: 0.3, colour: \"#ff8000\"}\n"
+              "  wall: {modulus: 1e9, poisson: -0.5}\n"
+              "  x: {density: 1000, radius: 1, modulus: 1, poisson: 0.5}\n"
+              "chain: {wall: wall, beads: [{bead: x}]}\n" OUTPUTS);
+    const struct bead_material *steel = material_of(scene, "large-steel"), *wall = material_of(scene, "wall");
+    assert_true(steel->mass == 3.60187e-3 && steel->colour[0] == 1 && steel->colour[1] == 128.0 / 255 && steel->colour[2] == 0);
+    assert_true(isnan(wall->mass) && isnan(wall->radius) && wall->poisson == -0.5);
+    assert_true(fabs(material_of(scene, "x")->mass / 4188.790204786391 - 1) < 1e-15);
+    bead_scene_free(scene);
+}
+
+/* ---- numbers ---- */
+
+static double velocity(const char *value)
+{
+    char text[256];
+    snprintf(text, sizeof text, "chain: {striker: {velocity: %s}, beads: [{bead: large-steel}]}\n" OUTPUTS, value);
+    struct bead_scene *scene = parse(text);
+    double read = scene->chains[0].striker_velocity;
+    bead_scene_free(scene);
+    return read;
+}
+
+static double precompression(const char *value)
+{
+    char text[256];
+    snprintf(text, sizeof text, "chain: {precompression: %s, beads: [{bead: large-steel}]}\n" OUTPUTS, value);
+    struct bead_scene *scene = parse(text);
+    double read = scene->chains[0].precompression;
+    bead_scene_free(scene);
+    return read;
+}
+
+static void numbers_with_and_without_units(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        double value;
+    } cases[] = {{"0.443", 0.443},        {"+.5", 0.5},           {"5.", 5},
+                 {"1e-3", 1e-3},          {"1E+2", 100},          {"0.443 m/s", 0.443},
+                 {"0.443m/s", 0.443},     {"443 mm/s", 0.443},    {"44.3 cm/s", 0.443},
+                 {"\"443 mm/s\"", 0.443}, {"44.3e1 mm/s", 0.443}, {"0.000443 km/s", 0.443},
+                 {"443 mm s-1", 0.443},   {"4.43 dm/s", 0.443},   {"443 millimetre/second", 0.443}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        if (velocity(cases[i].text) != cases[i].value)
+            fail_msg("%s is %.17g", cases[i].text, velocity(cases[i].text));
+    }
+    assert_true(fabs(velocity("36 km/h") - 10) < 1e-14);
+    assert_true(fabs(velocity("1 knot") - 1852.0 / 3600) < 1e-15);
+    assert_true(fabs(precompression("1 kgf") - 9.80665) < 1e-14);
+    assert_true(precompression("10 kg m s-2") == 10);
+    assert_true(precompression("3 \xc2\xb5N") == 3e-6);
+}
+
+static void numbers_do_not_depend_on_the_locale(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"de_DE.UTF-8", "de_DE", "fr_FR.UTF-8", "ru_RU.UTF-8"};
+    const char *set = NULL;
+    for (size_t i = 0; i < sizeof names / sizeof *names && !set; i++)
+        set = setlocale(LC_ALL, names[i]);
+    assert_true(velocity("0.443 m/s") == 0.443);
+    setlocale(LC_ALL, "C");
+}
+
+static void wrong_numbers_name_what_is_allowed(void **state)
+{
+    (void)state;
+    static const char *const wrong[] = {
+        "nan", "inf",    ".nan", "1e999", "-1",     "1e5",     "0x10",   "1,5",        "1 2",
+        "m/s", "--1",    "1e",   "1 N",   "1 m/s2", "1 m/s x", "1 degC", "1 m/s@2",    "1 lg(re 1 m/s)",
+        "[1]", "{a: 1}", "\"\"", "1 s-1", "",       "~",       "true",   "1 \xc2\xb5", "1 m/ s/"};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char text[256];
+        snprintf(text, sizeof text, "chain:\n  striker:\n    velocity: %s\n  beads: [{bead: large-steel}]\n" OUTPUTS, wrong[i]);
+        refuse(text, ": chain.striker.velocity: ");
+        refuse(text, "test:3:1");
+        refuse(text, "; must be from 0 to 10000 m/s");
+    }
+    refuse("chain: {tilt: 3.5, wall: brass, beads: [{bead: ptfe}]}\n" OUTPUTS, "from 0 to below 90 deg");
+}
+
+static void flags(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *word;
+        bool value;
+    } words[] = {{"true", true}, {"false", false}, {"yes", true}, {"no", false}, {"True", true}, {"NO", false}};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        char text[256];
+        snprintf(text, sizeof text, BEADS "outputs: [{image: a.png, axes: %s}]\n", words[i].word);
+        struct bead_scene *scene = parse(text);
+        assert_int_equal(scene->outputs[0].axes, words[i].value);
+        bead_scene_free(scene);
+    }
+}
+
+/* ---- wrong scenes ---- */
+
+/* First line of a file behind `# expect: `. */
+static void read_expected(const char *path, char *expected, size_t size)
+{
+    static const char mark[] = "# expect: ";
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    assert_non_null(fgets(expected, (int)size, file));
+    fclose(file);
+    assert_int_equal(strncmp(expected, mark, strlen(mark)), 0);
+    memmove(expected, expected + strlen(mark), strlen(expected + strlen(mark)) + 1);
+    expected[strcspn(expected, "\n")] = 0;
+}
+
+static void every_malformed_file_gets_its_message(void **state)
+{
+    (void)state;
+    struct dirent **entries;
+    int count = scandir("tests/bad", &entries, NULL, alphasort), tried = 0;
+    assert_true(count > 0);
+    for (int i = 0; i < count; i++) {
+        char path[512], expected[1024];
+        struct bead_message msg = {""};
+        struct bead_scene *scene = NULL;
+        const char *dot = strrchr(entries[i]->d_name, '.');
+        snprintf(path, sizeof path, "tests/bad/%s", entries[i]->d_name);
+        if (dot && strcmp(dot, ".yaml") == 0) {
+            read_expected(path, expected, sizeof expected);
+            assert_int_equal(bead_scene_load(path, NULL, 0, &scene, &msg), BEAD_ERROR_SCENE);
+            if (!strstr(msg.text, expected) || strncmp(msg.text, path, strlen(path)) != 0)
+                fail_msg("%s: '%s' is not in '%s'", path, expected, msg.text);
+            tried++;
+        }
+        free(entries[i]);
+    }
+    free(entries);
+    assert_true(tried >= 30);
+}
+
+static void near_misses_are_suggested(void **state)
+{
+    (void)state;
+    refuse("chain: {sriker: {}, beads: [{bead: ptfe}]}\n" OUTPUTS, "chain.sriker: unknown key; did you mean `striker`?");
+    refuse("chain: {beads: [{baed: ptfe}]}\n" OUTPUTS, "test:1:18: chain.beads.0.baed: unknown key; did you mean `bead`?");
+    refuse(BEADS "output: [{table: a.csv}]\n", "output: unknown key; did you mean `outputs`?");
+    refuse("chain: {beads: [{bead: aluminum}]}\n" OUTPUTS, "did you mean `aluminium`?");
+    refuse(BEADS "outputs: [{movie: a.mp4, views: [bead]}]\n", "did you mean `beads`?");
+    refuse("simulate: {methd: rk4}\n" BEADS OUTPUTS, "did you mean `method`?");
+}
+
+static void files_that_cannot_be_read(void **state)
+{
+    (void)state;
+    struct bead_scene *scene = NULL;
+    struct bead_message msg = {""};
+    assert_int_equal(bead_scene_load("tests/none.yaml", NULL, 0, &scene, &msg), BEAD_ERROR_IO);
+    assert_non_null(strstr(msg.text, "tests/none.yaml"));
+    assert_int_equal(bead_scene_load("tests", NULL, 0, &scene, &msg), BEAD_ERROR_IO);
+    assert_int_equal(bead_scene_load("/dev/zero", NULL, 0, &scene, &msg), BEAD_ERROR_SCENE);
+    assert_null(scene);
+}
+
+/* ---- settings ---- */
+
+static void settings_change_the_scene(void **state)
+{
+    (void)state;
+    static const char text[] = "chain:\n  beads: [{bead: large-steel, count: 10}]\n"
+                               "outputs:\n  - {image: pictures/a.b.png, size: [1, 1]}\n  - {table: peaks.csv}\n";
+    const char *const settings[] = {"simulate.step=0.1 us",
+                                    "chain.striker.velocity=1 m/s",
+                                    "outputs.0.size=[640, 360]",
+                                    "outputs.pictures/a.b.png.scale=sqrt",
+                                    "outputs.peaks.csv.show=bead-peaks",
+                                    "chain.beads.0.count=20",
+                                    "materials.x={mass: 1 g, radius: 1 mm, modulus: 1 GPa, poisson: 0.3}",
+                                    "materials.x.colour=#0000ff",
+                                    "chain.beads.+={bead: x, sensor: s}",
+                                    "chain.wall=rigid",
+                                    "title=\"#1: a, b\"",
+                                    "chain.beads.s.sensor=t"};
+    size_t count = sizeof settings / sizeof *settings;
+    struct bead_scene *scene = parse_with(text, settings, count);
+    assert_true(scene->simulate.step == 1e-7 && scene->chains[0].striker_velocity == 1);
+    assert_true(scene->outputs[0].size[0] == 640 && scene->outputs[0].size[1] == 360);
+    assert_int_equal(scene->outputs[0].scale, BEAD_SCALE_SQRT);
+    assert_int_equal(scene->outputs[1].show, BEAD_SHOW_BEAD_PEAKS);
+    assert_int_equal(scene->chains[0].segments[0].count, 20);
+    assert_string_equal(scene->chains[0].segments[1].sensor, "t");
+    assert_int_equal(scene->chains[0].wall, BEAD_WALL_RIGID);
+    assert_string_equal(scene->title, "#1: a, b");
+    assert_true(material_of(scene, "x")->colour[2] == 1);
+    /* Its text is the whole scene as run. */
+    struct bead_scene *again = parse(scene->text);
+    assert_true(again->simulate.step == 1e-7 && again->chains[0].striker_velocity == 1 && again->outputs[0].size[0] == 640);
+    assert_int_equal(again->chains[0].segment_count, 2);
+    assert_string_equal(again->title, "#1: a, b");
+    /* And a fixed point: nothing changes when it is written once more. */
+    struct bead_scene *third = parse_with(again->text, (const char *const[]){"simulate.step=0.1 us"}, 1);
+    assert_string_equal(third->text, scene->text);
+    bead_scene_free(third);
+    bead_scene_free(again);
+    bead_scene_free(scene);
+}
+
+static void settings_under_an_alias_change_one_place(void **state)
+{
+    (void)state;
+    struct bead_scene *scene =
+        parse_with("chains:\n  - {name: a, beads: &b [{bead: ptfe, count: 3}]}\n  - {name: b.c, beads: *b}\n" OUTPUTS,
+                   (const char *const[]){"chains.b.c.beads.0.count=5"}, 1);
+    assert_int_equal(scene->chains[0].segments[0].count, 3);
+    assert_int_equal(scene->chains[1].segments[0].count, 5);
+    bead_scene_free(scene);
+}
+
+static void wrong_settings_name_their_place(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *setting, *expected;
+    } cases[] = {{"simulate.stepp=1 us", "--set:2:10: simulate.stepp: unknown key; did you mean `step`?"},
+                 {"simulate.step=1 N", "--set:2:15: simulate.step: `1 N` is not in a unit of s"},
+                 {"chain.beads.0.count=0", "--set:2:21: chain.beads.0.count: `0` is out of range"},
+                 {"outputs.7.size=[1, 0]", "--set:2:9: outputs.7.size: there is no element 7"},
+                 {"outputs.a.png.size=1", "--set:2:9: outputs.a.png.size: no element of the list has this name"},
+                 {"chain.wall.x=1", "--set:2:12: chain.wall.x: what stands before this key is a single value"},
+                 {"chain.=1", "--set:2:7: "},
+                 {"=1", "--set:2:1: "},
+                 {"chain", "--set:2:1: `chain` is not of the form key.path=value"},
+                 {"chain.wall=", "--set:2:12: chain.wall: is nothing"},
+                 {"chain.wall=[", "--set:2:"},
+                 {"chain.wall=*a", "--set:2:12: this alias has no anchor before it"},
+                 {"outputs=[{table: b.xls}]", "--set:2:18: outputs.0.table: `b.xls`"},
+                 {"a.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q.r.s.t.u.v.w.x.y.z.a.b.c.d.e.f.g.h.i=1", "nested too deeply"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        refuse_with("chain: {wall: brass, beads: [{bead: ptfe}]}\n" OUTPUTS, (const char *const[]){"title=x", cases[i].setting}, 2,
+                    cases[i].expected);
+}
+
+/* ---- ready scenes and assets ---- */
+
+static void ready_scenes_are_listed_and_right(void **state)
+{
+    (void)state;
+    struct bead_ready_scene *scenes = NULL;
+    struct bead_message msg = {""};
+    size_t count = 0;
+    bool demo = false;
+    assert_int_equal(bead_scene_ready(&scenes, &count, &msg), BEAD_OK);
+    for (size_t i = 0; i < count; i++) {
+        struct bead_scene *scene = load_ready(scenes[i].name);
+        assert_string_equal(scene->title, scenes[i].title);
+        assert_true(*scene->title);
+        demo = demo || strcmp(scenes[i].name, "clean-vs-delocalised") == 0;
+        bead_scene_free(scene);
+    }
+    assert_true(demo && count >= 3);
+    bead_scene_ready_free(scenes, count);
+}
+
+static void the_demo_is_a_clean_beside_a_delocalised_wave(void **state)
+{
+    (void)state;
+    struct bead_scene *scene = load_ready("clean-vs-delocalised");
+    assert_int_equal(scene->chain_count, 2);
+    assert_string_equal(scene->chains[0].name, "Clean");
+    assert_string_equal(scene->chains[1].name, "Delocalised");
+    for (size_t i = 0; i < 2; i++) {
+        assert_int_equal(bead_scene_count_beads(&scene->chains[i]), 128);
+        assert_int_equal(scene->chains[i].wall, BEAD_WALL_MATERIAL);
+    }
+    assert_int_equal(scene->chains[1].segments[0].spins, BEAD_SPINS_RANDOM);
+    unsigned kinds = 0;
+    for (size_t i = 0; i < scene->output_count; i++)
+        kinds |= 1u << scene->outputs[i].kind;
+    assert_int_equal(kinds, 1 << BEAD_OUTPUT_TRAJECTORY | 1 << BEAD_OUTPUT_IMAGE | 1 << BEAD_OUTPUT_MOVIE | 1 << BEAD_OUTPUT_TABLE);
+    bead_scene_free(scene);
+}
+
+static void scenes_are_found_by_name_or_path(void **state)
+{
+    (void)state;
+    char path[4096];
+    struct bead_message msg = {""};
+    assert_int_equal(bead_scene_find("tests/bad/nan.yaml", path, sizeof path, &msg), BEAD_OK);
+    assert_string_equal(path, "tests/bad/nan.yaml");
+    assert_int_equal(bead_scene_find("imagesc", path, sizeof path, &msg), BEAD_OK);
+    assert_non_null(strstr(path, "scenes/imagesc.yaml"));
+    assert_int_equal(bead_scene_find("imagsc", path, sizeof path, &msg), BEAD_ERROR_USAGE);
+    assert_non_null(strstr(msg.text, "did you mean `imagesc`?"));
+    assert_int_equal(bead_scene_find("../materials", path, sizeof path, &msg), BEAD_ERROR_USAGE);
+    assert_int_equal(bead_scene_find("", path, sizeof path, &msg), BEAD_ERROR_USAGE);
+    assert_int_equal(bead_scene_find("tests", path, sizeof path, &msg), BEAD_ERROR_IO);
+}
+
+static void missing_assets_say_where_they_were_sought(void **state)
+{
+    (void)state;
+    char path[4096], *text = NULL;
+    size_t length = 0;
+    struct bead_message msg = {""};
+    assert_int_equal(bead_asset_path("none/of.these", path, sizeof path, &msg), BEAD_ERROR_IO);
+    assert_non_null(strstr(msg.text, "none/of.these"));
+    assert_non_null(strstr(msg.text, "BEADREEL_ASSETS"));
+    assert_int_equal(bead_asset_read("materials.yaml", &text, &length, &msg), BEAD_OK);
+    assert_int_equal(strlen(text), length);
+    free(text);
+}
+
+static void help_names_every_key(void **state)
+{
+    (void)state;
+    static void (*const writers[])(FILE *) = {bead_scene_help, bead_scene_help_man};
+    static const char *const keys[] = {"striker",    "velocity", "magnetism", "sensor", "precompression", "until", "accuracy",
+                                       "trajectory", "colormap", "duration",  "views",  "poisson",        "colour"};
+    for (size_t w = 0; w < 2; w++) {
+        char *text = NULL;
+        size_t length = 0;
+        FILE *out = open_memstream(&text, &length);
+        assert_non_null(out);
+        writers[w](out);
+        assert_int_equal(fclose(out), 0);
+        for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+            assert_non_null(strstr(text, keys[i]));
+        assert_non_null(strstr(text, "default 0.443 m/s"));
+        free(text);
+    }
+}
+
+/* ---- anything at all ---- */
+
+/* Read whatever it is: a scene, or one line of why not. */
+static void survive(const char *text, size_t length)
+{
+    struct bead_message msg = {""};
+    struct bead_scene *scene = NULL;
+    enum bead_error err = bead_scene_parse("test", text, length, NULL, 0, &scene, &msg);
+    assert_true(err ? !scene && msg.text[0] && !strchr(msg.text, '\n') : scene != NULL);
+    bead_scene_free(scene);
+}
+
+static void cut_scenes_are_survived(void **state)
+{
+    (void)state;
+    struct bead_scene *scene = load_ready("imagesc");
+    size_t length = strlen(scene->text);
+    for (size_t i = 0; i < length; i += 7) {
+        char *cut = strndup(scene->text, i); /* no byte more, so that sanitizers see reads beyond */
+        assert_non_null(cut);
+        survive(cut, i);
+        free(cut);
+    }
+    bead_scene_free(scene);
+}
+
+static void changed_scenes_are_survived(void **state)
+{
+    (void)state;
+    static const char strange[] = "{}[]:,-#&*!|>'\"%@`\n\t \\01e.9\x80\xff";
+    struct bead_scene *scene = load_ready("clean-vs-delocalised");
+    size_t length = strlen(scene->text);
+    uint64_t random = 2009;
+    for (int round = 0; round < 300; round++) {
+        char *changed = strdup(scene->text);
+        assert_non_null(changed);
+        for (int i = 0; i < 1 + round % 5; i++) {
+            random = random * 6364136223846793005u + 1442695040888963407u;
+            changed[(random >> 33) % length] = strange[(random >> 13) % (sizeof strange - 1)];
+        }
+        survive(changed, length);
+        free(changed);
+    }
+    bead_scene_free(scene);
+}
+
+static void noise_is_survived(void **state)
+{
+    (void)state;
+    uint64_t random = 7;
+    for (int round = 0; round < 200; round++) {
+        char noise[300];
+        for (size_t i = 0; i < sizeof noise; i++) {
+            random = random * 6364136223846793005u + 1442695040888963407u;
+            noise[i] = round % 2 ? (char)(random >> 56) : " \n:-[]{}ab1,&*"[(random >> 40) % 14];
+        }
+        survive(noise, sizeof noise);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(everything_has_a_default_but_a_chain_and_an_output),
+        cmocka_unit_test(outputs_have_the_defaults_of_their_kind),
+        cmocka_unit_test(outputs_mean_what_they_say),
+        cmocka_unit_test(the_contract_s_example_is_read),
+        cmocka_unit_test(laws_and_walls),
+        cmocka_unit_test(materials_of_the_thesis),
+        cmocka_unit_test(materials_are_added_and_changed),
+        cmocka_unit_test(numbers_with_and_without_units),
+        cmocka_unit_test(numbers_do_not_depend_on_the_locale),
+        cmocka_unit_test(wrong_numbers_name_what_is_allowed),
+        cmocka_unit_test(flags),
+        cmocka_unit_test(every_malformed_file_gets_its_message),
+        cmocka_unit_test(near_misses_are_suggested),
+        cmocka_unit_test(files_that_cannot_be_read),
+        cmocka_unit_test(settings_change_the_scene),
+        cmocka_unit_test(settings_under_an_alias_change_one_place),
+        cmocka_unit_test(wrong_settings_name_their_place),
+        cmocka_unit_test(ready_scenes_are_listed_and_right),
+        cmocka_unit_test(the_demo_is_a_clean_beside_a_delocalised_wave),
+        cmocka_unit_test(scenes_are_found_by_name_or_path),
+        cmocka_unit_test(missing_assets_say_where_they_were_sought),
+        cmocka_unit_test(help_names_every_key),
+        cmocka_unit_test(cut_scenes_are_survived),
+        cmocka_unit_test(changed_scenes_are_survived),
+        cmocka_unit_test(noise_is_survived),
+    };
+    return cmocka_run_group_tests_name("scene", tests, NULL, NULL);
+}
