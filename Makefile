@@ -23,11 +23,12 @@ BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev li
 TEST_DEPS  = libcmocka-dev binutils hdf5-tools
 CI_DEPS    = clang-format cppcheck shellcheck ffmpeg poppler-utils man-db
 
-SIM_PACKAGES    = hdf5 yaml-0.1 udunits
-RENDER_PACKAGES = osmesa libpng libavformat libavcodec libswscale libavutil cairo pangocairo
-
 # Asked once, when a recipe first needs it: after `deps` has run in `make deps all`.
 once              = $(eval $(1) := $(2))$($(1))
+# Plain `hdf5` may be a build for MPI, where one is installed beside the serial one.
+hdf5              = $(call once,hdf5,$(shell pkg-config --exists hdf5-serial 2>/dev/null && echo hdf5-serial || echo hdf5))
+SIM_PACKAGES      = $(hdf5) yaml-0.1 udunits
+RENDER_PACKAGES   = osmesa libpng libavformat libavcodec libswscale libavutil cairo pangocairo
 sim_cflags        = $(call once,sim_cflags,$(shell pkg-config --cflags $(SIM_PACKAGES)))
 sim_libs          = $(call once,sim_libs,$(shell pkg-config --libs $(SIM_PACKAGES)) -lhdf5_hl -lm -pthread)
 render_cflags     = $(call once,render_cflags,$(shell pkg-config --cflags $(RENDER_PACKAGES)))
@@ -150,9 +151,13 @@ $(EXAMPLES): $(BUILD)/tests/examples/%: tests/examples/%.c $(LIBRARIES)
 	@mkdir -p $(@D)
 	$(call say,TEST,$<) $(run) $(CC) -std=c17 $(WARN) -Iinclude $(CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< -L$(BUILD) -lbeadsim \
 	    -Wl,-rpath,$(abspath $(BUILD))
+# Measured beside this program where they are installed.
+bench_precision_gsl      = $(if $(wildcard /usr/include/gsl/gsl_odeiv2.h),-DBENCH_GSL -lgsl -lgslcblas)
+bench_precision_sundials = $(if $(wildcard /usr/include/arkode/arkode_erkstep.h),-DBENCH_SUNDIALS -lsundials_cvode -lsundials_arkode \
+                           -lsundials_nvecserial -lsundials_sunnonlinsolfixedpoint)
 $(BENCHES): $(BUILD)/tests/bench/%: tests/bench/%.c $(STATIC)
 	@mkdir -p $(@D)
-	$(call say,BENCH,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(STATIC) $(render_libs) $(sim_libs)
+	$(call say,BENCH,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(STATIC) $(render_libs) $(sim_libs) $(bench_$*)
 
 test: all $(TESTS) $(EXAMPLES) ## unit tests and tests of the programs; ends with `N passed, M failed`
 	@tests/run.sh $(BUILD)
@@ -189,7 +194,7 @@ install: all ## install to PREFIX (default /usr/local), below DESTDIR
 	done
 	printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: beadsim' \
 	    'Description: Waves in chains of beads: simulation' 'Version: $(VERSION)' 'Requires.private: $(SIM_PACKAGES)' \
-	    'Libs: -L$${libdir} -lbeadsim' 'Libs.private: -lm -pthread' 'Cflags: -I$${includedir}' \
+	    'Libs: -L$${libdir} -lbeadsim' 'Libs.private: -lhdf5_hl -lm -pthread' 'Cflags: -I$${includedir}' \
 	    > $(DESTDIR)$(LIBDIR)/pkgconfig/beadsim.pc
 	printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: beadreel' \
 	    'Description: Waves in chains of beads: pictures and movies' 'Version: $(VERSION)' 'Requires: beadsim cairo' \
