@@ -12,6 +12,8 @@
 enum { SWEEPS = 2, SWEEP_GAIN = 8 };
 /* Contacts integrated again on each side of a flagged one: without them an order is lost, more bring nothing. */
 enum { WIDTH = 1 };
+/* Flagged contacts a patch at most: its cost grows as their square. Longer ones are cut, which loses a little at the cut. */
+enum { CLUSTER = 64 };
 /* Contacts between patches whose forces are rather computed again than passed over. */
 enum { GAP = 64 };
 /* Elements before and behind the constants of the contacts: vectors may begin one before the first and end behind the last. */
@@ -123,7 +125,7 @@ static bool grow(void **array, size_t *room, size_t count, size_t size)
 static bool grow_patch(struct bead_patch *patch, size_t count)
 {
     size_t room = (count + count / 2 + 2 * LANES) / LANES * LANES, bytes;
-    const size_t each = (BEAD_PATCH_ARRAYS + 2 * BEAD_GAUSS_NODES) * sizeof(double) + 2 * sizeof(bool);
+    const size_t each = (BEAD_PATCH_ARRAYS + 2 * BEAD_GAUSS_NODES) * sizeof(double) + sizeof(uint32_t) + 2 * sizeof(bool);
     if (count <= patch->room)
         return true;
     if (__builtin_mul_overflow(room, each, &bytes))
@@ -139,7 +141,8 @@ static bool grow_patch(struct bead_patch *patch, size_t count)
         patch->array[i] = at;
     patch->force = at;
     patch->curvature = at + BEAD_GAUSS_NODES * room;
-    patch->closed = (bool *)(patch->curvature + BEAD_GAUSS_NODES * room);
+    patch->pushing = (uint32_t *)(patch->curvature + BEAD_GAUSS_NODES * room);
+    patch->closed = (bool *)(patch->pushing + room);
     patch->bends = patch->closed + room;
     return true;
 }
@@ -400,9 +403,14 @@ static bool correct_patches(struct bead_events *e, struct bead_stepper *s)
     list_stages(e, s);
     for (size_t i = 0, n; ok && i < e->flagged_count; i += n) {
         const size_t *flagged = e->flagged + i;
-        for (n = 1; i + n < e->flagged_count && flagged[n] - flagged[n - 1] <= 2 * WIDTH + 1;)
+        const size_t left = e->flagged_count - i;
+        for (n = 1; n < left && n < CLUSTER && flagged[n] - flagged[n - 1] <= 2 * WIDTH + 1;)
             n++;
         size_t first = flagged[0] > WIDTH ? flagged[0] - WIDTH : 0, last = flagged[n - 1] + WIDTH;
+        if (i > 0 && first < end)
+            first = end;
+        if (n < left && last >= flagged[n])
+            last = flagged[n] - 1;
         last = last < s->active ? last : s->active - 1;
         ok = correct_patch(e, s, first, last, flagged, n);
         if (i > 0 && first - end > GAP) {

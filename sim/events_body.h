@@ -181,36 +181,55 @@ static inline lanes node_forces(const struct bead_patch_rule *rule, double a, do
     return d;
 }
 
-/* First guess: forces of the quintics. */
-static void guess_forces(const struct bead_patch_piece *piece, const struct bead_patch_rule *rule, const struct bead_patch *patch)
+/* The closed contacts that a piece is integrated for: a list, because branches on each would be guessed wrong half of the time. */
+struct pushing {
+    const uint32_t *contact;
+    size_t count, first, last; /* contact[first..last - 1] are not frozen */
+};
+
+static struct pushing list_pushing(const struct bead_patch *patch)
 {
-    const size_t count = patch->count;
+    const size_t all = patch->count + 2;
     const bool *closed = patch->closed;
+    uint32_t *list = patch->pushing;
+    size_t n = 0;
+    for (size_t k = 0; k < all; k++) {
+        list[n] = (uint32_t)k;
+        n += closed[k];
+    }
+    return (struct pushing){list, n, closed[0], n - closed[all - 1]};
+}
+
+/* First guess: forces of the quintics. */
+static void guess_forces(const struct bead_patch_piece *piece, const struct bead_patch_rule *rule, const struct bead_patch *patch,
+                         const struct pushing *pushing)
+{
+    const size_t all = patch->count + 2;
     const double *stiffness = patch->array[BEAD_PATCH_STIFFNESS], *static_force = patch->array[BEAD_PATCH_STATIC_FORCE];
     double *const *array = patch->array + BEAD_PATCH_C, *force = patch->force;
     const double *p0 = array[0], *p1 = array[1], *p2 = array[2], *p3 = array[3], *p4 = array[4], *p5 = array[5];
-    for (size_t k = 0; k < count + 2; k++) {
+    for (size_t k = 0; k < all; k++) {
+        const lanes open = (lanes){0} - static_force[k];
+        for (size_t i = 0; i < NODES; i += LANES)
+            store_lanes(force + NODES * k + i, open);
+    }
+    for (size_t n = 0; n < pushing->count; n++) {
+        const size_t k = pushing->contact[n];
         const double c0 = p0[k], c1 = p1[k], c2 = p2[k], c3 = p3[k], c4 = p4[k], c5 = p5[k], a = stiffness[k], f0 = static_force[k];
-        const lanes open = (lanes){0} - f0;
         for (size_t i = 0; i < NODES; i += LANES) {
-            lanes s = load_lanes(piece->s + i), f = open;
-            if (closed[k])
-                f = node_forces(rule, a, f0, c0 + s * (c1 + s * (c2 + s * (c3 + s * (c4 + s * c5)))));
-            store_lanes(force + NODES * k + i, f);
+            lanes s = load_lanes(piece->s + i);
+            store_lanes(force + NODES * k + i, node_forces(rule, a, f0, c0 + s * (c1 + s * (c2 + s * (c3 + s * (c4 + s * c5))))));
         }
     }
 }
 
 /* d'' = h^2 (u_k'' - u_{k+1}'') at the nodes from the forces of the contact and its neighbours. */
-static void find_curvatures(const struct bead_patch *patch)
+static void find_curvatures(const struct bead_patch *patch, const struct pushing *pushing)
 {
-    const size_t count = patch->count;
-    const bool *closed = patch->closed;
     const double *left = patch->array[BEAD_PATCH_LEFT], *right = patch->array[BEAD_PATCH_RIGHT];
     double *force = patch->force, *curvature = patch->curvature;
-    for (size_t k = 1; k <= count; k++) {
-        if (!closed[k])
-            continue;
+    for (size_t n = pushing->first; n < pushing->last; n++) {
+        const size_t k = pushing->contact[n];
         const double w = left[k], y = right[k];
         for (size_t i = NODES * k; i < NODES * (k + 1); i += LANES) {
             lanes neighbours = w * load_lanes(force + i - NODES) + y * load_lanes(force + i + NODES);
@@ -220,20 +239,18 @@ static void find_curvatures(const struct bead_patch *patch)
 }
 
 /* One Picard step: d(s) = d + s d' + double integral of d'', and the force of that. Returns the largest change of h^2 f/m. */
-static double picard(const struct bead_patch_piece *piece, const struct bead_patch_rule *rule, const struct bead_patch *patch)
+static double picard(const struct bead_patch_piece *piece, const struct bead_patch_rule *rule, const struct bead_patch *patch,
+                     const struct pushing *pushing)
 {
-    const size_t count = patch->count;
-    const bool *closed = patch->closed;
     double *const *array = patch->array, *force = patch->force;
     const double *stiffness = array[BEAD_PATCH_STIFFNESS], *static_force = array[BEAD_PATCH_STATIC_FORCE];
-    const double *left = array[BEAD_PATCH_LEFT], *right = array[BEAD_PATCH_RIGHT];
+    const double *left = array[BEAD_PATCH_LEFT], *right = array[BEAD_PATCH_RIGHT], *curvature = patch->curvature;
     const double *compression = array[BEAD_PATCH_D], *compression_rate = array[BEAD_PATCH_RATE], from = piece->from;
     lanes change = {0};
-    find_curvatures(patch);
-    for (size_t k = 1; k <= count; k++) {
-        if (!closed[k])
-            continue;
-        const double *r = patch->curvature + NODES * k, a = stiffness[k], f0 = static_force[k], weight = larger(left[k], right[k]);
+    find_curvatures(patch, pushing);
+    for (size_t n = pushing->first; n < pushing->last; n++) {
+        const size_t k = pushing->contact[n];
+        const double *r = curvature + NODES * k, a = stiffness[k], f0 = static_force[k], weight = larger(left[k], right[k]);
         const double d = compression[k], rate = compression_rate[k];
         for (size_t i = 0; i < NODES; i += LANES) {
             double *f = force + NODES * k + i;
@@ -252,30 +269,44 @@ static double picard(const struct bead_patch_piece *piece, const struct bead_pat
     return largest_lane(change);
 }
 
-/* Integrals over the piece of f and (to - s) f: impulses, and d and d' at the end of the piece. */
-static void finish_piece(const struct bead_patch_piece *piece, struct bead_patch *patch)
+/* Impulses: integrals over the piece of f and (to - s) f, two numbers a contact. */
+static void find_impulses(const struct bead_patch_piece *piece, const struct bead_patch *patch, const struct pushing *pushing,
+                          double *sum)
 {
-    double *const *array = patch->array, *sum = patch->curvature, length = piece->to - piece->from, after = 1 - piece->to;
-    for (size_t k = 0; k < patch->count + 2; k++) {
-        double *impulse = sum + 2 * k, f0 = array[BEAD_PATCH_STATIC_FORCE][k], now[NODES], later[NODES];
-        impulse[0] = -f0 * length;
-        impulse[1] = impulse[0] * (0.5 * length);
-        if (patch->closed[k]) {
-            for (size_t i = 0; i < NODES; i += LANES) {
-                lanes f = load_lanes(piece->weight + i) * load_lanes(patch->force + NODES * k + i);
-                store_lanes(now + i, f);
-                store_lanes(later + i, (piece->to - load_lanes(piece->s + i)) * f);
-            }
-            impulse[0] = total(now);
-            impulse[1] = total(later);
-        }
-        array[BEAD_PATCH_IMPULSE][k] += impulse[0];
-        array[BEAD_PATCH_MOMENT][k] += impulse[1] + after * impulse[0];
+    const size_t all = patch->count + 2;
+    const double *static_force = patch->array[BEAD_PATCH_STATIC_FORCE], *force = patch->force, length = piece->to - piece->from;
+    for (size_t k = 0; k < all; k++) {
+        sum[2 * k] = -static_force[k] * length;
+        sum[2 * k + 1] = sum[2 * k] * (0.5 * length);
     }
-    for (size_t k = 1; k <= patch->count; k++) {
-        const double left = array[BEAD_PATCH_LEFT][k], right = array[BEAD_PATCH_RIGHT][k], *i = sum + 2 * k;
-        array[BEAD_PATCH_D][k] += length * array[BEAD_PATCH_RATE][k] + ((left * i[-1] + right * i[3]) - (left + right) * i[1]);
-        array[BEAD_PATCH_RATE][k] += (left * i[-2] + right * i[2]) - (left + right) * i[0];
+    for (size_t n = 0; n < pushing->count; n++) {
+        const size_t k = pushing->contact[n];
+        double now[NODES], later[NODES];
+        for (size_t i = 0; i < NODES; i += LANES) {
+            lanes f = load_lanes(piece->weight + i) * load_lanes(force + NODES * k + i);
+            store_lanes(now + i, f);
+            store_lanes(later + i, (piece->to - load_lanes(piece->s + i)) * f);
+        }
+        sum[2 * k] = total(now);
+        sum[2 * k + 1] = total(later);
+    }
+}
+
+/* The impulses so far, and d and d' at the end of the piece. */
+static void finish_piece(const struct bead_patch_piece *piece, const struct bead_patch *patch, const struct pushing *pushing)
+{
+    const size_t count = patch->count;
+    const double *left = patch->array[BEAD_PATCH_LEFT], *right = patch->array[BEAD_PATCH_RIGHT];
+    const double length = piece->to - piece->from, after = 1 - piece->to;
+    double *impulse = patch->array[BEAD_PATCH_IMPULSE], *moment = patch->array[BEAD_PATCH_MOMENT];
+    double *d = patch->array[BEAD_PATCH_D], *rate = patch->array[BEAD_PATCH_RATE], *sum = patch->curvature;
+    find_impulses(piece, patch, pushing, sum);
+    for (size_t k = 1; k <= count; k++) {
+        const double *i = sum + 2 * k, w = left[k], y = right[k];
+        impulse[k] += i[0];
+        moment[k] += i[1] + after * i[0];
+        d[k] += length * rate[k] + ((w * i[-1] + y * i[3]) - (w + y) * i[1]);
+        rate[k] += (w * i[-2] + y * i[2]) - (w + y) * i[0];
     }
 }
 
@@ -293,9 +324,10 @@ static void integrate_piece(double from, double to, const double *tau, const str
         place_square(*tau, &piece);
     else
         bead_patch_place_power(rule->power, *tau, &piece);
-    guess_forces(&piece, rule, patch);
+    const struct pushing pushing = list_pushing(patch);
+    guess_forces(&piece, rule, patch, &pushing);
     for (size_t n = 0; n < sweeps && (n == 0 || most > enough); n++)
-        most = picard(&piece, rule, patch);
-    finish_piece(&piece, patch);
+        most = picard(&piece, rule, patch, &pushing);
+    finish_piece(&piece, patch, &pushing);
     patch->change = larger(most, patch->change);
 }

@@ -42,6 +42,7 @@ struct bead_patch {
     double *array[BEAD_PATCH_ARRAYS];
     double *force, *curvature; /* BEAD_GAUSS_NODES each: at the nodes of the piece at hand, f less its static part, N, and d'', m */
     bool *closed;              /* in the piece at hand */
+    uint32_t *pushing;         /* those contacts, in order */
     bool *bends;               /* opens, closes or is about to */
     double change;             /* m: largest h^2/m |f - f before| at a node in the last Picard sweep */
     void *memory;
