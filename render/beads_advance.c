@@ -11,7 +11,7 @@ static const double following = 1.0 / 120;
 /* Where the front lies in the lens, from its left. */
 static const double front_place = 0.7;
 /* Colours are those of the material below, those of the map above this distance from zero along the colour bar. */
-static const double colour_full = 0.16;
+static const double colour_full = 0.3;
 
 static double between(double x, double low, double high)
 {

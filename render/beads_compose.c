@@ -128,8 +128,17 @@ static void glow_marks(const struct bead_view *v, const struct bead_window *w, s
         double x = fminf(ball->right, ball->x + ball->r), half = 0.8 * least, wide = 0.34 * least;
         struct bead_mark *mark = add_mark(d, BEAD_MARK_GLOW, x - wide, w->middle - half, x + wide, w->middle + half);
         struct bead_rgb white = {1, 0.97, 0.9}, ink = v->look.ink;
-        paint_mark(mark, v->look.dark ? white : ink, 0.8 * d->glow[i] / 255.0);
+        paint_mark(mark, v->look.dark ? white : ink, 0.65 * d->glow[i] / 255.0);
     }
+}
+
+static void lens_frame(const struct bead_view *v, const struct bead_window *w, struct bead_drawing *d)
+{
+    const struct bead_rect *r = &w->rect;
+    struct bead_mark *mark = add_mark(d, BEAD_MARK_FRAME, r->x, r->y, r->x + r->width, r->y + r->height);
+    mark->shape[0] = 0.5f;
+    mark->shape[1] = (float)fmax(1, v->look.line);
+    paint_mark(mark, v->look.accent, 0.45);
 }
 
 static void swap(struct bead_drawing *d)
@@ -168,4 +177,6 @@ void bead_beads_compose(struct bead_view *v, const struct bead_window *w, struct
     if (w == &v->lens && v->wall)
         wall_mark(v, w, d);
     glow_marks(v, w, d);
+    if (w == &v->lens)
+        lens_frame(v, w, d);
 }

@@ -12,7 +12,7 @@ static const double strip_below = 2.5;
 void bead_beads_margins(const struct bead_look *look, int *left, int *right)
 {
     *left = (int)ceil(2.6 * look->tick);
-    *right = (int)ceil(1.1 * look->gap);
+    *right = (int)ceil(1.3 * look->gap);
 }
 
 static void set_window(struct bead_window *w, const struct bead_view *v, double scale, double y, double height, bool wide)
@@ -32,15 +32,25 @@ static void only_row(struct bead_view *v, double scale, double top)
     v->row.from = v->ends[0];
 }
 
+/* Names above the row: those of sensors if at all possible, others where there is plenty of room. */
+static bool has_names(const struct bead_view *v)
+{
+    size_t count, shown = 0;
+    const struct bead_sensor *sensors = bead_chain_sensors(v->setup.chain, &count);
+    for (size_t i = 0; i < count; i++)
+        shown += sensors[i].bead >= v->first && sensors[i].bead < v->first + v->count;
+    return v->setup.axes && v->plot.height > (shown > 0 || v->setup.bead_labels ? 2.6 : 8.5) * v->look.tick;
+}
+
 void bead_beads_divide(struct bead_view *v)
 {
     const struct bead_look *look = &v->look;
     double length = v->ends[1] - v->ends[0], scale = v->plot.width / length, diameter = 2 * v->largest * scale;
-    double top = v->setup.axes && v->plot.height > 2.6 * look->tick ? round(1.35 * look->tick) : 0;
+    double top = has_names(v) ? round(1.35 * look->tick) : 0;
     v->label_y = top > 0 ? 0.95 * look->tick : -1;
     v->strip = diameter < strip_below;
     v->lens = (struct bead_window){.scale = 0};
-    double row = v->strip ? fmax(6, 0.5 * look->tick) : ceil(diameter + fmax(4, 0.4 * diameter)), zoom = round(1.2 * look->gap);
+    double row = v->strip ? fmax(6, 0.5 * look->tick) : ceil(diameter + fmax(4, 0.9 * diameter)), zoom = round(1.2 * look->gap);
     double height = v->plot.height - top - row - zoom, large = fmin(0.8 * height, v->plot.width / 10.0);
     bool worth = large > fmax(14, 1.7 * diameter) && v->plot.width / large < 0.8 * (double)v->count;
     if (diameter >= 1.25 * look->label || !worth) {
@@ -58,16 +68,6 @@ void bead_beads_divide(struct bead_view *v)
     v->lens.from = v->ends[0];
 }
 
-static void rounded(cairo_t *cr, double x, double y, double width, double height, double r)
-{
-    cairo_new_path(cr);
-    cairo_arc(cr, x + width - r, y + r, r, -M_PI_2, 0);
-    cairo_arc(cr, x + width - r, y + height - r, r, 0, M_PI_2);
-    cairo_arc(cr, x + r, y + height - r, r, M_PI_2, M_PI);
-    cairo_arc(cr, x + r, y + r, r, M_PI, 3 * M_PI_2);
-    cairo_close_path(cr);
-}
-
 static void set_colour(cairo_t *cr, struct bead_rgb c, double alpha)
 {
     cairo_set_source_rgba(cr, c.r, c.g, c.b, alpha);
@@ -77,8 +77,8 @@ static void draw_wall(const struct bead_view *v, cairo_t *cr)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(v->setup.chain);
     double r = fmax(v->largest * v->row.scale, 3), x = v->area.x + bead_window_x(&v->row, v->ends[1]);
-    double half = fmin(1.35 * r + 2, 0.5 * v->row.rect.height), y = v->area.y + v->row.middle - half;
-    double width = fmin(v->area.x + v->area.width - x, fmax(4, 0.8 * v->look.gap));
+    double half = fmin(1.9 * r, 0.5 * v->row.rect.height), y = v->area.y + v->row.middle - half;
+    double width = fmin(v->area.x + v->area.width - x, fmax(4, v->look.gap));
     cairo_rectangle(cr, x, y, width, 2 * half);
     if (spec->wall == BEAD_WALL_MATERIAL) {
         const double *own = bead_chain_scene(v->setup.chain)->materials[spec->wall_material].colour;
@@ -181,7 +181,7 @@ void bead_beads_decorate(struct bead_view *v, cairo_t *cr)
 {
     if (v->lens.scale > 0) {
         const struct bead_rect *r = &v->lens.rect;
-        rounded(cr, v->area.x + r->x, v->area.y + r->y, r->width, r->height, fmin(0.4 * v->look.gap, 0.5 * r->height));
+        cairo_rectangle(cr, v->area.x + r->x, v->area.y + r->y, r->width, r->height);
         set_colour(cr, v->look.panel, 1);
         cairo_fill(cr);
     }

@@ -32,10 +32,10 @@ static struct measures measure(const struct bead_movie_wants *w, enum level leve
     bead_beads_margins(look, &beads_left, &beads_right);
     struct measures m = {
         .level = level, .axes = w->axes && level < NO_AXES, .headings = w->axes && w->headings && level < NO_HEADINGS};
-    m.view_gap = level == VIEWS_ONLY ? 0 : whole(0.9 * look->gap);
+    m.view_gap = level == VIEWS_ONLY ? 0 : whole(level == NO_AXES ? 0.7 * look->gap : 1.1 * look->tick);
     m.chain_gap = level == VIEWS_ONLY ? 0 : whole(1.5 * look->gap);
     if (w->axes && level < VIEWS_ONLY) {
-        m.margin = whole(1.5 * look->gap);
+        m.margin = whole(1.3 * look->gap);
         m.time_height = whole(1.45 * look->title);
         m.line_height = whole(1.4 * look->label);
         m.stacked = w->width < w->time_width + 22 * look->label;
@@ -46,7 +46,7 @@ static struct measures measure(const struct bead_movie_wants *w, enum level leve
                                : m.margin / 2 + (m.stacked               ? m.time_height + words
                                                  : words > m.time_height ? words
                                                                          : m.time_height);
-    m.heading = m.headings ? whole(1.75 * look->title) : 0;
+    m.heading = m.headings ? whole(1.7 * look->title) : 0;
     m.left = m.right = m.margin;
     if (m.axes) {
         double left = fmax(w->left, beads_left);
@@ -96,25 +96,31 @@ static int below(const struct bead_movie_wants *w, const struct measures *m, siz
     return whole(w->views[view]->kind == BEAD_VIEW_SENSORS ? w->below_time : w->below_beads);
 }
 
+/* Of a movie's height; and the most that is good for a view, in widths of the plots. */
+static const struct {
+    double share, most;
+} heights_of[BEAD_VIEW_KINDS] = {[BEAD_VIEW_BEADS] = {1.45, 0.17},
+                                 [BEAD_VIEW_PROFILE] = {0.8, 0.25},
+                                 [BEAD_VIEW_SPACETIME] = {1.25, 2},
+                                 [BEAD_VIEW_SENSORS] = {1.2, 0.5}};
+
 /* Heights of one chain's views from what there is: by their shares, but no more than is good for them. */
 static int share_out(const struct bead_movie_wants *w, const struct measures *m, int height, int *heights)
 {
-    static const double most[BEAD_VIEW_KINDS] = {
-        [BEAD_VIEW_BEADS] = 0.17, [BEAD_VIEW_PROFILE] = 0.25, [BEAD_VIEW_SPACETIME] = 2, [BEAD_VIEW_SENSORS] = 0.5};
     bool fixed[BEAD_MOVIE_VIEWS] = {false};
     for (bool again = true; again;) {
         double shares = 0;
         int free = height;
         again = false;
         for (size_t i = 0; i < w->view_count; i++) {
-            shares += fixed[i] ? 0 : w->views[i]->height;
+            shares += fixed[i] ? 0 : heights_of[w->views[i]->kind].share;
             free -= fixed[i] ? heights[i] : 0;
         }
         for (size_t i = 0; i < w->view_count; i++) {
-            int limit = whole(most[w->views[i]->kind] * m->width);
+            int limit = whole(heights_of[w->views[i]->kind].most * m->width);
             if (fixed[i])
                 continue;
-            heights[i] = (int)floor(free * w->views[i]->height / shares);
+            heights[i] = (int)floor(free * heights_of[w->views[i]->kind].share / shares);
             if (m->level < VIEWS_ONLY && heights[i] > limit && limit > 0) {
                 heights[i] = limit;
                 fixed[i] = again = true;
@@ -146,15 +152,15 @@ static int fixed_height(const struct bead_movie_wants *w, const struct measures 
 
 static void place_header(const struct bead_movie_wants *w, const struct measures *m, struct bead_movie_layout *layout)
 {
-    int right = m->left + m->width, half = m->margin / 2, gap = whole(w->look->gap);
+    int right = m->left + m->width, top = m->margin, gap = whole(w->look->gap);
     if (m->time_height == 0)
         return;
     int time_width = whole(w->time_width) < m->width ? whole(w->time_width) : m->width;
-    layout->time = (struct bead_rect){m->left, half, time_width, m->time_height};
+    layout->time = (struct bead_rect){m->left, top, time_width, m->time_height};
     if (m->level > EVERYTHING)
         return;
     int x = m->stacked ? m->left : m->left + time_width + 2 * gap;
-    int y = m->stacked ? half + m->time_height : half;
+    int y = m->stacked ? top + m->time_height : top;
     if (right <= x)
         return;
     if (w->title)

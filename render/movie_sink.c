@@ -10,6 +10,7 @@
 #include "beadreel/look.h"
 #include "beadreel/movie.h"
 #include "beadreel/pipe.h"
+#include "render/colour_range.h"
 #include "render/movie_frame.h"
 #include "render/sinks.h"
 
@@ -153,7 +154,9 @@ static void movie_destroy(struct bead_sink *s)
 static enum bead_error prepare(struct bead_sink *s, struct bead_message *msg)
 {
     struct bead_movie_settings settings;
-    enum bead_error err = choose_size(s, msg);
+    enum bead_error err = bead_colour_range_check(s->output, s->stage.scene->file, msg);
+    if (!err)
+        err = choose_size(s, msg);
     if (!err)
         err = choose_times(s, msg);
     if (!err)
@@ -303,22 +306,6 @@ static enum bead_error draw(void *context, void *slot, int last, struct bead_mes
     return err;
 }
 
-/* Colours from 0 (or as far below as there is) to the largest value. */
-static void choose_range(const struct bead_output *output, struct bead_range found, double range[2])
-{
-    double high = isfinite(found.high) ? found.high : 0, low = isfinite(found.low) ? fmin(found.low, 0) : 0;
-    if (low < 0)
-        low = -(high = fmax(high, -low)); /* zero in the middle */
-    if (!(high > low))
-        high = low + 1;
-    if (output->scale == BEAD_SCALE_LOG)
-        low = 1e-4 * high;
-    range[0] = isnan(output->range[0]) ? low : output->range[0];
-    range[1] = isnan(output->range[1]) ? high : output->range[1];
-    if (!(range[1] > range[0]))
-        range[1] = range[0] + 1;
-}
-
 static enum bead_error create_pipes(struct bead_sink *s, struct bead_message *msg)
 {
     size_t numbers_bytes = field_count(s->fields) * field_room(s) * sizeof(double);
@@ -340,7 +327,9 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
                                         .height = s->height,
                                         .time = {s->time[0], s->time[1]},
                                         .step = s->step};
-    choose_range(s->output, range, setup.range);
+    struct bead_colour_range colours = bead_colour_range_find(s->output, range.low, range.high);
+    setup.range[0] = colours.low;
+    setup.range[1] = colours.high;
     enum bead_error err = bead_composer_create(&setup, &s->composer, msg);
     for (int i = 0; !err && i < FRAME_SLOTS; i++)
         err = bead_frame_create(s->width, s->height, &s->buffer[i], msg);

@@ -117,7 +117,10 @@ static void say_chain(const struct bead_facts *facts, char *out, size_t size)
         add_text(out, size, name);
     if (!same_speed)
         return;
-    bead_quantity(velocity, "m/s", 3, speed, sizeof speed);
+    if (fabs(velocity) >= 0.01 && fabs(velocity) < 1) /* as the field writes it */
+        snprintf(speed, sizeof speed, "%.3g m/s", velocity);
+    else
+        bead_quantity(velocity, "m/s", 3, speed, sizeof speed);
     add_text(out, size, out[0] ? ", striker " : "striker ");
     add_text(out, size, speed);
 }
@@ -130,10 +133,10 @@ static size_t gather(const struct bead_facts *facts, char text[MOST_FACTS][256])
     size_t count = 0;
     bool slower = facts->slowed >= 1;
     round_number(slower ? facts->slowed : 1 / facts->slowed, number, sizeof number);
-    snprintf(text[count++], 256, "%s %s" THIN_SPACE "\u00d7", slower ? "slowed" : "sped up", number);
+    snprintf(text[count++], 256, "%s %s \u00d7", slower ? "slowed" : "sped up", number);
     if (facts->magnify > 0) {
         round_number(facts->magnify, number, sizeof number);
-        snprintf(text[count++], 256, "displacements" THIN_SPACE "\u00d7" THIN_SPACE "%s", number);
+        snprintf(text[count++], 256, "displacements \u00d7 %s", number);
     }
     say_chain(facts, text[count], 256);
     return count + (text[count][0] != '\0');

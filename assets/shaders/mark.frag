@@ -34,10 +34,12 @@ void main()
         cover = fall * fall;
         weight = 0.35; // light adds more than it hides
     } else if (what == 5) { // zoom
-        float down = clamp((p.y - bounds.y) / (bounds.w - bounds.y), 0.0, 1.0);
-        float from = mix(shape.x, shape.z, down), to = mix(shape.y, shape.w, down);
-        float edges = max(max(line(p.x, from, 1.5), line(p.x, to, 1.5)) * 0.6, line(p.y, bounds.y + 1.0, 2.0) * within(p.x, from, to));
-        cover = within(p.y, bounds.y, bounds.w) * max(0.16 * within(p.x, from, to), edges);
+        float height = bounds.w - bounds.y, down = clamp((p.y - bounds.y) / height, 0.0, 1.0);
+        float part = down * down * (3.0 - 2.0 * down), slope = 6.0 * down * (1.0 - down) / height;
+        vec2 at = mix(shape.xy, shape.zw, part), lean = (shape.zw - shape.xy) * slope;
+        vec2 lines = clamp(1.1 - abs(p.xx - at) * inversesqrt(1.0 + lean * lean), 0.0, 1.0);
+        float edges = max(0.6 * max(lines.x, lines.y), line(p.y, bounds.y + 1.0, 2.0) * within(p.x, shape.x, shape.y));
+        cover = within(p.y, bounds.y, bounds.w) * max(0.13 * within(p.x, at.x, at.y), edges);
     } else if (what == 6) { // frame
         vec2 d = abs(p - middle) - extent + shape.x;
         float outside = length(max(d, 0.0)) + min(max(d.x, d.y), 0.0) - shape.x;
