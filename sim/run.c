@@ -6,11 +6,10 @@
 
 #include "sim/control.h"
 #include "sim/dense.h"
+#include "sim/front.h"
 #include "sim/peaks.h"
 #include "sim/stepper.h"
 
-/* The front has arrived when the last contact's force first exceeds this part of the largest force so far. */
-static const double front_part = 1e-4;
 /* How often energy is looked at, in steps, at least, and before a sample is given away; and how far it may be off, of all
  * that was put in. */
 enum { CHECK_EVERY = 64, CHECK_SAMPLES = 8 };
@@ -23,8 +22,7 @@ struct bead_run {
     struct bead_stepping stepping;
     struct bead_stepper *stepper;
     struct bead_control control;
-    double arrival;                                           /* s, NaN before */
-    double largest_force;                                     /* N, of all contacts so far (at the ends of steps) */
+    struct bead_front front;
     double energy_start, momentum_start, energy_error, input; /* input: energy that counts as 1 */
     struct bead_peaks *contact_peaks, *bead_peaks;
     double *state_memory, *u, *v, *f; /* samples: state between steps */
@@ -85,7 +83,7 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
     if (!r)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a run");
     r->settings = *settings;
-    r->arrival = NAN;
+    r->front.arrival = NAN;
     enum bead_error err = bead_run_stepping(settings->chain, &r->stepping, msg);
     if (!err)
         err = bead_stepper_create(settings->chain, r->stepping.method, settings->kernels, settings->full_window, &r->stepper, msg);
@@ -125,7 +123,7 @@ double bead_run_time(const struct bead_run *run)
 
 double bead_run_arrival(const struct bead_run *run)
 {
-    return run->arrival;
+    return run->front.arrival;
 }
 
 uint64_t bead_run_evaluations(const struct bead_run *run)
@@ -141,37 +139,6 @@ uint64_t bead_run_steps(const struct bead_run *run)
 uint64_t bead_run_hash(const struct bead_run *run)
 {
     return run->hash;
-}
-
-struct threshold {
-    struct bead_polynomial compression;
-    double level; /* compression at which the front counts as arrived, m */
-};
-
-static double above(const void *context, double x)
-{
-    const struct threshold *t = context;
-    return bead_polynomial_value(&t->compression, x) - t->level;
-}
-
-/* Has the front reached the last contact in this step? Forces less their static part count. */
-static void watch_front(struct bead_run *run)
-{
-    const struct bead_stepper *s = run->stepper;
-    const struct bead_chain *c = s->chain;
-    if (!isnan(run->arrival))
-        return;
-    size_t last = c->contacts - 1;
-    double force = s->kernels->largest(s->active < c->contacts ? s->active : c->contacts, s->end.f);
-    run->largest_force = force > run->largest_force ? force : run->largest_force;
-    double level = front_part * run->largest_force;
-    if (last >= s->active || !(s->end.f[last] > level))
-        return;
-    struct threshold t = {bead_dense_compression(s, last),
-                          c->law->compression(c->stiffness[last], &c->spec->law, level + c->static_force[last])};
-    double at0 = above(&t, 0), at1 = above(&t, 1);
-    double x = at0 >= 0 ? 0 : at1 <= 0 ? 1 : bead_find_root(above, &t, at0, at1);
-    run->arrival = s->t0 + x * s->h;
 }
 
 /* A number that every bit of the state goes into, and beads at rest do not: the same with and without window. */
@@ -234,8 +201,10 @@ enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
 {
     struct bead_stepper *s = run->stepper;
     advance(run);
-    watch_front(run);
-    double limit = run->settings.passage && !isnan(run->arrival) ? run->arrival : run->settings.end;
+    enum bead_error err = bead_front_watch(&run->front, s, msg);
+    if (err)
+        return err;
+    double limit = run->settings.passage && !isnan(run->front.arrival) ? run->front.arrival : run->settings.end;
     if (run->contact_peaks)
         bead_peaks_step(run->contact_peaks, s, limit);
     if (run->bead_peaks)
@@ -315,7 +284,7 @@ void bead_run_finish(struct bead_run *run, double end, struct bead_outcome *outc
     const struct bead_stepper *s = run->stepper;
     *outcome = (struct bead_outcome){
         .end = end,
-        .front_arrival = run->arrival,
+        .front_arrival = run->front.arrival,
         .method = run->stepping.method->info.name,
         .step = run->stepping.step,
         .steps = s->steps,

@@ -135,6 +135,21 @@ void bead_stepper_destroy(struct bead_stepper *stepper)
     free(stepper);
 }
 
+enum bead_error bead_stepper_branch(const struct bead_stepper *s, struct bead_stepper **branch, struct bead_message *msg)
+{
+    enum bead_error err = bead_stepper_create(s->chain, s->method, s->kernels, s->full, branch, msg);
+    if (err)
+        return err;
+    struct bead_stepper *b = *branch;
+    const double *from[] = {s->start.u, s->start.v, s->start.a, s->start.f};
+    double *to[] = {b->end.u, b->end.v, b->end.a, b->end.f};
+    for (int i = 0; i < 4; i++)
+        memcpy(to[i], from[i], s->active * sizeof(double));
+    b->active = s->active;
+    b->t1 = s->t0;
+    return BEAD_OK;
+}
+
 void bead_stepper_evaluate(struct bead_stepper *s, const double *u, const double *v, double *f, double *a)
 {
     s->force(s->active, &s->table, u, v, f);

@@ -71,6 +71,9 @@ BEAD_CHECK enum bead_error bead_stepper_create(const struct bead_chain *chain, c
                                                const struct bead_kernels *kernels, bool full, struct bead_stepper **stepper,
                                                struct bead_message *msg);
 void bead_stepper_destroy(struct bead_stepper *stepper);
+/* Another stepper whose end is the start of the step that `stepper` just made: to go over it again more finely. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_stepper_branch(const struct bead_stepper *stepper, struct bead_stepper **branch,
+                                               struct bead_message *msg);
 /* The old end becomes the start; one step to `t1` (> stepper->t1). */
 void bead_stepper_advance(struct bead_stepper *stepper, double t1);
 /* The same with the length given, so that equal steps are equal to the bit. */
