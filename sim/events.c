@@ -141,7 +141,7 @@ static bool grow_patch(struct bead_patch *patch, size_t count)
         patch->array[i] = at;
     patch->force = at;
     patch->curvature = at + BEAD_GAUSS_NODES * room;
-    patch->pushing = (uint32_t *)(patch->curvature + BEAD_GAUSS_NODES * room);
+    patch->pushing = (void *)(patch->curvature + BEAD_GAUSS_NODES * room);
     patch->closed = (bool *)(patch->pushing + room);
     patch->bends = patch->closed + room;
     return true;
