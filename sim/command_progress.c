@@ -20,7 +20,7 @@ double command_clock(void)
 
 void command_meter_init(struct command_meter *meter, enum command_progress mode)
 {
-    *meter = (struct command_meter){.mode = mode};
+    *meter = (struct command_meter){.mode = mode, .began = command_clock()};
     const char *terminal = getenv("TERM");
     if (mode == COMMAND_PROGRESS_AUTO && (!isatty(STDERR_FILENO) || (terminal && strcmp(terminal, "dumb") == 0)))
         meter->mode = COMMAND_PROGRESS_NONE;
@@ -85,8 +85,9 @@ void command_meter_tell(void *context, const struct bead_progress *progress)
     double now = command_clock();
     bool fresh = strncmp(meter->what, progress->what, sizeof meter->what - 1) != 0;
     if (fresh) {
+        if (*meter->what)
+            meter->began = now; /* the first stage began with the program */
         snprintf(meter->what, sizeof meter->what, "%s", progress->what);
-        meter->began = now;
         if (meter->mode == COMMAND_PROGRESS_PLAIN)
             meter->said = now; /* what takes no time needs no line */
     }
@@ -113,7 +114,7 @@ void command_meter_clear(struct command_meter *meter)
 
 const char *command_quantity(double value, const char *unit, char *text, size_t size)
 {
-    static const char *const prefixes[] = {"f", "p", "n", "µ", "m", "", "k", "M", "G", "T"};
+    static const char *const prefixes[] = {"f", "p", "n", "u", "m", "", "k", "M", "G", "T"};
     double scale = value;
     int prefix = 5;
     if (isfinite(value) && value != 0) {
