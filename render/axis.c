@@ -7,7 +7,7 @@
 #include "beadreel/look.h"
 #include "render/units.h"
 
-enum { MOST_TICKS = sizeof((struct bead_axis *)0)->ticks / sizeof(struct bead_tick) };
+enum { MOST_TICKS = sizeof((struct bead_axis *)0)->ticks / sizeof(struct bead_tick), ENOUGH = 12 };
 
 /* Room that labels take, in units of the font size. A digit is 0.5 wide in STIX and 0.58 in Lato. */
 static const double character = 0.6, between_labels = 1.4, least_between = 0.5, line_apart = 2.4, least_line = 1.4,
@@ -63,7 +63,7 @@ static bool try_step(struct bead_axis *axis, const struct room *room, int mantis
     double step = multiple(1, mantissa, exponent);
     double from = ceil((low - slack) / step), to = floor((high + slack) / step);
     axis->count = 0;
-    if (to - from >= MOST_TICKS)
+    if (to - from >= ENOUGH)
         return false;
     size_t widest = 0;
     for (double k = from; k <= to; k++) {
@@ -128,7 +128,6 @@ static void keep_if_room(struct bead_axis *axis, const struct room *room)
 /* On uneven scales: the roundest numbers first, as long as there is room between those taken. */
 static void roundest_first(struct bead_axis *axis, const struct room *room)
 {
-    const size_t enough = 12;
     double low = axis->low * axis->factor, high = axis->high * axis->factor, slack = 1e-9 * (high - low);
     int largest = (int)floor(log10(fmax(fabs(low), fabs(high)) * (1 + 1e-12)));
     for (int i = 0; i < 9; i++) {
@@ -136,7 +135,7 @@ static void roundest_first(struct bead_axis *axis, const struct room *room)
         double step = multiple(1, mantissa, exponent);
         if ((high - low) / step > 2000)
             return;
-        for (double k = ceil((low - slack) / step); k <= floor((high + slack) / step) && axis->count < enough; k++) {
+        for (double k = ceil((low - slack) / step); k <= floor((high + slack) / step) && axis->count < ENOUGH; k++) {
             double shown = multiple(k, mantissa, exponent);
             if (axis->scale == BEAD_SCALE_LOG && !(shown > 0))
                 continue;

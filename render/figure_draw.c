@@ -1,0 +1,162 @@
+/* The parts of a figure that are not views: headings, title and time, the colour bar. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "render/figure_private.h"
+
+static struct bead_text_style style_of(const struct bead_look *look, double size, struct bead_rgb colour)
+{
+    return (struct bead_text_style){
+        .family = look->family, .size = size, .colour = colour, .across = BEAD_ALIGN_START, .down = BEAD_ALIGN_BASELINE};
+}
+
+static double width_of(cairo_t *cr, const struct bead_text_style *style, const char *markup)
+{
+    double width = 0, height;
+    if (*markup)
+        bead_text_size(cr, style, markup, &width, &height);
+    return width;
+}
+
+/* Text that fits into `room`: cut with an ellipsis where it must be. False: nothing fits. */
+static bool fit(cairo_t *cr, const struct bead_text_style *style, const char *text, double room, char *markup, size_t size)
+{
+    char cut[512];
+    snprintf(cut, sizeof cut, "%.500s", text);
+    bead_text_escape(cut, markup, size);
+    size_t length = strlen(cut);
+    while (width_of(cr, style, markup) > room) {
+        while (length > 0 && ((unsigned char)cut[length - 1] & 0xC0) == 0x80)
+            length--;
+        length -= length > 0;
+        if (length == 0)
+            return false;
+        snprintf(cut + length, sizeof cut - length, "\u2026");
+        bead_text_escape(cut, markup, size);
+        cut[length] = '\0';
+    }
+    return *markup != '\0';
+}
+
+struct words {
+    char letter[16], magnetism[128];
+    const char *name, *label;
+};
+
+static bool words_of(const struct bead_figure *f, const struct bead_cell *cell, struct words *words)
+{
+    const struct bead_chain *chain = f->stage.chains[cell->chain];
+    size_t index = (size_t)(cell - f->cells);
+    *words = (struct words){.name = bead_chain_name(chain), .label = bead_chain_spec(chain)->label};
+    if (f->page.paper && f->cell_count > 1 && index < 26)
+        snprintf(words->letter, sizeof words->letter, "(%c)", (char)('a' + (int)index));
+    if (*bead_chain_spins(chain))
+        bead_text_magnetism(bead_chain_magnetism(chain), words->magnetism, sizeof words->magnetism);
+    return f->output->axes && (*words->letter || *words->name || *words->magnetism);
+}
+
+bool bead_figure_heading(const struct bead_figure *f, const struct bead_cell *cell, cairo_t *cr)
+{
+    struct words words;
+    bool any = words_of(f, cell, &words);
+    if (!any || !cr)
+        return any;
+    const struct bead_look *look = &f->look;
+    double em = look->label, x = cell->heading.x, room = cell->heading.width, gap = 0.7 * em;
+    double y = cell->heading.y + cell->heading.height - 0.6 * em;
+    char markup[1024];
+    struct bead_text_style letter = style_of(look, look->title, look->ink), name = letter, label = style_of(look, em, look->faint);
+    struct bead_text_style magnetism = style_of(look, look->title, f->page.paper ? look->ink : look->accent);
+    name.bold = !f->page.paper;
+    double widths[] = {width_of(cr, &letter, words.letter), width_of(cr, &magnetism, words.magnetism)};
+    if (*words.letter) {
+        bead_text_draw(cr, &letter, x, y, words.letter);
+        x += widths[0] + 0.5 * em;
+    }
+    double end = cell->heading.x + room, reserved = widths[1] > 0 ? widths[1] + gap : 0;
+    if (*words.name && (fit(cr, &name, words.name, end - x - reserved, markup, sizeof markup) ||
+                        fit(cr, &name, words.name, end - x, markup, sizeof markup))) {
+        bead_text_draw(cr, &name, x, y, markup);
+        x += width_of(cr, &name, markup) + gap;
+    }
+    if (*words.magnetism && x + widths[1] <= end) {
+        bead_text_draw(cr, &magnetism, x, y, words.magnetism);
+        x += widths[1] + 2 * gap;
+    }
+    bead_text_escape(words.label, markup, sizeof markup);
+    if (!f->page.paper && *words.label && x + width_of(cr, &label, markup) <= end)
+        bead_text_draw(cr, &label, x, y, markup);
+    return true;
+}
+
+/* "t = 1.64 ms, displacements x 60": what beads and profiles are drawn with. */
+static void moment_words(const struct bead_figure *f, char *markup, size_t size)
+{
+    char time[64], magnify[64];
+    markup[0] = '\0';
+    if (!f->stills)
+        return;
+    bead_quantity(f->at, "s", 4, time, sizeof time);
+    snprintf(markup, size, "<span face=\"%s\"><i>t</i></span> = %s", f->page.paper ? "STIX" : f->look.family, time);
+    for (size_t v = 0; v < f->view_count; v++) {
+        const struct bead_panel *panel = &f->cells[0].panel[v];
+        if (panel->type->kind != BEAD_VIEW_BEADS)
+            continue;
+        bead_quantity(panel->setup.magnify, "", 2, magnify, sizeof magnify);
+        size_t used = strlen(markup);
+        snprintf(markup + used, size - used, "  \u00b7  displacements \u00d7 %s", magnify);
+        break;
+    }
+}
+
+bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
+{
+    const struct bead_look *look = &f->look;
+    const int least = 240; /* px of height where a title is worth its room */
+    const char *title = !f->page.paper && f->page.height >= least ? f->stage.scene->title : "";
+    if (!f->output->axes || (!*title && !f->stills))
+        return false;
+    if (!cr)
+        return true;
+    char markup[1024], moment[256];
+    moment_words(f, moment, sizeof moment);
+    struct bead_text_style bold = style_of(look, look->title, look->ink), right = style_of(look, look->label, look->ink);
+    bold.bold = true;
+    right.across = *title ? BEAD_ALIGN_END : BEAD_ALIGN_START;
+    double y = f->line.y + 0.85 * look->title, taken = width_of(cr, &right, moment);
+    if (*title && fit(cr, &bold, title, f->line.width - (taken > 0 ? taken + 2 * look->label : 0), markup, sizeof markup))
+        bead_text_draw(cr, &bold, f->line.x, y, markup);
+    if (*moment)
+        bead_text_draw(cr, &right, *title ? f->line.x + f->line.width : f->line.x, y, moment);
+    return true;
+}
+
+/* The bar gives up what its points take, so that it ends where the images do. */
+static void draw_bar(const struct bead_figure *f, cairo_t *cr)
+{
+    struct bead_rect bar = f->bar;
+    int point = (int)ceil(0.9 * bar.width);
+    const struct bead_field_info *field = bead_field_info(f->output->field);
+    bar.y += f->range.over ? point : 0;
+    bar.height -= (f->range.over + f->range.under) * point;
+    if (bar.height > 0)
+        bead_colour_bar_draw(cr, &f->look, &f->colours, field->unit, field->title, bar, f->range.over, f->range.under);
+}
+
+enum bead_error bead_figure_decorate(struct bead_figure *f, cairo_t *cr, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    cairo_set_source_rgb(cr, f->look.background.r, f->look.background.g, f->look.background.b);
+    cairo_paint(cr);
+    bead_figure_line(f, cr);
+    for (size_t c = 0; !err && c < f->cell_count; c++) {
+        bead_figure_heading(f, &f->cells[c], cr);
+        for (size_t v = 0; !err && v < f->view_count; v++)
+            err = f->cells[c].panel[v].type->decorate(f->cells[c].panel[v].view, cr, msg);
+    }
+    if (f->bar.width > 0)
+        draw_bar(f, cr);
+    cairo_status_t status = cairo_status(cr);
+    return err ? err : status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "figure: %s", cairo_status_to_string(status)) : BEAD_OK;
+}

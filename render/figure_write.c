@@ -1,0 +1,192 @@
+/* The end of a figure: ranges are known now, views of one moment are made, everything is drawn. */
+#include <math.h>
+
+#include "beadreel/canvas.h"
+#include "render/figure_private.h"
+#include "render/view_sensors.h"
+#include "render/view_spacetime.h"
+
+static void widen(double low, double high, double all[2])
+{
+    all[0] = fmin(all[0], low);
+    all[1] = fmax(all[1], high);
+}
+
+/* Values shown as colours: pixels of images where there are any, else the values of the moment. */
+static void find_extremes(const struct bead_figure *f, double colours[2], double sensors[2])
+{
+    double low, high, moment[2] = {INFINITY, -INFINITY};
+    for (size_t c = 0; c < f->cell_count; c++) {
+        const struct bead_cell *cell = &f->cells[c];
+        for (size_t v = 0; v < f->view_count; v++) {
+            const struct bead_panel *panel = &cell->panel[v];
+            if (panel->type->kind == BEAD_VIEW_SPACETIME) {
+                bead_spacetime_extremes(panel->view, &low, &high);
+                widen(low, high, colours);
+            } else if (panel->type->kind == BEAD_VIEW_SENSORS) {
+                bead_sensors_extremes(panel->view, &low, &high);
+                widen(low, high, sensors);
+            }
+        }
+        const double *values = cell->moments ? cell->moment[1].field[f->output->field] : NULL;
+        const struct bead_span *span = &cell->panel[0].setup.beads;
+        for (size_t i = span->first; values && i <= span->last; i++)
+            widen(values[i], values[i], moment);
+    }
+    if (colours[0] > colours[1])
+        widen(moment[0], moment[1], colours);
+}
+
+static void set_ranges(struct bead_figure *f)
+{
+    double colours[2] = {INFINITY, -INFINITY}, sensors[2] = {INFINITY, -INFINITY};
+    find_extremes(f, colours, sensors);
+    f->range = bead_colour_range_find(f->output, colours[0], colours[1]);
+    f->colours.low = f->range.low;
+    f->colours.high = f->range.high;
+    for (size_t c = 0; c < f->cell_count; c++) {
+        for (size_t v = 0; v < f->view_count; v++) {
+            struct bead_panel *panel = &f->cells[c].panel[v];
+            panel->setup.colours = f->colours;
+            if (panel->type->kind == BEAD_VIEW_SPACETIME)
+                bead_spacetime_recolour(panel->view, &f->colours);
+            else if (panel->type->kind == BEAD_VIEW_SENSORS)
+                bead_sensors_set_range(panel->view, sensors[0], sensors[1]);
+        }
+    }
+}
+
+static enum bead_error feed_moments(struct bead_figure *f, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t c = 0; c < f->cell_count; c++) {
+        struct bead_cell *cell = &f->cells[c];
+        for (size_t v = 0; v < f->view_count; v++) {
+            struct bead_panel *panel = &cell->panel[v];
+            if (bead_panel_collects(panel))
+                continue;
+            for (size_t m = 2 - cell->moments; !err && m < 2; m++)
+                err = panel->type->feed(panel->view, &cell->moment[m], msg);
+        }
+    }
+    return err;
+}
+
+/* The moment as far as there are samples: between the last two. */
+static double moment_of(const struct bead_figure *f, const struct bead_cell *cell)
+{
+    if (cell->moments == 0)
+        return f->at;
+    double first = cell->moment[2 - cell->moments].time, last = cell->moment[1].time;
+    return fmin(last, fmax(first, f->at));
+}
+
+/* ---- raster ---- */
+
+static enum bead_error draw_views(struct bead_figure *f, struct bead_frame *frame, const struct bead_frame *background,
+                                  struct bead_message *msg)
+{
+    struct bead_changes changes = {0};
+    enum bead_error err = BEAD_OK;
+    for (size_t c = 0; c < f->cell_count; c++) {
+        const struct bead_cell *cell = &f->cells[c];
+        for (size_t v = 0; !err && v < f->view_count; v++) {
+            const struct bead_panel *panel = &cell->panel[v];
+            err = panel->type->draw(panel->view, moment_of(f, cell), frame, background, &changes, msg);
+        }
+    }
+    return err;
+}
+
+static enum bead_error decorate_frame(struct bead_figure *f, struct bead_frame *frame, struct bead_message *msg)
+{
+    cairo_surface_t *surface =
+        cairo_image_surface_create_for_data(frame->pixels, CAIRO_FORMAT_RGB24, frame->width, frame->height, (int)frame->stride);
+    cairo_t *cr = cairo_create(surface);
+    enum bead_error err = bead_figure_decorate(f, cr, msg);
+    cairo_destroy(cr);
+    cairo_surface_flush(surface);
+    cairo_surface_destroy(surface);
+    return err;
+}
+
+static enum bead_error draw_frame(struct bead_figure *f, struct bead_frame *frame, struct bead_message *msg)
+{
+    struct bead_frame background = {0};
+    enum bead_error err = decorate_frame(f, frame, msg);
+    if (!err && f->stills) { /* only those views draw over what was there */
+        err = bead_frame_create(frame->width, frame->height, &background, msg);
+        if (!err)
+            bead_frame_copy(&background, frame, (struct bead_rect){0, 0, frame->width, frame->height});
+    }
+    if (!err)
+        err = draw_views(f, frame, f->stills ? &background : frame, msg);
+    bead_frame_free(&background);
+    return err;
+}
+
+static bool needs_canvas(const struct bead_figure *f)
+{
+    for (size_t v = 0; v < f->view_count; v++) {
+        if (f->cells[0].panel[v].type->canvas)
+            return !f->page.vector;
+    }
+    return false;
+}
+
+static enum bead_error write_raster(struct bead_figure *f, const char *path, const struct bead_picture_notes *notes,
+                                    uint64_t *bytes, struct bead_message *msg)
+{
+    struct bead_frame frame;
+    enum bead_error err = bead_frame_create(f->page.width, f->page.height, &frame, msg);
+    if (err)
+        return err;
+    err = draw_frame(f, &frame, msg);
+    if (!err)
+        err = bead_png_write(path, &frame, notes, bytes, msg);
+    bead_frame_free(&frame);
+    return err;
+}
+
+/* ---- vector ---- */
+
+static enum bead_error draw_vector(void *context, cairo_t *cr, struct bead_message *msg)
+{
+    struct bead_figure *f = context;
+    enum bead_error err = bead_figure_decorate(f, cr, msg);
+    for (size_t c = 0; c < f->cell_count; c++) {
+        const struct bead_cell *cell = &f->cells[c];
+        for (size_t v = 0; !err && v < f->view_count; v++) {
+            const struct bead_panel *panel = &cell->panel[v];
+            err = panel->type->vector(panel->view, moment_of(f, cell), cr, msg);
+        }
+    }
+    return err;
+}
+
+enum bead_error bead_figure_write(struct bead_figure *f, const char *path, uint64_t *bytes, struct bead_message *msg)
+{
+    struct bead_canvas *canvas = NULL;
+    struct bead_picture_notes notes;
+    char description[512];
+    set_ranges(f);
+    bead_page_notes(&f->page, f->output, f->stage.scene, description, sizeof description, &notes);
+    enum bead_error err = needs_canvas(f) ? bead_canvas_create(NULL, f->page.width, f->page.height, &canvas, msg) : BEAD_OK;
+    if (!err)
+        err = bead_figure_views(f, false, canvas, msg);
+    if (!err)
+        err = feed_moments(f, msg);
+    if (!err)
+        err = f->page.vector ? bead_vector_write(path, f->page.width, f->page.height, draw_vector, f, &notes, bytes, msg)
+                             : write_raster(f, path, &notes, bytes, msg);
+    for (size_t c = 0; canvas && c < f->cell_count; c++) { /* views that draw on the canvas go before it */
+        for (size_t v = 0; v < f->view_count; v++) {
+            struct bead_panel *panel = &f->cells[c].panel[v];
+            if (panel->type->canvas && panel->view)
+                panel->type->destroy(panel->view);
+            panel->view = panel->type->canvas ? NULL : panel->view;
+        }
+    }
+    bead_canvas_destroy(canvas);
+    return err;
+}

@@ -1,0 +1,68 @@
+#include "render/page.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+static bool is_vector(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    return dot && (strcasecmp(dot, ".pdf") == 0 || strcasecmp(dot, ".svg") == 0);
+}
+
+/* As many pixels as cairo and memory take. */
+static const double largest_side = 32767, largest_area = 3e8;
+/* CSS's pixel, for vector files whose size is in pixels. */
+static const double screen_dpi = 96;
+static const double inch = 0.0254;
+
+enum bead_error bead_page_find(const struct bead_output *output, const char *file, struct bead_page *page, struct bead_message *msg)
+{
+    double size[2];
+    bool vector = is_vector(output->path), paper = output->size_is_length;
+    for (int i = 0; i < 2; i++)
+        size[i] = round(paper ? output->size[i] / inch * output->dpi : output->size[i]);
+    if (!(size[0] >= 1 && size[1] >= 1 && size[0] <= largest_side && size[1] <= largest_side && size[0] * size[1] <= largest_area))
+        return bead_fail(msg, BEAD_ERROR_SCENE,
+                         "%s:%zu:%zu: size: is %.0f x %.0f pixels; at most %.0f a side and %.0f million in all", file,
+                         output->place.line, output->place.column, size[0], size[1], largest_side, largest_area / 1e6);
+    *page = (struct bead_page){(int)size[0], (int)size[1], paper ? output->dpi : vector ? screen_dpi : 0, paper, vector};
+    return BEAD_OK;
+}
+
+void bead_page_look(const struct bead_page *page, const struct bead_output *output, struct bead_look *look)
+{
+    bool dark = output->theme == BEAD_THEME_DARK;
+    if (!page->paper) {
+        bead_look_screen(look, page->width, page->height, dark);
+        return;
+    }
+    bead_look_paper(look, page->dpi);
+    if (dark) { /* type and lines of paper, colours of the screen */
+        struct bead_look screen;
+        bead_look_screen(&screen, page->width, page->height, true);
+        look->dark = true;
+        look->background = screen.background;
+        look->panel = screen.panel;
+        look->ink = screen.ink;
+        look->faint = screen.faint;
+        look->accent = screen.accent;
+        look->axis = screen.axis;
+    }
+}
+
+void bead_page_notes(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
+                     char *description, size_t size, struct bead_picture_notes *notes)
+{
+    const char *slash = strrchr(scene->file, '/'), *file = slash ? slash + 1 : scene->file;
+    bool sensors = output->kind == BEAD_OUTPUT_PLOT;
+    snprintf(description, size, "%s in %zu chain%s of beads, scene %s",
+             sensors ? "force of sensors" : bead_field_info(output->field)->title, scene->chain_count,
+             scene->chain_count == 1 ? "" : "s", file);
+    *notes = (struct bead_picture_notes){.dpi = page->dpi,
+                                         .title = scene->title,
+                                         .description = description,
+                                         .software = "beadreel " BEADREEL_VERSION,
+                                         .source = scene->text};
+}

@@ -1,0 +1,25 @@
+/* Pages: size and look of a still, from its output's settings and file name. */
+#ifndef BEADREEL_RENDER_PAGE_H
+#define BEADREEL_RENDER_PAGE_H
+
+#include <stdbool.h>
+
+#include "beadreel/look.h"
+#include "beadreel/picture.h"
+#include "beadreel/scene.h"
+
+struct bead_page {
+    int width, height; /* px */
+    double dpi;        /* of these pixels; 0: unknown */
+    bool paper, vector;
+};
+
+/* Errors: SCENE (with the output's place). */
+BEAD_CHECK enum bead_error bead_page_find(const struct bead_output *output, const char *file, struct bead_page *page,
+                                          struct bead_message *msg);
+void bead_page_look(const struct bead_page *page, const struct bead_output *output, struct bead_look *look);
+/* What a picture file says about itself; `description` of `size` bytes must live as long as the notes. */
+void bead_page_notes(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
+                     char *description, size_t size, struct bead_picture_notes *notes);
+
+#endif
