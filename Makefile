@@ -54,7 +54,8 @@ PROGRAMS        = $(BUILD)/beadsim $(BUILD)/beadreel
 TESTS        = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/test_*.c))
 TEST_SUPPORT = $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(filter-out tests/test_%.c,$(wildcard tests/*.c)))
 EXAMPLES     = $(patsubst tests/examples/%.c,$(BUILD)/tests/examples/%,$(wildcard tests/examples/*.c))
-BENCHES      = $(patsubst tests/bench/%.c,$(BUILD)/tests/bench/%,$(wildcard tests/bench/*.c))
+BENCHES      = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench/*.c))
+STRESSES     = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/stress/*.c))
 STATIC       = $(BUILD)/libbeadreel.a $(BUILD)/libbeadsim.a
 FORMATTED    = $(wildcard include/beadreel/*.h sim/*.[ch] render/*.[ch] tests/*.[ch] tests/*/*.[ch])
 
@@ -152,12 +153,12 @@ $(EXAMPLES): $(BUILD)/tests/examples/%: tests/examples/%.c $(LIBRARIES)
 	$(call say,TEST,$<) $(run) $(CC) -std=c17 $(WARN) -Iinclude $(CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< -L$(BUILD) -lbeadsim \
 	    -Wl,-rpath,$(abspath $(BUILD))
 # Measured beside this program where they are installed.
-bench_precision_gsl      = $(if $(wildcard /usr/include/gsl/gsl_odeiv2.h),-DBENCH_GSL -lgsl -lgslcblas)
-bench_precision_sundials = $(if $(wildcard /usr/include/arkode/arkode_erkstep.h),-DBENCH_SUNDIALS -lsundials_cvode -lsundials_arkode \
-                           -lsundials_nvecserial -lsundials_sunnonlinsolfixedpoint)
-$(BENCHES): $(BUILD)/tests/bench/%: tests/bench/%.c $(STATIC)
+peer_precision_gsl      = $(if $(wildcard /usr/include/gsl/gsl_odeiv2.h),-DBENCH_GSL -lgsl -lgslcblas)
+peer_precision_sundials = $(if $(wildcard /usr/include/arkode/arkode_erkstep.h),-DBENCH_SUNDIALS -lsundials_cvode -lsundials_arkode \
+                          -lsundials_nvecserial -lsundials_sunnonlinsolfixedpoint)
+$(BENCHES) $(STRESSES): $(BUILD)/tests/%: tests/%.c $(STATIC)
 	@mkdir -p $(@D)
-	$(call say,BENCH,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(STATIC) $(render_libs) $(sim_libs) $(bench_$*)
+	$(call say,TEST,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(STATIC) $(render_libs) $(sim_libs) $(peer_$(@F))
 
 test: all $(TESTS) $(EXAMPLES) ## unit tests and tests of the programs; ends with `N passed, M failed`
 	@tests/run.sh $(BUILD)
@@ -166,8 +167,15 @@ asan: ## the tests under address and undefined-behaviour sanitizers
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)-asan STRICT_LINK= \
 	    CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all" test
 
+# The programs and scripts of a folder of tests, one after the other; a script x.sh itself runs the programs x_*.
+scripts  = $(wildcard tests/$(1)/*.sh)
+alone    = $(filter-out $(addprefix $(BUILD)/,$(addsuffix _%,$(basename $(scripts)))),$(2))
+run_each = @set -e; for b in $(alone) $(scripts); do echo "== $$b"; BEADREEL_ASSETS=assets $$b $(BUILD); done
+
 bench: all $(BENCHES) ## measure: every program and script of tests/bench
-	@set -e; for b in $(sort $(BENCHES) $(wildcard tests/bench/*.sh)); do echo "== $$b"; BEADREEL_ASSETS=assets $$b $(BUILD); done
+	$(call run_each,bench,$(BENCHES))
+stress: all $(STRESSES) ## extreme chains: every program and script of tests/stress
+	$(call run_each,stress,$(STRESSES))
 
 lint: ## formatting, static analysis
 	@echo "clang-format" && clang-format --dry-run -Werror $(FORMATTED)
@@ -217,6 +225,6 @@ uninstall: ## remove what `make install` put there
 clean: ## remove what was built
 	rm -rf $(BUILD) $(BUILD)-asan
 
-.PHONY: all help deps deps-ci demo test asan bench lint man install uninstall clean always
+.PHONY: all help deps deps-ci demo test asan bench stress lint man install uninstall clean always
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
