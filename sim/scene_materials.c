@@ -176,31 +176,36 @@ enum bead_error bead_scene_add_ready_materials(struct bead_reader *reader)
     return err;
 }
 
+static enum bead_error no_material(const struct bead_reader *reader, const struct bead_at *at, const char *name)
+{
+    char shown[64], near[96];
+    struct bead_suggest search;
+    bead_suggest_begin(&search, name);
+    for (size_t i = 0; i < reader->scene->material_count; i++)
+        bead_suggest_try(&search, reader->scene->materials[i].name);
+    bead_suggest_text(&search, near, sizeof near);
+    return bead_wrong(reader, at, "there is no material `%s`%s", bead_text_show(name, shown, sizeof shown),
+                      *near ? near : "; it must be a ready one (see --list materials) or one under `materials`");
+}
+
 enum bead_error bead_scene_find_material(const struct bead_reader *reader, const struct bead_at *at, bool bead, size_t *index)
 {
     const struct bead_scene *scene = reader->scene;
     const char *name = NULL;
-    char shown[64], near[96];
+    char shown[64];
+    size_t i = 0;
     enum bead_error err = bead_read_scalar(reader, at, "the name of a material", &name);
     if (err)
         return err;
-    struct bead_suggest search;
-    bead_suggest_begin(&search, name);
-    for (size_t i = 0; i < scene->material_count; i++) {
-        const struct bead_material *material = &scene->materials[i];
-        bead_suggest_try(&search, material->name);
-        if (strcmp(material->name, name) != 0)
-            continue;
-        if (bead && !isfinite(material->radius))
-            return bead_wrong(reader, at,
-                              "`%s` has no radius and no mass: it serves for walls only; give it both under `materials`",
-                              bead_text_show(name, shown, sizeof shown));
-        *index = i;
-        return BEAD_OK;
-    }
-    bead_suggest_text(&search, near, sizeof near);
-    return bead_wrong(reader, at, "there is no material `%s`%s", bead_text_show(name, shown, sizeof shown),
-                      *near ? near : "; it must be a ready one (see --list materials) or one under `materials`");
+    while (i < scene->material_count && strcmp(scene->materials[i].name, name) != 0)
+        i++;
+    if (i == scene->material_count)
+        return no_material(reader, at, name);
+    if (bead && !isfinite(scene->materials[i].radius))
+        return bead_wrong(reader, at, "`%s` has no radius and no mass: it serves for walls only; give it both under `materials`",
+                          bead_text_show(name, shown, sizeof shown));
+    *index = i;
+    return BEAD_OK;
 }
 
 enum bead_error bead_scene_read_material(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
