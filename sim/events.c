@@ -59,6 +59,10 @@ static bool copy_constants(struct bead_events *e, const struct bead_stepper *s)
     memcpy(e->static_force, chain->static_force, chain->beads * sizeof(double));
     memcpy(e->inverse_mass, chain->inverse_mass, chain->beads * sizeof(double));
     e->static_force[-1] = -chain->striker_force;
+    e->source.stiffness = e->stiffness;
+    e->source.static_compression = e->static_compression;
+    e->source.static_force = e->static_force;
+    e->source.inverse_mass = e->inverse_mass;
     return true;
 }
 
@@ -215,11 +219,18 @@ static bool flag_contacts(struct bead_events *e, const struct bead_stepper *s, d
     return true;
 }
 
-/* The forces that the method's quadrature has added up. */
-static void list_stages(struct bead_events *e, const struct bead_stepper *s)
+/* The states, and the forces that the method's quadrature has added up. */
+static void describe_step(struct bead_events *e, const struct bead_stepper *s)
 {
     const struct bead_tableau *t = s->method->tableau;
     struct bead_patch_source *source = &e->source;
+    source->u0 = s->start.u;
+    source->v0 = s->start.v;
+    source->a0 = s->start.a;
+    source->u1 = s->end.u;
+    source->v1 = s->end.v;
+    source->a1 = s->end.a;
+    source->h = s->h;
     source->stages = 0;
     for (size_t i = 0; i < t->stages; i++) {
         if (t->b[i] == 0 && t->bp[i] == 0)
@@ -231,27 +242,12 @@ static void list_stages(struct bead_events *e, const struct bead_stepper *s)
 }
 
 /* Contacts first..last of the chain, and the frozen ones around them. */
-static bool load(struct bead_events *e, const struct bead_stepper *s, size_t first, size_t last, double h)
+static bool load(struct bead_events *e, const struct bead_stepper *s, size_t first, size_t last)
 {
-    const ptrdiff_t at = (ptrdiff_t)first - 1;
     e->patch.count = last - first + 1;
     if (!grow_patch(&e->patch, e->patch.count + 2))
         return false;
-    struct bead_patch_source source = e->source;
-    source.u0 = s->start.u + at;
-    source.v0 = s->start.v + at;
-    source.a0 = s->start.a + at;
-    source.u1 = s->end.u + at;
-    source.v1 = s->end.v + at;
-    source.a1 = s->end.a + at;
-    source.stiffness = e->stiffness + at;
-    source.static_compression = e->static_compression + at;
-    source.static_force = e->static_force + at;
-    source.inverse_mass = e->inverse_mass + at;
-    source.h = h;
-    for (size_t i = 0; i < source.stages; i++)
-        source.stage[i] += at;
-    s->kernels->load_patch(&source, &e->patch);
+    s->kernels->load_patch(&e->source, (ptrdiff_t)first - 1, &e->patch);
     memset(e->patch.bends, 0, (e->patch.count + 2) * sizeof(bool));
     e->patch.change = 0;
     return true;
@@ -385,7 +381,7 @@ static void refresh(struct bead_stepper *s, size_t first, size_t last)
 static bool correct_patch(struct bead_events *e, struct bead_stepper *s, size_t first, size_t last, const size_t *flagged,
                           size_t count)
 {
-    if (!load(e, s, first, last, s->h) || !find_branches(e, first, flagged, count))
+    if (!load(e, s, first, last) || !find_branches(e, first, flagged, count))
         return false;
     if (e->branch_count == 0)
         return true;
@@ -400,7 +396,7 @@ static bool correct_patches(struct bead_events *e, struct bead_stepper *s)
 {
     size_t begin = 0, end = 0; /* beads moved */
     bool ok = true;
-    list_stages(e, s);
+    describe_step(e, s);
     for (size_t i = 0, n; ok && i < e->flagged_count; i += n) {
         const size_t *flagged = e->flagged + i;
         const size_t left = e->flagged_count - i;
@@ -441,8 +437,9 @@ bool bead_events_compression(struct bead_events *e, const struct bead_stepper *s
     last = last < s->active ? last : s->active - 1;
     for (size_t k = first; k <= last; k++)
         inner[count++] = k;
+    describe_step(e, s);
     e->source.stages = 0;
-    if (!load(e, s, first, last, s->h) || !find_branches(e, first, inner, count)) {
+    if (!load(e, s, first, last) || !find_branches(e, first, inner, count)) {
         e->failed = true;
         return false;
     }

@@ -105,24 +105,25 @@ static inline void load_quintics(struct bead_patch *patch, size_t k, const lanes
     *(lane_bytes *)(patch->closed + k) = __builtin_convertvector(closed, lane_bytes) & 1;
 }
 
-static inline lanes step_of(const double *x, size_t k)
+static inline lanes step_of(const double *x, ptrdiff_t k)
 {
     return load_lanes(x + k) - load_lanes(x + k + 1);
 }
 
 /* All contacts of the patch; what the last vector loads beyond them is never used. */
-static void load_patch(const struct bead_patch_source *source, struct bead_patch *patch)
+static void load_patch(const struct bead_patch_source *source, ptrdiff_t at, struct bead_patch *patch)
 {
     const double h = source->h, square = h * h;
     double *const *array = patch->array;
     const lanes zero = {0};
     for (size_t k = 0; k < patch->count + 2; k += LANES) {
-        lanes rest = load_lanes(source->static_compression + k), impulse = zero, moment = zero;
-        lanes d0[3] = {rest + step_of(source->u0, k), h * step_of(source->v0, k), square * step_of(source->a0, k)};
-        lanes d1[3] = {rest + step_of(source->u1, k), h * step_of(source->v1, k), square * step_of(source->a1, k)};
+        const ptrdiff_t from = at + (ptrdiff_t)k;
+        lanes rest = load_lanes(source->static_compression + from), impulse = zero, moment = zero;
+        lanes d0[3] = {rest + step_of(source->u0, from), h * step_of(source->v0, from), square * step_of(source->a0, from)};
+        lanes d1[3] = {rest + step_of(source->u1, from), h * step_of(source->v1, from), square * step_of(source->a1, from)};
         load_quintics(patch, k, d0, d1);
         for (size_t i = 0; i < source->stages; i++) {
-            lanes f = load_lanes(source->stage[i] + k);
+            lanes f = load_lanes(source->stage[i] + from);
             impulse += source->impulse[i] * f;
             moment += source->moment[i] * f;
         }
@@ -130,10 +131,10 @@ static void load_patch(const struct bead_patch_source *source, struct bead_patch
         store_lanes(array[BEAD_PATCH_GIVEN_MOMENT] + k, moment);
         store_lanes(array[BEAD_PATCH_IMPULSE] + k, zero);
         store_lanes(array[BEAD_PATCH_MOMENT] + k, zero);
-        store_lanes(array[BEAD_PATCH_STIFFNESS] + k, load_lanes(source->stiffness + k));
-        store_lanes(array[BEAD_PATCH_STATIC_FORCE] + k, load_lanes(source->static_force + k));
-        store_lanes(array[BEAD_PATCH_LEFT] + k, square * load_lanes(source->inverse_mass + k));
-        store_lanes(array[BEAD_PATCH_RIGHT] + k, square * load_lanes(source->inverse_mass + k + 1));
+        store_lanes(array[BEAD_PATCH_STIFFNESS] + k, load_lanes(source->stiffness + from));
+        store_lanes(array[BEAD_PATCH_STATIC_FORCE] + k, load_lanes(source->static_force + from));
+        store_lanes(array[BEAD_PATCH_LEFT] + k, square * load_lanes(source->inverse_mass + from));
+        store_lanes(array[BEAD_PATCH_RIGHT] + k, square * load_lanes(source->inverse_mass + from + 1));
     }
 }
 

@@ -48,8 +48,8 @@ struct bead_patch {
     void *memory;
 };
 
-/* What load needs of a step: states at both ends and constants of the contacts, all shifted to contact 0 of the patch; stages are
- * the forces that the method's quadrature adds up, with weights for the impulse and its moment. */
+/* What load_patch needs of a step: states at both ends and constants of the contacts; stages are the forces that the method's
+ * quadrature adds up, with weights for the impulse and its moment. */
 enum { BEAD_PATCH_STAGES_MAX = 18 };
 struct bead_patch_source {
     const double *u0, *v0, *a0, *u1, *v1, *a1;

@@ -54,7 +54,8 @@ struct bead_kernels {
     /* Contact events, see events_patch.h. mark[k] = 1 where contact k may open or close within the step or `reach` steps outside;
      * returns whether any. Whole vectors are read, and written. */
     bool (*mark_events)(size_t n, const struct bead_event_ends *ends, double reach, unsigned char *mark);
-    void (*load_patch)(const struct bead_patch_source *source, struct bead_patch *patch);
+    /* Contact 0 of the patch is contact `at` of the chain: -1 is the constant force on the striker. */
+    void (*load_patch)(const struct bead_patch_source *source, ptrdiff_t at, struct bead_patch *patch);
     /* Over from <= s <= to; tau: the branch point at or near one of its ends, NULL where there is none. Picard steps end when one
      * changes no h^2 f/m by more than `enough`. */
     void (*integrate_piece)(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps,

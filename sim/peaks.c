@@ -133,8 +133,24 @@ static void sharpen(const struct bead_peaks *p, const struct bead_stepper *s, co
     *x = fmin(fmax(*x - rate / bend, 0), 1);
 }
 
+/* More than the force can come to within the step: no compression outgrows both ends by more than its fastest rate would take it.
+ * Behind the front nearly all maxima are lower than one before, and are done with here. */
+static double force_bound(const struct bead_peaks *p, const struct bead_stepper *s, size_t index)
+{
+    const struct bead_chain *c = s->chain;
+    double force = 0;
+    for (size_t k = p->of_beads && index > 0 ? index - 1 : index; k <= index && k < c->contacts; k++) {
+        double d0 = s->start.u[k] - s->start.u[k + 1], d1 = s->end.u[k] - s->end.u[k + 1];
+        double rate = fmax(fabs(s->start.v[k] - s->start.v[k + 1]), fabs(s->end.v[k] - s->end.v[k + 1]));
+        force += c->law->force(c->stiffness[k], &c->spec->law, c->static_compression[k] + fmax(d0, d1) + s->h * rate);
+    }
+    return p->of_beads ? 0.5 * force : force;
+}
+
 static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
+    if (force_bound(p, s, index) < p->best[index].value)
+        return;
     struct force_curve curve = curve_of(p, s, index);
     double rate0 = curve_rate(&curve, 0), rate1 = curve_rate(&curve, 1);
     if (!(rate0 > 0 && rate1 <= 0))
