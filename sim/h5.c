@@ -268,9 +268,12 @@ static void write_once(struct bead_h5 *h5, hid_t parent, const char *name, const
     BEAD_H5_QUIET;
     BEAD_H5_AUTO space = vector_space(count);
     BEAD_H5_AUTO links = H5Pcreate(H5P_LINK_CREATE);
+    BEAD_H5_AUTO layout = H5Pcreate(H5P_DATASET_CREATE);
     BEAD_H5_AUTO dataset = -1;
-    if (space >= 0 && links >= 0 && H5Pset_create_intermediate_group(links, 1) >= 0)
-        dataset = H5Dcreate2(parent, name, type, space, links, H5P_DEFAULT, H5P_DEFAULT);
+    /* No time stamps: same scene, same bytes. */
+    if (space >= 0 && links >= 0 && layout >= 0 && H5Pset_obj_track_times(layout, 0) >= 0 &&
+        H5Pset_create_intermediate_group(links, 1) >= 0)
+        dataset = H5Dcreate2(parent, name, type, space, links, layout, H5P_DEFAULT);
     if (dataset < 0 || H5Dwrite(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) {
         bead_h5_fail(h5, true, "cannot write %s", name);
         return;
