@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "beadreel/assets.h"
+#include "beadreel/chain.h"
 #include "beadreel/scene.h"
 #include "sim/scene_private.h"
 
@@ -544,6 +545,29 @@ static void the_demo_is_a_clean_beside_a_delocalised_wave(void **state)
     bead_scene_free(scene);
 }
 
+static void the_four_chains_of_fig_5_have_their_magnetism(void **state)
+{
+    (void)state;
+    static const double magnetism[] = {1, 0.9, 0.5, 0};
+    struct bead_scene *scene = load_ready("sensors");
+    assert_int_equal(scene->chain_count, 4);
+    for (size_t i = 0; i < 4; i++) {
+        struct bead_chain *chain = NULL;
+        struct bead_message msg = {""};
+        size_t count = 0;
+        if (bead_chain_create(scene, i, &chain, &msg))
+            fail_msg("%s", msg.text);
+        const struct bead_sensor *sensors = bead_chain_sensors(chain, &count);
+        assert_true(fabs(bead_chain_magnetism(chain) - magnetism[i]) < 1e-15);
+        assert_int_equal(bead_chain_beads(chain), 69);
+        assert_int_equal(count, 2);
+        assert_int_equal(sensors[0].bead, 39);
+        assert_int_equal(sensors[1].bead, 48);
+        bead_chain_destroy(chain);
+    }
+    bead_scene_free(scene);
+}
+
 static void scenes_are_found_by_name_or_path(void **state)
 {
     (void)state;
@@ -676,6 +700,7 @@ int main(void)
         cmocka_unit_test(wrong_settings_name_their_place),
         cmocka_unit_test(ready_scenes_are_listed_and_right),
         cmocka_unit_test(the_demo_is_a_clean_beside_a_delocalised_wave),
+        cmocka_unit_test(the_four_chains_of_fig_5_have_their_magnetism),
         cmocka_unit_test(scenes_are_found_by_name_or_path),
         cmocka_unit_test(missing_assets_say_where_they_were_sought),
         cmocka_unit_test(help_names_every_key),
