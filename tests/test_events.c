@@ -170,6 +170,34 @@ static void peaks_and_energy(void **state)
     }
 }
 
+/* Bead forces, means of two contacts', have their maxima where one of the contacts may have a kink. */
+static void peaks_of_beads(void **state)
+{
+    (void)state;
+    struct setup x;
+    make_problem(&x, 3, 0.443);
+    struct bead_stepper *s[2];
+    struct bead_peaks *peaks[2];
+    for (int i = 0; i < 2; i++) {
+        struct bead_message msg = {""};
+        s[i] = make_stepper(&x, "rkn8", NULL, false);
+        assert_int_equal(bead_peaks_create(s[i], true, &peaks[i], &msg), BEAD_OK);
+        while (s[i]->t1 < 0.9e-3 - 1e-7) {
+            steps(s[i], i ? 0.5e-6 : 4e-6, 1);
+            bead_peaks_step(peaks[i], s[i], 0.9e-3);
+        }
+    }
+    for (size_t j = 0; j < 40; j++) {
+        const struct bead_peak *coarse = bead_peaks_found(peaks[0]) + j, *fine = bead_peaks_found(peaks[1]) + j;
+        assert_near(coarse->value / fine->value, 1, 3e-8);
+        assert_near(coarse->time, fine->time, 1e-10);
+    }
+    for (int i = 0; i < 2; i++) {
+        bead_peaks_destroy(peaks[i]);
+        drop(i ? &x : NULL, s[i]);
+    }
+}
+
 /* Beta function: 2 d/v times the integral of (1 - x^{p+1})^{-1/2} is B(1/(p+1), 1/2) 2 d/((p+1) v). */
 static double duration(double p, double stiffness, double mass, double velocity)
 {
@@ -443,6 +471,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_order_is_restored),
         cmocka_unit_test(peaks_and_energy),
+        cmocka_unit_test(peaks_of_beads),
         cmocka_unit_test(two_beads_collide_exactly),
         cmocka_unit_test(other_powers_collide),
         cmocka_unit_test(momentum_is_kept),
