@@ -7,11 +7,11 @@
 #include "beadreel/look.h"
 #include "render/units.h"
 
-enum { MOST_TICKS = sizeof((struct bead_axis *)0)->ticks / sizeof(struct bead_tick), ENOUGH = 12 };
+enum { MOST_TICKS = sizeof((struct bead_axis *)0)->ticks / sizeof(struct bead_tick), ENOUGH = 9 };
 
 /* Room that labels take, in units of the font size. A digit is 0.5 wide in STIX and 0.58 in Lato. */
-static const double character = 0.6, between_labels = 1.4, least_between = 0.5, line_apart = 2.4, least_line = 1.4,
-                    usual_width = 3.2;
+static const double character = 0.6, between_labels = 1.2, least_between = 0.5, line_apart = 2.4, least_line = 1.4,
+                    usual_width = 1.8;
 
 struct room {
     double length, em;

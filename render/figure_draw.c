@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "render/figure_private.h"
+#include "render/units.h"
 
 static struct bead_text_style style_of(const struct bead_look *look, double size, struct bead_rgb colour)
 {
@@ -56,38 +57,104 @@ static bool words_of(const struct bead_figure *f, const struct bead_cell *cell, 
     return f->output->axes && (*words->letter || *words->name || *words->magnetism);
 }
 
+/* How much is said, from all to a shortened name; the same in all cells, as far as the longest has room. */
+enum terseness { NAME_M_LABEL, NAME_M, NAME, M, CUT_NAME };
+
+struct heading {
+    struct words words;
+    struct bead_text_style letter, name, magnetism, label;
+    double gap;
+};
+
+static void make_heading(const struct bead_figure *f, const struct bead_cell *cell, struct heading *h)
+{
+    const struct bead_look *look = &f->look;
+    (void)words_of(f, cell, &h->words);
+    h->letter = h->name = style_of(look, look->title, look->ink);
+    h->magnetism = style_of(look, look->title, f->page.paper ? look->ink : look->accent);
+    h->label = style_of(look, look->label, look->faint);
+    h->name.bold = !f->page.paper;
+    h->gap = 0.7 * look->label;
+    if (f->page.paper)
+        h->words.label = "";
+}
+
+/* What a cell says of its words at this terseness. */
+static void shorten(struct words *words, enum terseness terse)
+{
+    bool name = *words->name, magnetism = *words->magnetism;
+    if (terse > NAME_M_LABEL)
+        words->label = "";
+    if ((terse == NAME || terse == CUT_NAME) && name)
+        words->magnetism[0] = '\0';
+    if (terse == M && magnetism)
+        words->name = "";
+}
+
+/* Width of the heading; draws it where cr is there and `draw` says so. */
+static double put_heading(cairo_t *cr, const struct heading *h, double x, double y, double room, bool draw)
+{
+    char name[1024], label[1024];
+    const struct bead_text_style *styles[] = {&h->letter, &h->name, &h->magnetism, &h->label};
+    const double after[] = {h->gap, h->gap, 2 * h->gap, 0};
+    bead_text_escape(h->words.label, label, sizeof label);
+    bead_text_escape(h->words.name, name, sizeof name);
+    double letter = *h->words.letter ? width_of(cr, &h->letter, h->words.letter) + h->gap : 0;
+    if (draw && !fit(cr, &h->name, h->words.name, room - letter, name, sizeof name))
+        name[0] = '\0';
+    const char *words[] = {h->words.letter, name, h->words.magnetism, label};
+    double begin = x, end = x;
+    for (size_t i = 0; i < 4; i++) {
+        if (!*words[i])
+            continue;
+        if (draw)
+            bead_text_draw(cr, styles[i], x, y, words[i]);
+        end = x + width_of(cr, styles[i], words[i]);
+        x = end + after[i];
+    }
+    return end - begin;
+}
+
+static enum terseness find_terseness(const struct bead_figure *f, cairo_t *cr)
+{
+    enum terseness terse = NAME_M_LABEL;
+    for (size_t c = 0; c < f->cell_count; c++) {
+        for (; terse < CUT_NAME; terse++) {
+            struct heading h;
+            make_heading(f, &f->cells[c], &h);
+            shorten(&h.words, terse);
+            if (put_heading(cr, &h, 0, 0, 0, false) <= f->cells[c].heading.width)
+                break;
+        }
+    }
+    return terse;
+}
+
 bool bead_figure_heading(const struct bead_figure *f, const struct bead_cell *cell, cairo_t *cr)
 {
-    struct words words;
-    bool any = words_of(f, cell, &words);
+    struct heading h;
+    bool any = words_of(f, cell, &h.words);
     if (!any || !cr)
         return any;
-    const struct bead_look *look = &f->look;
-    double em = look->label, x = cell->heading.x, room = cell->heading.width, gap = 0.7 * em;
-    double y = cell->heading.y + cell->heading.height - 0.6 * em;
-    char markup[1024];
-    struct bead_text_style letter = style_of(look, look->title, look->ink), name = letter, label = style_of(look, em, look->faint);
-    struct bead_text_style magnetism = style_of(look, look->title, f->page.paper ? look->ink : look->accent);
-    name.bold = !f->page.paper;
-    double widths[] = {width_of(cr, &letter, words.letter), width_of(cr, &magnetism, words.magnetism)};
-    if (*words.letter) {
-        bead_text_draw(cr, &letter, x, y, words.letter);
-        x += widths[0] + 0.5 * em;
-    }
-    double end = cell->heading.x + room, reserved = widths[1] > 0 ? widths[1] + gap : 0;
-    if (*words.name && (fit(cr, &name, words.name, end - x - reserved, markup, sizeof markup) ||
-                        fit(cr, &name, words.name, end - x, markup, sizeof markup))) {
-        bead_text_draw(cr, &name, x, y, markup);
-        x += width_of(cr, &name, markup) + gap;
-    }
-    if (*words.magnetism && x + widths[1] <= end) {
-        bead_text_draw(cr, &magnetism, x, y, words.magnetism);
-        x += widths[1] + 2 * gap;
-    }
-    bead_text_escape(words.label, markup, sizeof markup);
-    if (!f->page.paper && *words.label && x + width_of(cr, &label, markup) <= end)
-        bead_text_draw(cr, &label, x, y, markup);
+    const struct bead_rect *box = &cell->heading;
+    make_heading(f, cell, &h);
+    shorten(&h.words, find_terseness(f, cr));
+    put_heading(cr, &h, box->x, box->y + box->height - 0.6 * f->look.label, box->width, true);
     return true;
+}
+
+/* No more digits than the time needs, five at most. */
+static void time_words(double time, char *text, size_t size)
+{
+    int exponent = bead_prefix_exponent(time, "s"), digits = 1;
+    double shown = time / bead_power_of_ten(exponent);
+    int whole = shown >= 100 ? 3 : shown >= 10 ? 2 : 1;
+    for (digits = whole; digits < whole + 3; digits++) {
+        double unit = bead_power_of_ten(digits - whole);
+        if (fabs(round(shown * unit) / unit - shown) < 1e-6 * shown)
+            break;
+    }
+    bead_quantity(time, "s", digits, text, size);
 }
 
 /* "t = 1.64 ms, displacements x 60": what beads and profiles are drawn with. */
@@ -97,7 +164,7 @@ static void moment_words(const struct bead_figure *f, char *markup, size_t size)
     markup[0] = '\0';
     if (!f->stills)
         return;
-    bead_quantity(f->at, "s", 4, time, sizeof time);
+    time_words(f->at, time, sizeof time);
     snprintf(markup, size, "<span face=\"%s\"><i>t</i></span> = %s", f->page.paper ? "STIX" : f->look.family, time);
     for (size_t v = 0; v < f->view_count; v++) {
         const struct bead_panel *panel = &f->cells[0].panel[v];
@@ -121,10 +188,10 @@ bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
         return true;
     char markup[1024], moment[256];
     moment_words(f, moment, sizeof moment);
-    struct bead_text_style bold = style_of(look, look->title, look->ink), right = style_of(look, look->label, look->ink);
+    struct bead_text_style bold = style_of(look, 1.2 * look->title, look->ink), right = style_of(look, look->label, look->ink);
     bold.bold = true;
     right.across = *title ? BEAD_ALIGN_END : BEAD_ALIGN_START;
-    double y = f->line.y + 0.85 * look->title, taken = width_of(cr, &right, moment);
+    double y = f->line.y + look->title, taken = width_of(cr, &right, moment);
     if (*title && fit(cr, &bold, title, f->line.width - (taken > 0 ? taken + 2 * look->label : 0), markup, sizeof markup))
         bead_text_draw(cr, &bold, f->line.x, y, markup);
     if (*moment)

@@ -1,6 +1,7 @@
 /* Where things go in a figure. Axes and headings are measured by drawing them onto nothing, plots get what is left. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "render/figure_private.h"
 #include "render/view_beads.h"
@@ -9,6 +10,7 @@
 static const double paper_margin = 0.35, screen_margin = 1.3, between_columns = 1.3, between_rows = 0.9, between_views = 0.55;
 static const double bar_width = 1.05, bar_gap = 0.9, heading_gap = 0.45, line_gap = 0.7;
 static const int smallest_plot = 12; /* px */
+enum { FAR = 8192 };                 /* px */
 
 /* How far axes and labels reach out of a plot, px. */
 struct reach {
@@ -26,32 +28,49 @@ static struct reach largest(struct reach a, struct reach b)
 }
 
 /* A view of its own draws its axes around a plot of this size, far from any border, onto a surface that only remembers extents. */
-static enum bead_error measure(const struct bead_panel *panel, int width, int height, struct reach *reach, struct bead_message *msg)
+static enum bead_error draw_axes(const struct bead_panel *panel, const struct bead_view_setup *setup, cairo_t *cr, int width,
+                                 int height, struct bead_message *msg)
 {
-    const struct bead_rect plot = {8192, 8192, width, height};
     struct bead_view *view = NULL;
-    *reach = (struct reach){0};
-    cairo_surface_t *surface = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
-    cairo_t *cr = cairo_create(surface);
-    enum bead_error err = panel->type->create(&panel->setup, &view, msg);
+    enum bead_error err = panel->type->create(setup, &view, msg);
     if (!err)
-        err = panel->type->place(view, plot, NULL, msg);
+        err = panel->type->place(view, (struct bead_rect){FAR, FAR, width, height}, NULL, msg);
     if (!err)
         err = panel->type->decorate(view, cr, msg);
     panel->type->destroy(view);
+    return err;
+}
+
+/* Ranges that are found only at the end: round and less round, as wide as labels get. */
+static const double ranges[] = {888, 630, 310};
+
+static enum bead_error measure(const struct bead_figure *f, const struct bead_panel *panel, int width, int height,
+                               struct reach *reach, struct bead_message *msg)
+{
+    bool unknown = panel->type->kind != BEAD_VIEW_SPACETIME && panel->type->kind != BEAD_VIEW_BEADS && isnan(f->output->range[1]);
+    cairo_surface_t *surface = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
+    cairo_t *cr = cairo_create(surface);
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < (unknown ? sizeof ranges / sizeof ranges[0] : 1); i++) {
+        struct bead_view_setup setup = panel->setup;
+        if (unknown) {
+            setup.colours.low *= ranges[i] / setup.colours.high;
+            setup.colours.high = ranges[i];
+        }
+        err = draw_axes(panel, &setup, cr, width, height, msg);
+    }
     double x, y, w, h;
     cairo_recording_surface_ink_extents(surface, &x, &y, &w, &h);
     if (!err && cairo_status(cr))
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "layout of a figure: %s", cairo_status_to_string(cairo_status(cr)));
     cairo_destroy(cr);
     cairo_surface_destroy(surface);
-    if (w > 0 && h > 0)
-        *reach = (struct reach){larger(0, plot.x - x), larger(0, plot.y - y), larger(0, x + w - plot.x - width),
-                                larger(0, y + h - plot.y - height)};
     int left = 0, right = 0;
     if (panel->type->kind == BEAD_VIEW_BEADS && panel->setup.axes)
         bead_beads_margins(panel->setup.look, &left, &right);
-    *reach = largest(*reach, (struct reach){left, 0, right, 0});
+    *reach = (struct reach){left, 0, right, 0};
+    if (w > 0 && h > 0)
+        *reach = largest(*reach, (struct reach){FAR - x, FAR - y, x + w - FAR - width, y + h - FAR - height});
     return err;
 }
 
@@ -163,11 +182,14 @@ static enum bead_error divide(const struct bead_figure *f, struct plan *plan, st
 static enum bead_error measure_all(const struct bead_figure *f, struct plan *plan, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
+    memset(plan->left, 0, f->columns * sizeof *plan->left);
+    memset(plan->right, 0, f->columns * sizeof *plan->right);
+    memset(plan->row, 0, f->rows * f->view_count * sizeof *plan->row);
     for (size_t c = 0; c < f->cell_count; c++) {
         const struct bead_cell *cell = &f->cells[c];
         for (size_t v = 0; !err && v < f->view_count; v++) {
             struct reach reach, *row = &plan->row[cell->row * f->view_count + v];
-            err = measure(&cell->panel[v], plan->width, plan->height[v], &reach, msg);
+            err = measure(f, &cell->panel[v], plan->width, plan->height[v], &reach, msg);
             plan->left[cell->column] = larger(plan->left[cell->column], reach.left);
             plan->right[cell->column] = larger(plan->right[cell->column], reach.right);
             *row = largest(*row, reach);
@@ -322,7 +344,7 @@ enum bead_error bead_figure_arrange(struct bead_figure *f, struct bead_message *
     share_axes(f);
     f->line = (struct bead_rect){0};
     if (bead_figure_line(f, NULL))
-        f->line.height = (int)round(1.2 * f->look.title + line_gap * f->look.label);
+        f->line.height = (int)round(1.35 * f->look.title + line_gap * f->look.label);
     enum bead_error err = make_plan(f, &plan, msg);
     if (err)
         return err;

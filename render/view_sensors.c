@@ -9,7 +9,7 @@
 #include "render/views.h"
 
 /* In units of axis lines; of the label's font size. */
-static const double curve_width = 1.7, strip = 1.5, sample_length = 1.6;
+static const double curve_width = 2, strip = 1.5, sample_length = 1.6;
 
 struct bead_view {
     struct bead_view_setup setup;
