@@ -47,11 +47,16 @@ static void colour_bead(struct bead_view *v, size_t i, double value, double zero
 static void find_loads(struct bead_view *v)
 {
     double unit = v->setup.magnify * v->compression;
-    double front = 0;
     for (size_t i = 0; i < v->count; i++) {
         double next = i + 1 < v->count ? v->shift[i + 1] : v->wall ? 0 : v->shift[i];
         v->load[i] = unit > 0 ? fmax(0, (v->shift[i] - next) / unit) : 0;
         v->reached[i] = fmax(v->reached[i], fmin(1, v->load[i] / reaching));
+    }
+    /* What was passed over between two frames was reached too. */
+    double front = 0;
+    for (size_t i = v->count; i-- > 0;) {
+        if (i + 1 < v->count)
+            v->reached[i] = fmax(v->reached[i], v->reached[i + 1]);
         front += v->reached[i];
     }
     v->front = front;

@@ -4,19 +4,44 @@
 
 #include "beadreel/law.h"
 
-static const double share = 0.25; /* of a radius */
+/* Parts of a radius: the striker's hit shows as the first; no contact, should all of the hit's energy be in it, as more than the
+ * second. */
+static const double share = 0.25, limit = 0.5;
+
+/* Energy of the hit that goes into the first contact, J. */
+static double hit_energy(const struct bead_chain *chain)
+{
+    const double *mass = bead_chain_mass(chain), v = bead_chain_spec(chain)->striker_velocity;
+    double reduced = bead_chain_beads(chain) < 2 ? mass[0] : mass[0] * mass[1] / (mass[0] + mass[1]);
+    return 0.5 * reduced * v * v;
+}
+
+/* Compression of a contact that holds `energy`, m; 0 where that makes no sense. */
+static double compression(const struct bead_chain *chain, size_t contact, double energy)
+{
+    const struct bead_law_spec *spec = &bead_chain_spec(chain)->law;
+    const struct bead_law *law = bead_law_find(spec->kind);
+    double d = law && energy > 0 ? law->energy_compression(bead_chain_stiffness(chain)[contact], spec, energy) : 0;
+    return isfinite(d) && d > 0 ? d : 0;
+}
 
 double bead_compression_scale(const struct bead_chain *chain)
 {
-    const struct bead_chain_spec *spec = bead_chain_spec(chain);
-    const struct bead_law *law = bead_law_find(spec->law.kind);
-    const double *mass = bead_chain_mass(chain);
-    if (!law || bead_chain_contacts(chain) < 1 || !(spec->striker_velocity != 0))
-        return 0;
-    double reduced = bead_chain_beads(chain) < 2 ? mass[0] : mass[0] * mass[1] / (mass[0] + mass[1]);
-    double energy = 0.5 * reduced * spec->striker_velocity * spec->striker_velocity;
-    double d = law->energy_compression(bead_chain_stiffness(chain)[0], &spec->law, energy);
-    return isfinite(d) && d > 0 ? d : 0;
+    return bead_chain_contacts(chain) > 0 ? compression(chain, 0, hit_energy(chain)) : 0;
+}
+
+/* Of one chain, not rounded; infinite where nothing is struck. */
+static double factor_of(const struct bead_chain *chain)
+{
+    const double *radius = bead_chain_radius(chain);
+    double energy = hit_energy(chain), factor = INFINITY;
+    for (size_t k = 0; k < bead_chain_contacts(chain); k++) {
+        double d = compression(chain, k, energy);
+        double r = k + 1 < bead_chain_beads(chain) ? fmin(radius[k], radius[k + 1]) : radius[k];
+        if (d > 0)
+            factor = fmin(factor, (k == 0 ? share : limit) * r / d);
+    }
+    return factor;
 }
 
 static double round_factor(double x)
@@ -35,12 +60,7 @@ static double round_factor(double x)
 double bead_magnify_auto(const struct bead_chain *const *chains, size_t count)
 {
     double factor = INFINITY;
-    for (size_t c = 0; c < count; c++) {
-        double radius = INFINITY, compression = bead_compression_scale(chains[c]);
-        for (size_t i = 0; i < bead_chain_beads(chains[c]); i++)
-            radius = fmin(radius, bead_chain_radius(chains[c])[i]);
-        if (compression > 0)
-            factor = fmin(factor, share * radius / compression);
-    }
+    for (size_t c = 0; c < count; c++)
+        factor = fmin(factor, factor_of(chains[c]));
     return isfinite(factor) ? round_factor(factor) : 1;
 }

@@ -6,7 +6,7 @@
 #include "render/view_beads.h"
 
 /* What is left out, one after the other, until the rest has room. */
-enum level { EVERYTHING, NO_WORDS, NO_HEADINGS, NO_AXES, VIEWS_ONLY, LEVELS };
+enum level { EVERYTHING, NO_WORDS, FEW_LABELS, NO_HEADINGS, NO_AXES, VIEWS_ONLY, LEVELS };
 
 /* Lengths of one level, px. */
 struct measures {
@@ -32,8 +32,8 @@ static struct measures measure(const struct bead_movie_wants *w, enum level leve
     bead_beads_margins(look, &beads_left, &beads_right);
     struct measures m = {
         .level = level, .axes = w->axes && level < NO_AXES, .headings = w->axes && w->headings && level < NO_HEADINGS};
-    m.view_gap = level == VIEWS_ONLY ? 0 : whole(level == NO_AXES ? 0.7 * look->gap : 1.1 * look->tick);
-    m.chain_gap = level == VIEWS_ONLY ? 0 : whole(1.5 * look->gap);
+    m.view_gap = level == VIEWS_ONLY ? 0 : whole(level < FEW_LABELS ? 1.1 * look->tick : 0.7 * look->gap);
+    m.chain_gap = level == VIEWS_ONLY ? 0 : whole((level < FEW_LABELS ? 1.5 : 0.7) * look->gap);
     if (w->axes && level < VIEWS_ONLY) {
         m.margin = whole(1.3 * look->gap);
         m.time_height = whole(1.45 * look->title);
@@ -42,11 +42,11 @@ static struct measures measure(const struct bead_movie_wants *w, enum level leve
     }
     int lines = level == EVERYTHING && m.time_height ? 1 + w->title : 0;
     int words = lines * m.line_height;
-    m.top = m.time_height == 0 ? 0
-                               : m.margin / 2 + (m.stacked               ? m.time_height + words
-                                                 : words > m.time_height ? words
-                                                                         : m.time_height);
-    m.heading = m.headings ? whole(1.7 * look->title) : 0;
+    int header = m.stacked ? m.time_height + words : words > m.time_height ? words : m.time_height;
+    m.top = m.time_height > 0 ? m.margin + header : 0;
+    m.heading = m.headings ? whole((level < FEW_LABELS ? 1.7 : 1.5) * look->title) : 0;
+    if (m.top > 0 && !m.headings)
+        m.top += whole(0.5 * look->gap);
     m.left = m.right = m.margin;
     if (m.axes) {
         double left = fmax(w->left, beads_left);
@@ -86,7 +86,8 @@ static bool labelled(const struct bead_movie_wants *w, const struct measures *m,
         return false;
     if (type->kind == BEAD_VIEW_SENSORS)
         return lowest;
-    return labels_beads(w, view) && (lowest || !w->same_beads || type->kind == BEAD_VIEW_BEADS);
+    bool one_for_all = w->same_beads ? lowest : m->level < FEW_LABELS;
+    return labels_beads(w, view) && (one_for_all || type->kind == BEAD_VIEW_BEADS);
 }
 
 static int below(const struct bead_movie_wants *w, const struct measures *m, size_t chain, size_t view)

@@ -15,7 +15,7 @@ struct bead_clock bead_clock_make(double end, double step)
         const char *sign;
     } units[] = {{1, "s"}, {1e-3, "ms"}, {1e-6, "\u00b5s"}, {1e-9, "ns"}};
     size_t u = 0;
-    while (u < 3 && !(end >= 0.9995 * units[u].unit))
+    while (u < 3 && !(end >= 0.0995 * units[u].unit))
         u++;
     struct bead_clock clock = {units[u].unit, units[u].sign, 1, 0};
     double most = fabs(end) / clock.unit, small = step / clock.unit;

@@ -262,6 +262,9 @@ static void compose_zoom(struct bead_view *v)
 {
     double from = fmax(0, bead_window_x(&v->row, v->lens.from));
     double to = fmin(v->area.width, bead_window_x(&v->row, v->lens.from + v->lens.rect.width / v->lens.scale));
+    double wider = fmax(0, 0.5 * (4 - (to - from))); /* in a row of thousands */
+    from -= wider;
+    to += wider;
     const struct bead_rect *z = &v->zoom;
     v->old_zoom_mark = v->zoom_mark;
     v->zoom_mark = (struct bead_mark){
