@@ -36,7 +36,7 @@ struct bead_events {
     struct bead_patch_source source;
     struct bead_patch_branch *branch; /* in order of s */
     size_t branch_room, branch_count;
-    /* Bounds over the chain: of A/m, and of the rate of a compression that the energy allows, m/s. */
+    /* Bounds over the chain: of A/m, and of the rate of a compression that the energy allows, m/s (0: not known). */
     double hardest, fastest;
     double reach, reach_h, reach_tolerance; /* how far outside a step of length reach_h a branch point may matter */
     bool failed;
@@ -66,7 +66,7 @@ static bool copy_constants(struct bead_events *e, const struct bead_stepper *s)
     return true;
 }
 
-/* Two beads of reduced mass m part or meet at less than sqrt(2 E/m). */
+/* Two beads of reduced mass m part or meet at less than sqrt(2 E/m). On a slope the energy grows: no bound. */
 static void bound(struct bead_events *e, const struct bead_stepper *s)
 {
     double lightest = 0;
@@ -75,7 +75,7 @@ static void bound(struct bead_events *e, const struct bead_stepper *s)
         e->hardest = fmax(e->hardest, e->stiffness[k] * fmax(left, right));
         lightest = fmax(lightest, left + right);
     }
-    e->fastest = sqrt(2 * bead_chain_energy(s->chain) * lightest);
+    e->fastest = s->chain->striker_force == 0 ? sqrt(2 * bead_chain_energy(s->chain) * lightest) : 0;
     e->reach = reach_most;
 }
 
@@ -163,12 +163,12 @@ static double loss_outside(double x)
     return effect_outside / (near * near * near * far * far);
 }
 
-/* How far outside a branch point may matter at most: halving, to three digits. */
+/* How far outside a branch point may matter at most: halving, to three digits. Fewer candidates then need matters(). */
 static void find_reach(struct bead_events *e, double h, double tolerance)
 {
     const double worst = e->hardest * h * force_power(&e->rule, h * e->fastest);
     double low = 0, high = reach_most;
-    while (high - low > 1e-3) {
+    while (e->fastest > 0 && high - low > 1e-3) {
         double x = 0.5 * (low + high);
         *(worst * loss_outside(x) > tolerance ? &low : &high) = x;
     }

@@ -1,9 +1,23 @@
 /* Contact-event correction: repairs a Nystrom step near contacts that open or close.
  *
- * The force d_+^{3/2} has a branch point where a contact opens or closes; every quadrature of smooth functions
- * stalls there. After a step made as if nothing happened, the few contacts near an event are integrated again on
- * their own, with the branch point taken out by a substitution, and the difference of the impulses is given to
- * their two beads. Momentum is conserved to rounding. */
+ * The force A d_+^{3/2} has a branch point where d crosses zero; there every quadrature of smooth functions falls to order 5/2,
+ * whatever its order elsewhere. The step is made as if nothing happened. Then:
+ *
+ * 1. Contacts are flagged that open or close within the step, graze, or have a branch point so near outside that a velocity
+ *    suffers by more than a tolerance.
+ * 2. Flagged contacts, and one more on either side whose motion they disturb, form patches; the next ones are frozen: their
+ *    forces are those of the quintic Hermite interpolant of d over the step.
+ * 3. The interpolant's zeros tau split the step. Next to tau f is analytic in x where t = tau +- x^2 (x^3 for d^{3/2}, and
+ *    another power for another law), so 8 Gauss nodes in x integrate it to rounding.
+ * 4. Picard's iteration takes the interpolation error out of d: with F_k the forces over m, integrated twice over time,
+ *    d_k(t) = d_k + t d_k' + F_{k-1}/m_k - F_k (1/m_k + 1/m_{k+1}) + F_{k+1}/m_{k+1}, then f_k(t) = A_k d_k(t)_+^{3/2}. Twice.
+ * 5. The impulse of each contact, int f dt, and its moment, int (t1 - t) f dt, take the place of what the method's quadrature
+ *    made of them, with opposite signs on its two beads: momentum is conserved to rounding.
+ * 6. Forces at the end of the step are computed again where beads have moved: the next step begins with them.
+ *
+ * What is at rest is never touched, so the window changes no bit; times are counted in steps, so the exact scaling of Hertz's
+ * chain holds to the bit. Files: events.c flags and does the bookkeeping, events_roots.c finds branch points, events_body.h
+ * integrates (compiled for each instruction set), events_piece.c serves other power laws, events_tables.c holds the quadrature. */
 #ifndef BEADREEL_SIM_EVENTS_H
 #define BEADREEL_SIM_EVENTS_H
 
