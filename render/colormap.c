@@ -8,7 +8,7 @@
 #include "beadreel/assets.h"
 
 static const struct bead_colormap_info maps[] = {
-    {"viridis", "dark violet, green, yellow; even lightness (default)"},
+    {"viridis", "dark violet, green, yellow; even lightness"},
     {"cividis", "blue, grey, yellow; the same with colour-blindness"},
     {"inferno", "black, red, yellow, white"},
     {"magma", "black, violet, pink, cream"},

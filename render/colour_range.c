@@ -1,6 +1,7 @@
 #include "render/colour_range.h"
 
 #include <math.h>
+#include <string.h>
 
 /* A logarithmic scale without a lower end shows this part of the largest value. */
 static const double log_span = 1e-4;
@@ -56,4 +57,16 @@ enum bead_error bead_colour_range_check(const struct bead_output *output, const 
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: range: is [%g, %g]; a logarithmic scale needs numbers above 0", file,
                          place.line, place.column, range[0], range[1]);
     return BEAD_OK;
+}
+
+enum bead_error bead_colour_range_map(const struct bead_output *output, const char *file, struct bead_colormap *map,
+                                      struct bead_message *msg)
+{
+    bool signs = output->field == BEAD_FIELD_VELOCITY || output->field == BEAD_FIELD_DISPLACEMENT;
+    bool automatic_map = !output->colormap || strcmp(output->colormap, "auto") == 0;
+    struct bead_message why = {""};
+    enum bead_error err = bead_colormap_load(!automatic_map ? output->colormap : signs ? "vik" : "viridis", map, &why);
+    if (err == BEAD_ERROR_SCENE)
+        return bead_fail(msg, err, "%s:%zu:%zu: colormap: %.500s", file, output->place.line, output->place.column, why.text);
+    return err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;
 }

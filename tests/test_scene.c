@@ -121,7 +121,7 @@ static void outputs_have_the_defaults_of_their_kind(void **state)
     assert_true(o[0].every == 0 && isnan(o[0].time[0]) && isnan(o[0].time[1]));
     assert_true(o[0].beads.first == 0 && o[0].beads.last == SIZE_MAX);
     assert_true(o[1].size[0] == 1920 && o[1].size[1] == 1080 && !o[1].size_is_length);
-    assert_string_equal(o[1].colormap, "viridis");
+    assert_string_equal(o[1].colormap, "auto");
     assert_int_equal(o[1].scale, BEAD_SCALE_LINEAR);
     assert_int_equal(o[1].field, BEAD_FIELD_FORCE);
     assert_true(o[1].axes && isnan(o[1].range[0]) && isnan(o[1].range[1]) && isnan(o[1].at) && o[1].magnify == 0);

@@ -10,22 +10,24 @@
 #include "beadreel/frame.h"
 
 struct bead_picture_notes {
-    double dpi;            /* for pHYs; 0: none */
+    double dpi;                                          /* for pHYs; 0: none */
     const char *title, *description, *software, *source; /* text chunks or document information; may be NULL */
 };
 
 /* PNG, with a palette where the frame has at most 256 colours (then exact and small), else RGB. Writes
  * path.part and renames. Errors: IO, MEMORY. */
-BEAD_API BEAD_CHECK enum bead_error bead_png_write(const char *path, const struct bead_frame *frame, const struct bead_picture_notes *notes,
-                                        uint64_t *bytes, struct bead_message *msg);
+BEAD_API BEAD_CHECK enum bead_error bead_png_write(const char *path, const struct bead_frame *frame,
+                                                   const struct bead_picture_notes *notes, uint64_t *bytes,
+                                                   struct bead_message *msg);
 /* PNG from indices and palette as they are. */
 BEAD_API BEAD_CHECK enum bead_error bead_png_write_indexed(const char *path, int width, int height, const uint8_t *indices,
-                                                const uint8_t palette[256][3], const struct bead_picture_notes *notes, uint64_t *bytes,
-                                                struct bead_message *msg);
+                                                           const uint8_t palette[256][3], const struct bead_picture_notes *notes,
+                                                           uint64_t *bytes, struct bead_message *msg);
 
 typedef enum bead_error (*bead_draw)(void *context, cairo_t *cr, struct bead_message *msg);
 /* PDF or SVG (by the extension) of width x height pixels at notes->dpi; `draw` gets a context whose unit is that pixel. */
 BEAD_API BEAD_CHECK enum bead_error bead_vector_write(const char *path, int width, int height, bead_draw draw, void *context,
-                                           const struct bead_picture_notes *notes, uint64_t *bytes, struct bead_message *msg);
+                                                      const struct bead_picture_notes *notes, uint64_t *bytes,
+                                                      struct bead_message *msg);
 
 #endif
