@@ -113,12 +113,33 @@ static double bound(const struct bead_chain *chain, size_t k, double energy)
     return high;
 }
 
+/* Cells repeat: the bound of a contact like the one before, or the one before that, is known. */
+struct bounds {
+    double stiffness[2], start[2], found[2];
+    int next;
+};
+
+static double remembered_bound(struct bounds *known, const struct bead_chain *chain, size_t k, double energy)
+{
+    double a = chain->stiffness[k], d0 = chain->static_compression[k];
+    for (int i = 0; i < 2; i++) {
+        if (known->stiffness[i] == a && known->start[i] == d0)
+            return known->found[i];
+    }
+    int i = known->next;
+    known->next = 1 - i;
+    known->stiffness[i] = a;
+    known->start[i] = d0;
+    return known->found[i] = bound(chain, k, energy);
+}
+
 double bead_chain_omega(const struct bead_chain *chain, double energy)
 {
+    struct bounds known = {{0, 0}, {0, 0}, {0, 0}, 0};
     double worst = 0, before = 0, here = 0;
     for (size_t k = 0; k < chain->contacts; k++) {
         const struct bead_law_spec *spec = &chain->spec->law;
-        double a = chain->stiffness[k], d = bound(chain, k, energy);
+        double a = chain->stiffness[k], d = remembered_bound(&known, chain, k, energy);
         double after = fmax(chain->law->stiffness(a, spec, d), chain->law->stiffness(a, spec, -d));
         /* Gershgorin row of contact k - 1, now that its right neighbour is known. */
         if (k > 0) {

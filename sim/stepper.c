@@ -33,11 +33,10 @@ static enum bead_error allocate(struct bead_stepper *s, struct bead_message *msg
 {
     size_t stages = stage_count(s->method), arrays = 2 * 4 + 2 * stages + 4;
     size_t bytes;
-    if (__builtin_mul_overflow(padded(s->beads) * sizeof(double), arrays, &bytes) ||
-        !(s->memory = aligned_alloc(ALIGN, (bytes + ALIGN - 1) / ALIGN * ALIGN)))
+    /* Zero pages come from the system untouched, and those of beads that the wave never reaches stay so. */
+    if (__builtin_mul_overflow(padded(s->beads) * sizeof(double), arrays, &bytes) || !(s->memory = calloc(1, bytes + ALIGN)))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the state of %zu beads", s->beads);
-    memset(s->memory, 0, bytes);
-    double *at = s->memory;
+    double *at = (double *)(((uintptr_t)s->memory + ALIGN - 1) / ALIGN * ALIGN);
     struct bead_state *state[2] = {&s->start, &s->end};
     for (int i = 0; i < 2; i++) {
         state[i]->u = take(&at, s->beads);

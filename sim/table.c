@@ -79,6 +79,15 @@ static void peaks_header(struct bead_sink *sink)
             sink->output->show == BEAD_SHOW_PEAKS ? "contact" : "bead");
 }
 
+/* Contacts that the wave has not reached are many, and need no digits. */
+static void write_peak(FILE *file, size_t index, const struct bead_peak *peak)
+{
+    if (peak->value == 0 && isnan(peak->time))
+        fprintf(file, "%zu,0,nan,\n", index);
+    else
+        fprintf(file, "%zu,%.17g,%.17g,%s\n", index, peak->value, peak->time, peak->open ? "open" : "");
+}
+
 static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
 {
     bool contacts = sink->output->show == BEAD_SHOW_PEAKS;
@@ -92,7 +101,7 @@ static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcome
                 put_text(sink->file, bead_chain_name(chain));
                 fputc(',', sink->file);
             }
-            fprintf(sink->file, "%zu,%.17g,%.17g,%s\n", i, peaks[i].value, peaks[i].time, peaks[i].open ? "open" : "");
+            write_peak(sink->file, i, &peaks[i]);
             sink->rows++;
         }
     }
