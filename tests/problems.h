@@ -29,15 +29,21 @@ struct built {
     struct bead_chain *chain;
 };
 
-/* A scene with one table output around `text`. */
-static inline struct built build(const char *text, const char *simulate)
+/* A scene with one table output around `text`, and its chain. */
+static inline enum bead_error try_build(const char *text, const char *simulate, struct built *built, struct bead_message *msg)
 {
     char all[8192];
-    struct bead_message msg = {""};
-    struct built built = {NULL, NULL};
+    *built = (struct built){NULL, NULL};
     snprintf(all, sizeof all, "%ssimulate: {%s}\noutputs: [{table: peaks.csv, show: peaks}]\n", text, simulate);
-    if (bead_scene_parse("test", all, strlen(all), NULL, 0, &built.scene, &msg) ||
-        bead_chain_create(built.scene, 0, &built.chain, &msg))
+    enum bead_error err = bead_scene_parse("test", all, strlen(all), NULL, 0, &built->scene, msg);
+    return err ? err : bead_chain_create(built->scene, 0, &built->chain, msg);
+}
+
+static inline struct built build(const char *text, const char *simulate)
+{
+    struct bead_message msg = {""};
+    struct built built;
+    if (try_build(text, simulate, &built, &msg))
         GIVE_UP("%s", msg.text);
     return built;
 }

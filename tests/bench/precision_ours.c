@@ -1,0 +1,192 @@
+/* Work against error of this program's own methods, over steps; and of `auto` over the accuracy asked.
+ *   precision_ours [problem...]
+ *   precision_ours --reference problem     writes the references of a problem that has none from elsewhere */
+#include "tests/bench/precision.h"
+
+#include "sim/run.h"
+
+struct task {
+    struct built built;
+    const struct references *references;
+    double end;
+    bool failed;
+    double peaks, evaluations, *velocity; /* out: error, work, and where not NULL the velocities at the end */
+};
+
+static bool make_run(struct task *task, struct bead_run **run)
+{
+    struct bead_message msg = {""};
+    struct bead_run_settings settings = {
+        .chain = task->built.chain, .kernels = bead_kernels_find(NULL), .end = task->end, .contact_peaks = true};
+    enum bead_error err = bead_run_create(&settings, run, &msg);
+    while (!err && bead_run_time(*run) < task->end)
+        err = bead_run_step(*run, &msg);
+    return !err;
+}
+
+static void solve(void *context)
+{
+    struct task *task = context;
+    struct bead_run *run = NULL;
+    struct bead_outcome outcome;
+    task->failed = !make_run(task, &run);
+    if (!task->failed) {
+        bead_run_finish(run, task->end, &outcome);
+        task->evaluations = (double)outcome.evaluations / (double)task->built.chain->beads;
+        task->peaks = peak_error(outcome.contact_peaks, &task->references->peaks);
+    }
+    bead_run_destroy(run);
+}
+
+/* A run of its own that ends at the early time, so that this is the end of a step. */
+static double early_velocities(const struct problem *problem, const struct task *task)
+{
+    struct task early = *task;
+    struct bead_run *run = NULL;
+    struct bead_sample sample = {0};
+    struct bead_message msg = {""};
+    early.end = problem->early;
+    double error = NAN;
+    if (make_run(&early, &run) &&
+        !bead_run_sample(run, early.end, BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY), (struct bead_span){0, SIZE_MAX - 1}, &sample, &msg))
+        error = velocity_error(&task->references->states, early.end, sample.field[BEAD_FIELD_VELOCITY],
+                               task->built.chain->spec->striker_velocity);
+    bead_run_destroy(run);
+    return error;
+}
+
+/* False: the run failed, which for a long step is no news. */
+static bool measure(const struct problem *problem, const struct references *references, const char *simulate, struct row *row)
+{
+    struct task task = {build(problem->chain, simulate), references, problem->end, false, NAN, 0, NULL};
+    solve(&task);
+    if (!task.failed) {
+        row->cpu = best_time(solve, &task);
+        row->peaks = task.peaks;
+        row->evaluations = task.evaluations;
+        row->velocity = early_velocities(problem, &task);
+    }
+    release(&task.built);
+    return !task.failed;
+}
+
+/* Steps halved until rounding is all that is left, or time is up. */
+static void sweep_steps(const struct problem *problem, const struct references *references, const char *method)
+{
+    const double longest = 8e-6, shortest = quick() ? 0.5e-6 : 0.01e-6, floor_of_rounding = 1e-12;
+    double before = INFINITY;
+    for (double step = longest; step > shortest; step /= 2) {
+        char simulate[128], setting[32];
+        snprintf(simulate, sizeof simulate, "until: %.17g, method: %s, step: %.17g", problem->end, method, step);
+        snprintf(setting, sizeof setting, "%g us", step * 1e6);
+        struct row row = {problem->name, method, setting, 0, 0, 0, 0};
+        if (!measure(problem, references, simulate, &row))
+            continue;
+        print_row(&row);
+        if (row.cpu > limit() || (row.peaks < floor_of_rounding && row.peaks > before / 2))
+            return;
+        before = row.peaks;
+    }
+}
+
+static void sweep_accuracies(const struct problem *problem, const struct references *references)
+{
+    double before = 0;
+    for (int digits = 3; digits <= (quick() ? 8 : 12); digits++) {
+        char simulate[128], setting[32];
+        snprintf(simulate, sizeof simulate, "until: %.17g, method: auto, accuracy: 1e-%d", problem->end, digits);
+        snprintf(setting, sizeof setting, "1e-%d", digits);
+        struct row row = {problem->name, "auto", setting, 0, 0, 0, 0};
+        if (!measure(problem, references, simulate, &row))
+            continue;
+        if (row.evaluations != before)
+            print_row(&row);
+        before = row.evaluations;
+    }
+}
+
+/* ---- references ---- */
+
+static void write_peaks(const struct problem *problem, const struct bead_outcome *outcome, size_t contacts)
+{
+    char path[128];
+    snprintf(path, sizeof path, "tests/reference/%s_peaks.csv", problem->files);
+    FILE *file = fopen(path, "w");
+    if (!file)
+        GIVE_UP("cannot write %s", path);
+    fprintf(file,
+            "# %s with a step of %g us; contacts still loading at the end are left out\ncontact,peak_contact_force_N,time_s\n",
+            problem->method, problem->finest * 1e6);
+    for (size_t k = 0; k < contacts; k++) {
+        const struct bead_peak *peak = &outcome->contact_peaks[k];
+        if (!peak->open && !isnan(peak->time))
+            fprintf(file, "%zu,%.15e,%.12e\n", k, peak->value, peak->time);
+    }
+    if (fclose(file))
+        GIVE_UP("cannot write %s", path);
+}
+
+static void write_states(const struct problem *problem, struct bead_run *run, size_t beads)
+{
+    char path[128];
+    struct bead_sample sample = {0};
+    struct bead_message msg = {""};
+    unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY);
+    if (bead_run_sample(run, problem->early, fields, (struct bead_span){0, SIZE_MAX - 1}, &sample, &msg))
+        GIVE_UP("%s", msg.text);
+    snprintf(path, sizeof path, "tests/reference/%s_states.csv", problem->files);
+    FILE *file = fopen(path, "w");
+    if (!file)
+        GIVE_UP("cannot write %s", path);
+    fprintf(file, "# %s with a step of %g us\ntime_s,bead,displacement_m,velocity_mps\n", problem->method, problem->finest * 1e6);
+    for (size_t j = 0; j < beads; j++)
+        fprintf(file, "%.9e,%zu,%.15e,%.15e\n", problem->early, j, sample.field[BEAD_FIELD_DISPLACEMENT][j],
+                sample.field[BEAD_FIELD_VELOCITY][j]);
+    if (fclose(file))
+        GIVE_UP("cannot write %s", path);
+}
+
+static void write_references(const struct problem *problem)
+{
+    char simulate[128];
+    if (!problem->method)
+        GIVE_UP("the references of %s are from another program", problem->name);
+    snprintf(simulate, sizeof simulate, "method: %s, step: %.17g", problem->method, problem->finest);
+    struct task task = {build(problem->chain, simulate), NULL, problem->early, false, NAN, 0, NULL};
+    struct bead_run *run = NULL;
+    struct bead_outcome outcome;
+    if (!make_run(&task, &run))
+        GIVE_UP("the run failed");
+    write_states(problem, run, task.built.chain->beads);
+    bead_run_destroy(run);
+    task.end = problem->end;
+    if (!make_run(&task, &run))
+        GIVE_UP("the run failed");
+    bead_run_finish(run, problem->end, &outcome);
+    write_peaks(problem, &outcome, task.built.chain->contacts);
+    bead_run_destroy(run);
+    release(&task.built);
+}
+
+static void sweep(const struct problem *problem)
+{
+    struct references references = read_references(problem);
+    sweep_accuracies(problem, &references);
+    const struct bead_method_info *info;
+    for (size_t i = 0; (info = bead_method_info(i)); i++)
+        sweep_steps(problem, &references, info->name);
+    free_references(&references);
+}
+
+int main(int count, char **word)
+{
+    if (count == 3 && strcmp(word[1], "--reference") == 0) {
+        write_references(find_problem(word[2]));
+        return 0;
+    }
+    for (int i = 1; i < count; i++)
+        sweep(find_problem(word[i]));
+    for (size_t i = 0; count < 2 && i < PROBLEMS; i++)
+        sweep(&problems[i]);
+    return 0;
+}
