@@ -6,10 +6,13 @@
 
 #include "sim/control.h"
 #include "sim/dense.h"
+#include "sim/events.h"
 #include "sim/front.h"
 #include "sim/peaks.h"
 #include "sim/stepper.h"
 
+/* What one contact that opens or closes may spoil of a velocity, of the accuracy asked times the striker's. */
+static const double event_part = 0.25;
 /* How often energy is looked at, in steps, at least, and before a sample is given away; and how far it may be off, of all
  * that was put in. */
 enum { CHECK_EVERY = 64, CHECK_SAMPLES = 8 };
@@ -97,6 +100,9 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
         bead_run_destroy(r);
         return err;
     }
+    if (!(settings->chain->scene->simulate.step > 0))
+        r->stepper->event_tolerance =
+            event_part * settings->chain->scene->simulate.accuracy * fabs(settings->chain->spec->striker_velocity);
     r->control = bead_control_start(r->stepper, r->stepping.theta, r->stepping.omega);
     r->energy_start = bead_stepper_energy(r->stepper, &r->stepper->end);
     r->momentum_start = bead_stepper_momentum(r->stepper, &r->stepper->end);
@@ -201,6 +207,8 @@ enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
 {
     struct bead_stepper *s = run->stepper;
     advance(run);
+    if (bead_events_failed(s->events))
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contacts that open or close");
     enum bead_error err = bead_front_watch(&run->front, s, msg);
     if (err)
         return err;
