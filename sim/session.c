@@ -167,13 +167,23 @@ static enum bead_error find_end(struct bead_session *s, struct bead_message *msg
     return err;
 }
 
+/* What can be had of the trajectory: its fields, and forces from displacements of all beads. */
+static unsigned kept_fields(const struct bead_session *s)
+{
+    const struct bead_output *k = s->keeper;
+    bool all = k->fields & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && k->beads.first == 0 && k->beads.last == SIZE_MAX;
+    for (size_t i = 0; i < s->chain_count; i++)
+        all = all && !(bead_chain_spec(s->chains[i])->damping_coefficient > 0);
+    return all ? k->fields | BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE) : k->fields;
+}
+
 static bool covers(const struct bead_session *s, const struct bead_output *output)
 {
     const struct bead_output *k = s->keeper;
     unsigned needs = output->kind == BEAD_OUTPUT_TABLE || output->kind == BEAD_OUTPUT_PLOT ? BEAD_FIELD_BIT(BEAD_FIELD_FORCE)
                                                                                            : BEAD_FIELD_BIT(output->field);
     double from = isnan(output->time[0]) ? 0 : output->time[0], to = isnan(output->time[1]) ? s->end : output->time[1];
-    return k && (k->fields & needs) == needs && k->beads.first <= output->beads.first && k->beads.last >= output->beads.last &&
+    return k && (kept_fields(s) & needs) == needs && k->beads.first <= output->beads.first && k->beads.last >= output->beads.last &&
            s->native.start <= from && s->native.end >= fmin(to, s->end) * (1 - 1e-9) &&
            s->native.every <= coarsest / resolving * s->resolution;
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "beadreel/file.h"
+#include "sim/derive.h"
 #include "sim/h5.h"
 #include "sim/trajectory_layout.h"
 
@@ -35,7 +36,9 @@ struct bead_trajectory {
     struct bead_span span;
     struct bead_grid grid;
     size_t samples;
-    unsigned fields;
+    unsigned fields;  /* stored */
+    unsigned derived; /* found from displacements */
+    double *forces;   /* derived: contact forces, then bead forces, of the longest chain */
     bool complete;
     double end;
     struct source sources[BEAD_SERIES_COUNT];
@@ -65,6 +68,7 @@ void bead_trajectory_close(struct bead_trajectory *t)
     free(t->chains);
     bead_scene_free(t->scene);
     free(t->rows);
+    free(t->forces);
     free(t->outcomes);
     free(t->methods);
     free(t->path);
@@ -264,6 +268,25 @@ static enum bead_error load(struct bead_trajectory *t, const char *const *settin
     return error ? error : read_outcomes(t);
 }
 
+static size_t longest_chain(const struct bead_trajectory *t)
+{
+    size_t longest = 1;
+    for (size_t c = 0; c < t->chain_count; c++)
+        longest = bead_chain_beads(t->chains[c]) > longest ? bead_chain_beads(t->chains[c]) : longest;
+    return longest;
+}
+
+/* Forces follow from the displacements of all beads, unless they depend on velocities too. */
+static unsigned derivable(const struct bead_trajectory *t)
+{
+    const unsigned forces = BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE);
+    bool possible =
+        t->fields & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && t->span.first == 0 && t->span.last >= longest_chain(t) - 1;
+    for (size_t c = 0; c < t->chain_count; c++)
+        possible = possible && !(bead_chain_spec(t->chains[c])->damping_coefficient > 0);
+    return possible ? forces & ~t->fields : 0;
+}
+
 enum bead_error bead_trajectory_open(const char *path, const char *const *settings, size_t setting_count,
                                      struct bead_trajectory **trajectory, struct bead_message *msg)
 {
@@ -279,6 +302,8 @@ enum bead_error bead_trajectory_open(const char *path, const char *const *settin
         bead_h5_open(&t->h5, t->path, msg);
         error = t->h5.error ? t->h5.error : load(t, settings, setting_count);
     }
+    if (!error)
+        t->derived = derivable(t);
     t->h5.msg = NULL;
     if (error)
         bead_trajectory_close(t);
@@ -305,7 +330,7 @@ const struct bead_grid *bead_trajectory_grid(const struct bead_trajectory *t)
 
 unsigned bead_trajectory_fields(const struct bead_trajectory *t)
 {
-    return t->fields;
+    return t->fields | t->derived;
 }
 
 struct bead_span bead_trajectory_beads(const struct bead_trajectory *t)
@@ -366,15 +391,26 @@ static const double *values_of(struct bead_trajectory *t, enum bead_series_id id
     if (count == all)
         return values;
     if (!source->scratch) {
-        size_t longest = 1;
-        for (size_t c = 0; c < t->chain_count; c++)
-            longest = bead_chain_beads(t->chains[c]) > longest ? bead_chain_beads(t->chains[c]) : longest;
-        if (!(source->scratch = calloc(longest, sizeof *source->scratch)))
+        if (!(source->scratch = calloc(longest_chain(t), sizeof *source->scratch)))
             return NULL;
     }
     if (count)
         memcpy(source->scratch + first, values, count * sizeof *values);
     return source->scratch;
+}
+
+static void derive(struct bead_trajectory *t, size_t chain, const double *u, unsigned fields, struct bead_sample *sample)
+{
+    size_t longest = longest_chain(t);
+    if (!t->forces && !(t->forces = calloc(2 * longest, sizeof *t->forces))) {
+        no_memory(t);
+        return;
+    }
+    bead_derive_forces(t->chains[chain], u, t->forces, t->forces + longest);
+    if (fields & t->derived & BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE))
+        sample->field[BEAD_FIELD_CONTACT_FORCE] = t->forces;
+    if (fields & t->derived & BEAD_FIELD_BIT(BEAD_FIELD_FORCE))
+        sample->field[BEAD_FIELD_FORCE] = t->forces + longest;
 }
 
 enum bead_error bead_trajectory_read(struct bead_trajectory *t, size_t index, size_t chain, unsigned fields,
@@ -383,20 +419,25 @@ enum bead_error bead_trajectory_read(struct bead_trajectory *t, size_t index, si
     *sample = (struct bead_sample){.chain = chain, .index = index};
     if (index >= t->samples || chain >= t->chain_count)
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s: there is no sample %zu of chain %zu", t->path, index, chain);
-    if (fields & ~t->fields)
+    if (fields & ~(t->fields | t->derived))
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s: does not hold all fields asked for", t->path);
     t->h5.msg = msg;
     t->h5.error = BEAD_OK;
     sample->time = bead_grid_time(&t->grid, index);
     sample->active = bead_chain_beads(t->chains[chain]);
+    unsigned wanted = fields & t->derived ? fields | BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : fields;
     for (int id = 0; id < BEAD_SERIES_COUNT && !t->h5.error; id++) {
         enum bead_field field = bead_series[id].field;
-        if (!bead_series[id].stored || !(fields & BEAD_FIELD_BIT(field)) || read_ahead(t, &t->sources[id], index))
+        if (!bead_series[id].stored || !(wanted & t->fields & BEAD_FIELD_BIT(field)) || read_ahead(t, &t->sources[id], index))
             continue;
         sample->field[field] = values_of(t, id, index, chain);
         if (!sample->field[field])
             no_memory(t);
     }
+    if (!t->h5.error && fields & t->derived)
+        derive(t, chain, sample->field[BEAD_FIELD_DISPLACEMENT], fields, sample);
+    if (!t->h5.error && fields & t->derived)
+        derive(t, chain, sample->field[BEAD_FIELD_DISPLACEMENT], fields, sample);
     t->h5.msg = NULL;
     return t->h5.error;
 }
