@@ -2,6 +2,7 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <errno.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,11 +11,13 @@
 
 #include "beadreel/file.h"
 #include "beadreel/picture.h"
+#include "render/svg_ids.h"
 
 struct format {
     const char *extension;
     cairo_surface_t *(*create)(cairo_write_func_t write, void *closure, double width, double height);
     void (*describe)(cairo_surface_t *surface, const struct bead_picture_notes *notes);
+    bool named; /* has names that must be made the same every time */
 };
 
 static void put(cairo_surface_t *surface, cairo_pdf_metadata_t key, const char *text)
@@ -50,8 +53,8 @@ static void describe_svg(cairo_surface_t *surface, const struct bead_picture_not
 }
 
 static const struct format formats[] = {
-    {"pdf", cairo_pdf_surface_create_for_stream, describe_pdf},
-    {"svg", cairo_svg_surface_create_for_stream, describe_svg},
+    {"pdf", cairo_pdf_surface_create_for_stream, describe_pdf, false},
+    {"svg", cairo_svg_surface_create_for_stream, describe_svg, true},
 };
 
 static const struct format *find_format(const char *path)
@@ -101,6 +104,24 @@ static enum bead_error write_page(const struct format *format, FILE *file, const
     return err ? err : status ? failed(part, status, msg) : BEAD_OK;
 }
 
+/* By way of memory. */
+static enum bead_error write_named(const struct format *format, FILE *file, const char *part, int width, int height, bead_draw draw,
+                                   void *context, const struct bead_picture_notes *notes, struct bead_message *msg)
+{
+    char *text = NULL;
+    size_t length = 0;
+    FILE *memory = open_memstream(&text, &length);
+    if (!memory)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", part);
+    enum bead_error err = write_page(format, memory, part, width, height, draw, context, notes, msg);
+    if (fclose(memory) != 0 && !err)
+        err = bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", part);
+    if (!err)
+        err = bead_svg_write(text, length, file, msg);
+    free(text);
+    return err;
+}
+
 enum bead_error bead_vector_write(const char *path, int width, int height, bead_draw draw, void *context,
                                   const struct bead_picture_notes *notes, uint64_t *bytes, struct bead_message *msg)
 {
@@ -113,7 +134,8 @@ enum bead_error bead_vector_write(const char *path, int width, int height, bead_
     if (!err)
         err = bead_file_create(part, &file, msg);
     if (!err) {
-        err = write_page(format, file, part, width, height, draw, context, notes, msg);
+        err = format->named ? write_named(format, file, part, width, height, draw, context, notes, msg)
+                            : write_page(format, file, part, width, height, draw, context, notes, msg);
         enum bead_error closed = bead_file_close(file, part, err ? NULL : msg);
         err = err ? err : closed;
         if (err)

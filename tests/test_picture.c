@@ -1,0 +1,486 @@
+/* Pictures: exact area averages, the same pixels whole or in parts, PNG and PDF that hold exactly what was drawn. */
+#include <math.h>
+#include <png.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "beadreel/picture.h"
+#include "render/area.h"
+#include "render/sinks.h"
+#include "render/views.h"
+#include "tests/pictures.h"
+
+/* ---- area averages ---- */
+
+/* A field that is linear in time between knots, different for every bead. */
+static double field_at(size_t bead, double time)
+{
+    const double knot = 0.37;
+    double k = floor(time / knot), part = time / knot - k;
+    double a = sin(3.1 * (double)bead + 1.7 * k), b = sin(3.1 * (double)bead + 1.7 * (k + 1));
+    return a + part * (b - a);
+}
+
+static struct bead_area *make_area(struct bead_span beads, double from, double to, int across, int along)
+{
+    struct bead_area_setup setup = {beads, {from, to}, across, along};
+    struct bead_area *area;
+    assert_int_equal(bead_area_create(&setup, &area, NULL), BEAD_OK);
+    return area;
+}
+
+/* Samples at all multiples of `every`, and every knot among them. */
+static void feed_field(struct bead_area *area, size_t beads, double until, int parts)
+{
+    double *values = calloc(beads, sizeof *values);
+    for (int i = 0; i * 0.37 / parts <= until + 0.37; i++) {
+        for (size_t b = 0; b < beads; b++)
+            values[b] = field_at(b, i * 0.37 / parts);
+        bead_area_feed(area, i * 0.37 / parts, values, beads);
+    }
+    free(values);
+}
+
+/* Mean over time of one bead, by many midpoints: exact for pieces that are linear between them. */
+static double mean_of(size_t bead, double from, double to)
+{
+    double sum = 0, at = from;
+    while (at < to - 1e-15) {
+        double next = fmin(to, (floor(at / 0.37 + 1e-9) + 1) * 0.37);
+        sum += (next - at) * field_at(bead, 0.5 * (at + next));
+        at = next;
+    }
+    return sum / (to - from);
+}
+
+static double overlap(double a0, double a1, double b0, double b1)
+{
+    return fmax(0, fmin(a1, b1) - fmax(a0, b0));
+}
+
+static void assert_means(size_t first, size_t last, int across, int along)
+{
+    size_t beads = last + 3, shown = last - first + 1;
+    double from = 0.21, to = 5.43;
+    struct bead_area *area = make_area((struct bead_span){first, last}, from, to, across, along);
+    double *means = calloc((size_t)across, sizeof *means);
+    feed_field(area, beads, to, 1);
+    for (int c = 0; c < along; c++) {
+        assert_true(bead_area_column(area, c, means));
+        double t0 = from + (to - from) * c / along, t1 = from + (to - from) * (c + 1) / along;
+        for (int p = 0; p < across; p++) {
+            double x0 = (double)p * (double)shown / across, x1 = (double)(p + 1) * (double)shown / across, wanted = 0;
+            for (size_t b = 0; b < shown; b++) {
+                double part = overlap(x0, x1, (double)b, (double)b + 1);
+                wanted += part > 0 ? part / (x1 - x0) * mean_of(first + b, t0, t1) : 0;
+            }
+            if (!(fabs(means[p] - wanted) < 1e-12))
+                fail_msg("pixel %d, %d of %d x %d: %.15g, not %.15g", c, p, along, across, means[p], wanted);
+        }
+    }
+    free(means);
+    bead_area_destroy(area);
+}
+
+static void test_means_are_exact(void **state)
+{
+    (void)state;
+    assert_means(0, 6, 7, 11);   /* a pixel a bead */
+    assert_means(2, 8, 40, 300); /* more pixels than beads, and than samples */
+    assert_means(1, 90, 13, 4);  /* fewer of both */
+    assert_means(3, 20, 17, 9);  /* nearly as many */
+    assert_means(5, 5, 3, 2);    /* one bead */
+}
+
+static void test_short_pulse_keeps_its_integral(void **state)
+{
+    (void)state;
+    enum { BEADS = 500, SAMPLES = 1000, ACROSS = 37, ALONG = 23 };
+    struct bead_area *area = make_area((struct bead_span){0, BEADS - 1}, 0, SAMPLES, ACROSS, ALONG);
+    double *values = calloc(BEADS, sizeof *values), means[ACROSS], sum = 0;
+    for (int i = 0; i <= SAMPLES; i++) {
+        values[123] = i == 457 ? 8 : 0;
+        bead_area_feed(area, i, values, BEADS);
+    }
+    for (int c = 0; c < ALONG; c++) {
+        assert_true(bead_area_column(area, c, means));
+        for (int p = 0; p < ACROSS; p++)
+            sum += means[p] * SAMPLES / ALONG * BEADS / ACROSS;
+    }
+    assert_true(fabs(sum - 8) < 1e-12); /* a triangle 2 wide and 8 high, one bead wide */
+    free(values);
+    bead_area_destroy(area);
+}
+
+static void test_finer_samples_change_nothing(void **state)
+{
+    (void)state;
+    enum { ACROSS = 29, ALONG = 41 };
+    struct bead_area *coarse = make_area((struct bead_span){0, 60}, 0.5, 4, ACROSS, ALONG);
+    struct bead_area *fine = make_area((struct bead_span){0, 60}, 0.5, 4, ACROSS, ALONG);
+    double a[ACROSS], b[ACROSS];
+    feed_field(coarse, 61, 4, 1);
+    feed_field(fine, 61, 4, 7);
+    for (int c = 0; c < ALONG; c++) {
+        assert_true(bead_area_column(coarse, c, a) && bead_area_column(fine, c, b));
+        for (int p = 0; p < ACROSS; p++)
+            assert_true(fabs(a[p] - b[p]) < 1e-12);
+    }
+    bead_area_destroy(coarse);
+    bead_area_destroy(fine);
+}
+
+/* Beads at rest are passed over, also where a chain at rest carries a force. */
+static void test_resting_beads_keep_their_value(void **state)
+{
+    (void)state;
+    for (int across = 5; across <= 60; across += 55) {
+        struct bead_area *all = make_area((struct bead_span){0, 29}, 0, 30, across, 10);
+        struct bead_area *moving = make_area((struct bead_span){0, 29}, 0, 30, across, 10);
+        double values[30], a[60], b[60];
+        for (size_t i = 0; i < 30; i++)
+            values[i] = 10 + (double)i;
+        for (size_t t = 0; t <= 30; t++) {
+            for (size_t i = 0; i < t; i++)
+                values[i] += sin((double)(t * i));
+            bead_area_feed(all, (double)t, values, 30);
+            bead_area_feed(moving, (double)t, values, t);
+        }
+        for (int c = 0; c < 10; c++) {
+            assert_true(bead_area_column(all, c, a) && bead_area_column(moving, c, b));
+            for (int p = 0; p < across; p++)
+                assert_true(fabs(a[p] - b[p]) < 1e-11);
+        }
+        bead_area_destroy(all);
+        bead_area_destroy(moving);
+    }
+}
+
+static void test_what_no_sample_touched_is_said(void **state)
+{
+    (void)state;
+    struct bead_area *area = make_area((struct bead_span){0, 1}, 0, 10, 2, 10);
+    double values[2] = {1, 2}, means[2];
+    bead_area_feed(area, 3.5, values, 2);
+    bead_area_feed(area, 6.5, values, 2);
+    for (int c = 0; c < 10; c++)
+        assert_int_equal(bead_area_column(area, c, means), c >= 3 && c <= 6);
+    assert_true(bead_area_column(area, 3, means) && means[0] == 1 && means[1] == 2);
+    bead_area_destroy(area);
+}
+
+/* ---- the view in movies ---- */
+
+static uint64_t play(const struct built *built, bool down, bool dirty, double until)
+{
+    struct bead_look look;
+    struct bead_colormap map;
+    struct bead_view *view;
+    struct bead_frame frame, background;
+    const struct bead_view_type *type = bead_view_find(BEAD_VIEW_SPACETIME);
+    assert_int_equal(bead_colormap_load("inferno", &map, NULL), BEAD_OK);
+    bead_look_screen(&look, 300, 200, true);
+    struct bead_view_setup setup = {
+        .chain = built->chain, .beads = {0, 9}, .time = {0, 1e-3}, .look = &look, .time_down = down, .fill = true};
+    setup.colours = (struct bead_colours){&map, BEAD_SCALE_SQRT, 0, 30};
+    assert_int_equal(type->create(&setup, &view, NULL), BEAD_OK);
+    assert_int_equal(type->place(view, (struct bead_rect){40, 20, 201, 111}, NULL, NULL), BEAD_OK);
+    assert_int_equal(bead_frame_create(300, 200, &frame, NULL), BEAD_OK);
+    assert_int_equal(bead_frame_create(300, 200, &background, NULL), BEAD_OK);
+    memset(background.pixels, 77, background.stride * 200);
+    memcpy(frame.pixels, background.pixels, frame.stride * 200);
+    for (int i = 0; i <= 1000; i++) {
+        struct bead_sample *sample = make_sample(built, i * 1e-6);
+        struct bead_changes changes = {0};
+        assert_int_equal(type->feed(view, sample, NULL), BEAD_OK);
+        free_sample(sample);
+        bool last = i * 1e-6 >= until - 1e-9;
+        if (last || (dirty && i % 7 == 0))
+            assert_int_equal(type->draw(view, i * 1e-6, &frame, &background, &changes, NULL), BEAD_OK);
+        for (size_t c = 0; c < changes.count; c++) {
+            struct bead_rect r = changes.rect[c];
+            assert_true(r.x >= 40 && r.y >= 20 && r.x + r.width <= 241 && r.y + r.height <= 131);
+        }
+        if (last)
+            break;
+    }
+    uint64_t hash = bead_frame_hash(&frame);
+    bead_frame_free(&frame);
+    bead_frame_free(&background);
+    type->destroy(view);
+    return hash;
+}
+
+static void test_filling_in_parts_gives_the_same_pixels(void **state)
+{
+    (void)state;
+    struct built built = build_chain("");
+    for (int down = 0; down < 2; down++) {
+        assert_int_equal(play(&built, down, true, 1e-3), play(&built, down, false, 1e-3));
+        assert_int_equal(play(&built, down, true, 0.333e-3), play(&built, down, false, 0.333e-3));
+        assert_int_not_equal(play(&built, down, true, 0.333e-3), play(&built, down, true, 0.5e-3));
+    }
+    release_chain(&built);
+}
+
+/* ---- PNG ---- */
+
+static void fill_frame(struct bead_frame *frame, uint32_t colours)
+{
+    uint32_t x = 12345;
+    for (int row = 0; row < frame->height; row++) {
+        for (int col = 0; col < frame->width; col++) {
+            x = x * 1664525u + 1013904223u;
+            uint32_t colour = (x >> 8) % colours * 2654435761u >> 8;
+            uint8_t *pixel = frame->pixels + (size_t)row * frame->stride + 4 * (size_t)col;
+            pixel[0] = (uint8_t)colour;
+            pixel[1] = (uint8_t)(colour >> 8);
+            pixel[2] = (uint8_t)(colour >> 16);
+            pixel[3] = (uint8_t)x; /* not part of the picture */
+        }
+    }
+}
+
+static void assert_round_trip(uint32_t colours, int colour_type)
+{
+    char path[512];
+    struct bead_frame frame;
+    struct bead_picture_notes notes = {600, "Füße <1 & 2>", "what it is", "beadreel", "a: 1\n"};
+    uint64_t bytes = 0;
+    in_directory("frame.png", path, sizeof path);
+    assert_int_equal(bead_frame_create(173, 91, &frame, NULL), BEAD_OK);
+    fill_frame(&frame, colours);
+    assert_int_equal(bead_png_write(path, &frame, &notes, &bytes, NULL), BEAD_OK);
+    struct png_file png = read_png(path);
+    assert_int_equal(png.width, 173);
+    assert_int_equal(png.height, 91);
+    assert_int_equal(png.colour_type, colour_type);
+    assert_int_equal(png.per_metre, 23622); /* 600 dpi */
+    assert_string_equal(png.title, notes.title);
+    assert_string_equal(png.source, notes.source);
+    assert_true(png.srgb);
+    for (int y = 0; y < 91; y++) {
+        for (int x = 0; x < 173; x++) {
+            const uint8_t *had = frame.pixels + (size_t)y * frame.stride + 4 * (size_t)x, *got = png.rgb + 3 * (y * 173 + x);
+            assert_true(had[0] == got[2] && had[1] == got[1] && had[2] == got[0]);
+        }
+    }
+    free(png.rgb);
+    bead_frame_free(&frame);
+    assert_true(bytes > 0);
+    assert_no_part_files();
+}
+
+static void test_png_holds_the_frame(void **state)
+{
+    (void)state;
+    assert_round_trip(1, PNG_COLOR_TYPE_PALETTE);
+    assert_round_trip(256, PNG_COLOR_TYPE_PALETTE);
+    assert_round_trip(257, PNG_COLOR_TYPE_RGB);
+    assert_round_trip(100000, PNG_COLOR_TYPE_RGB);
+}
+
+static void test_png_errors(void **state)
+{
+    (void)state;
+    struct bead_frame frame;
+    struct bead_message msg = {""};
+    assert_int_equal(bead_frame_create(5, 5, &frame, NULL), BEAD_OK);
+    assert_int_equal(bead_png_write("/nonexistent/x.png", &frame, NULL, NULL, &msg), BEAD_ERROR_IO);
+    assert_non_null(strstr(msg.text, "/nonexistent/x.png"));
+    bead_frame_free(&frame);
+    assert_int_equal(bead_frame_create(0, 5, &frame, &msg), BEAD_ERROR_UNSUPPORTED);
+    assert_int_equal(bead_frame_create(40000, 5, &frame, &msg), BEAD_ERROR_UNSUPPORTED);
+}
+
+/* ---- sinks ---- */
+
+static void test_bare_pixels_lie_as_imagesc(void **state)
+{
+    (void)state;
+    char path[512];
+    struct built built = build_chain("image: bare.png, axes: false, size: [40, 20], range: [0, 10 N]");
+    draw_output(&built, pulse_down_the_chain);
+    in_directory("bare.png", path, sizeof path);
+    struct png_file png = read_png(path);
+    assert_true(png.width == 40 && png.height == 20 && png.colour_type == PNG_COLOR_TYPE_PALETTE);
+    struct bead_colormap map;
+    assert_int_equal(bead_colormap_load("viridis", &map, NULL), BEAD_OK);
+    /* 10 beads of 2 rows each, 4 columns a bead: the pulse is at bead j in columns 4 j to 4 j + 3, from the top left down. */
+    for (int y = 0; y < 20; y++) {
+        for (int x = 0; x < 40; x++) {
+            int index = x / 4 == y / 2 ? 255 : 0;
+            bool edge = x % 4 == 0 || x % 4 == 3; /* the pulse rises and falls there */
+            if (!edge || x / 4 != y / 2)
+                assert_memory_equal(png.rgb + 3 * (y * 40 + x), map.rgb[index], 3);
+        }
+    }
+    free(png.rgb);
+    release_chain(&built);
+}
+
+static void test_needs_are_no_more_than_shown(void **state)
+{
+    (void)state;
+    struct built built = build_chain("image: part.png, beads: [2, 6], time: [0.1 ms, 0.5 ms]");
+    struct bead_stage stage = make_stage(&built);
+    struct bead_sink *sink;
+    struct bead_needs needs;
+    assert_int_equal(bead_image_sink.create(&built.scene->outputs[0], &stage, &sink, NULL), BEAD_OK);
+    bead_image_sink.needs(sink, &needs);
+    assert_int_equal(needs.fields, BEAD_FIELD_BIT(BEAD_FIELD_FORCE));
+    assert_true(needs.beads.first == 2 && needs.beads.last == 6);
+    assert_true(needs.until == 0.5e-3 && needs.grid.start == 0.1e-3 && needs.grid.end == 0.5e-3 && !needs.range);
+    assert_true(needs.grid.every > 0 && needs.grid.every <= stage.resolution);
+    bead_image_sink.destroy(sink);
+    stage.native = (struct bead_grid){0, 7e-6, 1e-3}; /* those of a file: from the one before to the one behind */
+    assert_int_equal(bead_image_sink.create(&built.scene->outputs[0], &stage, &sink, NULL), BEAD_OK);
+    bead_image_sink.needs(sink, &needs);
+    assert_true(needs.grid.every == 7e-6 && fabs(needs.grid.start - 98e-6) < 1e-12 && fabs(needs.grid.end - 504e-6) < 1e-12);
+    bead_image_sink.destroy(sink);
+    release_chain(&built);
+}
+
+/* Where some other chain of the scene has sensors, the scene cannot know. */
+static void test_sensors_view_without_sensors_is_refused(void **state)
+{
+    (void)state;
+    struct built built = build_chain("");
+    struct bead_look look;
+    struct bead_view *view;
+    struct bead_message msg = {""};
+    bead_look_screen(&look, 300, 200, false);
+    struct bead_view_setup setup = {.chain = built.chain, .beads = {0, 9}, .time = {0, 1e-3}, .look = &look};
+    assert_int_equal(bead_view_find(BEAD_VIEW_SENSORS)->create(&setup, &view, &msg), BEAD_ERROR_SCENE);
+    assert_null(view);
+    assert_non_null(strstr(msg.text, "sensor: first"));
+    release_chain(&built);
+}
+
+static bool has_program(const char *name)
+{
+    char command[128];
+    snprintf(command, sizeof command, "command -v %s >/dev/null 2>&1", name);
+    return system(command) == 0;
+}
+
+/* Is `small` somewhere in `large`? */
+static bool contains(const struct png_file *large, const struct png_file *small)
+{
+    for (int top = 0; top + small->height <= large->height; top++) {
+        for (int left = 0; left + small->width <= large->width; left++) {
+            int y = 0;
+            while (y < small->height && memcmp(large->rgb + 3 * ((top + y) * large->width + left),
+                                               small->rgb + 3 * y * small->width, 3 * (size_t)small->width) == 0)
+                y++;
+            if (y == small->height)
+                return true;
+        }
+    }
+    return false;
+}
+
+static void test_pdf_raster_is_the_png_s(void **state)
+{
+    (void)state;
+    char path[512], pdf[512], command[1200], raster[512];
+    if (!has_program("pdfimages"))
+        skip();
+    struct built built = build_chain("image: f.png, size: [86 mm, 60 mm], dpi: 150");
+    draw_output(&built, pulse_down_the_chain);
+    release_chain(&built);
+    built = build_chain("image: f.pdf, size: [86 mm, 60 mm], dpi: 150");
+    draw_output(&built, pulse_down_the_chain);
+    release_chain(&built);
+    in_directory("f.png", path, sizeof path);
+    in_directory("f.pdf", pdf, sizeof pdf);
+    in_directory("f-000.png", raster, sizeof raster);
+    snprintf(command, sizeof command, "pdfimages -png %s %.*s", pdf, (int)(strlen(pdf) - 4), pdf);
+    assert_int_equal(system(command), 0);
+    struct png_file whole = read_png(path), part = read_png(raster);
+    assert_true(part.width > 200 && part.height > 150);
+    assert_true(contains(&whole, &part));
+    free(whole.rgb);
+    free(part.rgb);
+}
+
+static void assert_same_twice(const char *name, const char *output)
+{
+    char *text[2], path[512];
+    size_t length[2];
+    in_directory(name, path, sizeof path);
+    for (int i = 0; i < 2; i++) {
+        struct built built = build_chain(output);
+        draw_output(&built, pulse_down_the_chain);
+        release_chain(&built);
+        text[i] = read_all(path, &length[i]);
+    }
+    assert_int_equal(length[0], length[1]);
+    assert_memory_equal(text[0], text[1], length[0]);
+    free(text[0]);
+    free(text[1]);
+}
+
+static void test_same_picture_same_bytes(void **state)
+{
+    (void)state;
+    assert_same_twice("s.png", "image: s.png, size: [320, 200]");
+    assert_same_twice("s.pdf", "image: s.pdf");
+    assert_same_twice("s.svg", "image: s.svg");
+}
+
+/* Nothing is drawn over the border, at any size: the outermost pixels are background. */
+static void test_nothing_is_cut(void **state)
+{
+    (void)state;
+    static const char *const sizes[] = {"[300, 200]", "[640, 360]", "[200, 600]", "[1300, 260]", "[86 mm, 60 mm], dpi: 200"};
+    static const char *const views[] = {"[spacetime]", "[profile]", "[profile, spacetime]"};
+    char path[512], output[256];
+    in_directory("cut.png", path, sizeof path);
+    for (size_t s = 0; s < 5; s++) {
+        for (size_t v = 0; v < 3; v++) {
+            snprintf(output, sizeof output, "image: cut.png, size: %s, views: %s, field: %s", sizes[s], views[v],
+                     v ? "force" : "velocity");
+            struct built built = build_chain(output);
+            draw_output(&built, pulse_down_the_chain);
+            struct png_file png = read_png(path);
+            for (int i = 0; i < png.width * png.height; i++) {
+                int x = i % png.width, y = i / png.width;
+                bool border = x == 0 || y == 0 || x == png.width - 1 || y == png.height - 1;
+                if (border && (png.rgb[3 * i] != 255 || png.rgb[3 * i + 1] != 255 || png.rgb[3 * i + 2] != 255))
+                    fail_msg("%s: pixel %d, %d of the border is drawn on", output, x, y);
+            }
+            free(png.rgb);
+            release_chain(&built);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_means_are_exact),
+        cmocka_unit_test(test_short_pulse_keeps_its_integral),
+        cmocka_unit_test(test_finer_samples_change_nothing),
+        cmocka_unit_test(test_resting_beads_keep_their_value),
+        cmocka_unit_test(test_what_no_sample_touched_is_said),
+        cmocka_unit_test(test_filling_in_parts_gives_the_same_pixels),
+        cmocka_unit_test(test_png_holds_the_frame),
+        cmocka_unit_test(test_png_errors),
+        cmocka_unit_test(test_bare_pixels_lie_as_imagesc),
+        cmocka_unit_test(test_needs_are_no_more_than_shown),
+        cmocka_unit_test(test_sensors_view_without_sensors_is_refused),
+        cmocka_unit_test(test_pdf_raster_is_the_png_s),
+        cmocka_unit_test(test_same_picture_same_bytes),
+        cmocka_unit_test(test_nothing_is_cut),
+    };
+    return cmocka_run_group_tests_name("pictures", tests, make_directory, remove_directory);
+}
