@@ -67,7 +67,7 @@ static uint8_t glow_of(const struct bead_view *v, const struct bead_window *w, s
 static struct bead_mark *add_mark(struct bead_drawing *d, enum bead_mark_kind kind, double x0, double y0, double x1, double y1)
 {
     struct bead_mark *mark = &d->marks[d->mark_count++];
-    *mark = (struct bead_mark){.box = {on_grid(x0), (float)y0, on_grid(x1), (float)y1}, .kind = (float)kind};
+    *mark = (struct bead_mark){.box = {(float)x0, (float)y0, (float)x1, (float)y1}, .kind = (float)kind};
     return mark;
 }
 
@@ -80,9 +80,10 @@ static void paint_mark(struct bead_mark *mark, struct bead_rgb colour, double al
 
 static void ring(const struct bead_view *v, const struct bead_window *w, struct bead_drawing *d, size_t i, struct bead_rgb colour)
 {
-    double r = v->radius[i] * w->scale, width = fmax(1.2, 0.07 * r), x = bead_x(v, w, i);
+    double r = v->radius[i] * w->scale, width = fmax(1.2, 0.07 * r);
     if (r < 3 || i < d->first || i >= d->first + d->count)
         return;
+    double x = d->balls[i - d->first].x; /* moves when and only when its ball does */
     struct bead_mark *mark = add_mark(d, BEAD_MARK_RING, x - r - 1, w->middle - r - 1, x + r + 1, w->middle + r + 1);
     mark->shape[0] = (float)(r - 0.5 * width);
     mark->shape[1] = (float)width;
@@ -94,7 +95,7 @@ static void arrow(const struct bead_view *v, const struct bead_window *w, struct
 {
     double full = fabs(bead_chain_spec(v->setup.chain)->striker_velocity);
     double r = v->radius[0] * w->scale, part = full > 0 ? v->speed / full : 0;
-    double length = 2 * r * fmin(1.2, part), tip = bead_x(v, w, 0) - 1.25 * r;
+    double length = on_grid(2 * r * fmin(1.2, part)), tip = on_grid(bead_x(v, w, 0) - 1.25 * r);
     if (r < 3 || length < 3 || d->first > 0 || d->count == 0)
         return;
     paint_mark(add_mark(d, BEAD_MARK_ARROW, tip - length, w->middle - 0.55 * r, tip, w->middle + 0.55 * r), v->look.accent, 1);

@@ -233,13 +233,14 @@ static void test_missing_shaders(void **state)
     struct bead_message msg = {""};
     struct bead_frame frame;
     struct bead_backdrop backdrop = {0, 0};
-    char directory[] = "/tmp/beadreel-XXXXXX", *before = getenv("BEADREEL_ASSETS");
+    char directory[256], *before = getenv("BEADREEL_ASSETS");
     char *kept = before ? strdup(before) : NULL;
+    snprintf(directory, sizeof directory, "%s/beadreel-XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
     assert_non_null(mkdtemp(directory));
     require(bead_canvas_create("osmesa", 8, 8, &canvas, &msg), &msg);
     require(bead_frame_create(8, 8, &frame, &msg), &msg);
     assert_int_equal(setenv("BEADREEL_ASSETS", directory, 1), 0);
-    char shaders[64], path[80];
+    char shaders[300], path[320];
     snprintf(shaders, sizeof shaders, "%s/shaders", directory);
     assert_int_equal(mkdir(shaders, 0700), 0);
     snprintf(path, sizeof path, "%s/ball.vert", shaders);

@@ -1,0 +1,398 @@
+/* Animation: what is drawn bit by bit is what would be drawn at once, changes are told honestly, frames do not depend on threads.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "beadreel/view.h"
+#include "render/magnify.h"
+#include "render/movie_frame.h"
+#include "render/sinks.h"
+#include "render/views.h"
+
+#define CHAIN(name, spins)                                                                    \
+    "  - name: " name "\n    striker: {bead: large-steel, velocity: 0.443 m/s}\n    beads:\n" \
+    "      - {cell: [large-steel, aluminium], count: 20, spins: " spins "}\n"                 \
+    "      - {bead: small-steel, sensor: here}\n      - {bead: large-steel, count: 5}\n    wall: brass\n"
+
+static const char scene_text[] = "title: Test\nchains:\n" CHAIN("One", "up")
+    CHAIN("Two", "random, magnetism: 0.2, seed: 7") "simulate: {until: 0.8 ms}\n"
+                                                    "outputs:\n  - {movie: m.mkv, views: [beads, profile, spacetime, sensors], "
+                                                    "size: [640, 480], fps: 20, "
+                                                    "duration: 2 s}\n";
+
+struct world {
+    struct bead_scene *scene;
+    struct bead_chain *chains[2];
+};
+
+static void require(enum bead_error err, const struct bead_message *msg)
+{
+    if (err)
+        fail_msg("%s", msg->text);
+}
+
+static struct world make_world(void)
+{
+    struct world w = {NULL, {NULL, NULL}};
+    struct bead_message msg = {""};
+    require(bead_scene_parse("test", scene_text, strlen(scene_text), NULL, 0, &w.scene, &msg), &msg);
+    for (size_t c = 0; c < 2; c++)
+        require(bead_chain_create(w.scene, c, &w.chains[c], &msg), &msg);
+    return w;
+}
+
+static void free_world(struct world *w)
+{
+    for (size_t c = 0; c < 2; c++)
+        bead_chain_destroy(w->chains[c]);
+    bead_scene_free(w->scene);
+}
+
+enum { BEADS = 47, FRAMES = 24 };
+
+/* A pulse that travels, beads behind it pushed on, the first ones drifting back. */
+static void make_sample(size_t chain, size_t index, double *u, double *f, struct bead_sample *sample)
+{
+    double time = (double)index * 0.8e-3 / (FRAMES - 1), front = 2.0 * (double)index - 2 * (double)chain;
+    for (size_t i = 0; i < BEADS; i++) {
+        double x = (double)i - front;
+        f[i] = 30 * exp(-0.5 * x * x) * (index > 0);
+        u[i] = 1e-5 / (1 + exp(1.3 * x)) - (i < 3 && index > 4 ? 2e-6 * (double)(index - 4) * (double)(3 - i) : 0);
+        if (x > 8)
+            u[i] = f[i] = 0;
+    }
+    *sample = (struct bead_sample){.chain = chain, .index = index, .time = time, .active = BEADS};
+    sample->field[BEAD_FIELD_FORCE] = f;
+    sample->field[BEAD_FIELD_DISPLACEMENT] = u;
+}
+
+static void copy_changes(struct bead_frame *to, const struct bead_frame *from, const struct bead_changes *changes)
+{
+    for (size_t i = 0; i < changes->count; i++) {
+        const struct bead_rect *r = &changes->rect[i];
+        assert_true(r->x >= 0 && r->y >= 0 && r->x + r->width <= from->width && r->y + r->height <= from->height);
+        bead_frame_copy(to, from, *r);
+    }
+}
+
+/* A view drawn by its changes, the same view drawn whole each time, and a copy kept up to date by what the first one told. */
+struct pair {
+    struct bead_view *dirty, *full;
+    struct bead_canvas *canvas;
+    struct bead_frame background, frame, whole, copy;
+    struct bead_colormap map;
+    struct bead_look look;
+};
+
+static void make_pair(struct pair *p, const struct world *w, const struct bead_view_type *type, struct bead_rect plot)
+{
+    struct bead_message msg = {""};
+    const int width = 900, height = 200;
+    bead_look_screen(&p->look, 1280, 720, true);
+    require(bead_colormap_load("inferno", &p->map, &msg), &msg);
+    struct bead_view_setup setup = {.chain = w->chains[0],
+                                    .field = BEAD_FIELD_FORCE,
+                                    .beads = {0, bead_chain_beads(w->chains[0]) - 1},
+                                    .time = {0, 0.8e-3},
+                                    .colours = {&p->map, BEAD_SCALE_SQRT, 0, 35},
+                                    .look = &p->look,
+                                    .axes = true,
+                                    .magnify = 200};
+    require(bead_canvas_create(NULL, width, height, &p->canvas, &msg), &msg);
+    require(bead_frame_create(width, height, &p->background, &msg), &msg);
+    require(bead_frame_create(width, height, &p->frame, &msg), &msg);
+    require(bead_frame_create(width, height, &p->whole, &msg), &msg);
+    require(bead_frame_create(width, height, &p->copy, &msg), &msg);
+    for (size_t i = 0; i < p->background.stride * (size_t)height; i++)
+        p->background.pixels[i] = (uint8_t)(20 + i * 7 % 31);
+    struct bead_view **views[2] = {&p->dirty, &p->full};
+    for (int k = 0; k < 2; k++) {
+        require(type->create(&setup, views[k], &msg), &msg);
+        require(type->place(*views[k], plot, p->canvas, &msg), &msg);
+    }
+    struct bead_rect all = {0, 0, width, height};
+    bead_frame_copy(&p->frame, &p->background, all);
+    bead_frame_copy(&p->whole, &p->background, all);
+    bead_frame_copy(&p->copy, &p->background, all);
+}
+
+static void free_pair(struct pair *p, const struct bead_view_type *type)
+{
+    type->destroy(p->dirty);
+    type->destroy(p->full);
+    bead_canvas_destroy(p->canvas);
+    bead_frame_free(&p->background);
+    bead_frame_free(&p->frame);
+    bead_frame_free(&p->whole);
+    bead_frame_free(&p->copy);
+}
+
+static void compare_dirty_with_full(const struct bead_view_type *type, struct bead_rect plot)
+{
+    struct world w = make_world();
+    struct pair p;
+    struct bead_message msg = {""};
+    double u[BEADS], f[BEADS];
+    make_pair(&p, &w, type, plot);
+    size_t small = 0;
+    for (size_t i = 0; i < FRAMES; i++) {
+        struct bead_sample sample;
+        struct bead_changes changes = {0};
+        make_sample(0, i, u, f, &sample);
+        require(type->feed(p.dirty, &sample, &msg), &msg);
+        require(type->feed(p.full, &sample, &msg), &msg);
+        require(type->draw(p.dirty, sample.time, &p.frame, &p.background, &changes, &msg), &msg);
+        require(type->draw(p.full, sample.time, &p.whole, &p.background, NULL, &msg), &msg);
+        copy_changes(&p.copy, &p.frame, &changes);
+        if (bead_frame_hash(&p.frame) != bead_frame_hash(&p.whole))
+            fail_msg("%s: frame %zu differs from the one drawn whole", type->name, i);
+        if (bead_frame_hash(&p.frame) != bead_frame_hash(&p.copy))
+            fail_msg("%s: frame %zu has changes that were not told", type->name, i);
+        size_t area = 0;
+        for (size_t k = 0; k < changes.count; k++)
+            area += (size_t)changes.rect[k].width * (size_t)changes.rect[k].height;
+        small += area < (size_t)plot.width * (size_t)plot.height;
+    }
+    assert_true(small > 0); /* and something was saved */
+    /* What stands still costs nothing. */
+    struct bead_changes none = {0};
+    struct bead_sample sample;
+    make_sample(0, FRAMES - 1, u, f, &sample);
+    for (int k = 0; k < 60; k++) {
+        none.count = 0;
+        sample.time += 1e-4;
+        require(type->feed(p.dirty, &sample, &msg), &msg);
+        require(type->draw(p.dirty, sample.time, &p.frame, &p.background, &none, &msg), &msg);
+    }
+    assert_int_equal(none.count, 0);
+    free_pair(&p, type);
+    free_world(&w);
+}
+
+static void test_beads_with_lens(void **state)
+{
+    (void)state;
+    compare_dirty_with_full(&bead_view_beads_type, (struct bead_rect){80, 20, 780, 160});
+}
+
+static void test_beads_in_one_row(void **state)
+{
+    (void)state;
+    compare_dirty_with_full(&bead_view_beads_type, (struct bead_rect){80, 60, 780, 30});
+}
+
+static void test_beads_as_strip(void **state)
+{
+    (void)state;
+    compare_dirty_with_full(&bead_view_beads_type, (struct bead_rect){80, 60, 100, 30});
+}
+
+static void test_profile(void **state)
+{
+    (void)state;
+    compare_dirty_with_full(&bead_view_profile_type, (struct bead_rect){80, 20, 780, 120});
+}
+
+/* Mean brightness of a column of the frame. */
+static double brightness(const struct bead_frame *frame, int x, int from, int to)
+{
+    double sum = 0;
+    for (int y = from; y < to; y++)
+        sum += frame->pixels[(size_t)y * frame->stride + 4 * (size_t)x + 1];
+    return sum / (to - from);
+}
+
+/* At rest beads touch; a bead that has moved away leaves a gap where the background shows. */
+static void test_gaps_show(void **state)
+{
+    (void)state;
+    struct world w = make_world();
+    struct pair p;
+    struct bead_message msg = {""};
+    double u[BEADS] = {0}, f[BEADS] = {0};
+    struct bead_rect plot = {80, 60, 780, 30};
+    make_pair(&p, &w, &bead_view_beads_type, plot);
+    memset(p.background.pixels, 0, p.background.stride * 200);
+    struct bead_sample sample = {.active = BEADS};
+    sample.field[BEAD_FIELD_FORCE] = f;
+    sample.field[BEAD_FIELD_DISPLACEMENT] = u;
+    const double *position = bead_chain_position(w.chains[0]), *radius = bead_chain_radius(w.chains[0]);
+    double scale = plot.width / (position[BEADS - 1] + radius[BEADS - 1] - position[0] + radius[0]);
+    int contact = plot.x + (int)floor((position[10] + radius[10] - position[0] + radius[0]) * scale);
+    int middle = plot.y + plot.height / 2;
+    require(bead_view_beads_type.feed(p.dirty, &sample, &msg), &msg);
+    require(bead_view_beads_type.draw(p.dirty, 0, &p.frame, &p.background, NULL, &msg), &msg);
+    double touching = brightness(&p.frame, contact, middle - 1, middle + 1);
+    for (size_t i = 11; i < BEADS; i++)
+        u[i] = 0.6 * radius[10] / 200; /* magnified 200 times */
+    sample.time = 1e-4;
+    require(bead_view_beads_type.feed(p.dirty, &sample, &msg), &msg);
+    require(bead_view_beads_type.draw(p.dirty, sample.time, &p.frame, &p.background, NULL, &msg), &msg);
+    double apart = brightness(&p.frame, contact + 2, middle - 1, middle + 1);
+    assert_true(touching > 20);
+    assert_true(apart < 2);
+    free_pair(&p, &bead_view_beads_type);
+    free_world(&w);
+}
+
+/* Whole frames, all views: a copy that only gets what was told to have changed stays equal. */
+static void test_frames_tell_their_changes(void **state)
+{
+    (void)state;
+    struct world w = make_world();
+    struct bead_message msg = {""};
+    struct bead_composer *composer;
+    struct bead_frame copy;
+    double u[BEADS], f[BEADS];
+    const struct bead_output *output = &w.scene->outputs[0];
+    struct bead_composer_setup setup = {.output = output,
+                                        .chains = (const struct bead_chain *const *)w.chains,
+                                        .chain_count = 2,
+                                        .title = "Test",
+                                        .width = 640,
+                                        .height = 480,
+                                        .time = {0, 0.8e-3},
+                                        .step = 0.8e-3 / (FRAMES - 1),
+                                        .range = {0, 35}};
+    assert_int_equal(bead_composer_fields(output), BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT));
+    require(bead_composer_create(&setup, &composer, &msg), &msg);
+    require(bead_composer_open(composer, &msg), &msg);
+    require(bead_frame_create(640, 480, &copy, &msg), &msg);
+    for (size_t i = 0; i < FRAMES; i++) {
+        struct bead_changes changes = {0};
+        struct bead_sample sample;
+        for (size_t c = 0; c < 2; c++) {
+            make_sample(c, i, u, f, &sample);
+            require(bead_composer_feed(composer, &sample, &msg), &msg);
+        }
+        require(bead_composer_draw(composer, sample.time, &changes, &msg), &msg);
+        copy_changes(&copy, bead_composer_frame(composer), &changes);
+        if (bead_frame_hash(&copy) != bead_frame_hash(bead_composer_frame(composer)))
+            fail_msg("frame %zu has changes that were not told", i);
+    }
+    bead_frame_free(&copy);
+    bead_composer_close(composer);
+    bead_composer_destroy(composer);
+    free_world(&w);
+}
+
+static char *read_all(const char *path)
+{
+    char *text = calloc(1, 1 << 16);
+    FILE *file = fopen(path, "r");
+    assert_non_null(text);
+    assert_non_null(file);
+    assert_true(fread(text, 1, (1 << 16) - 1, file) > 0);
+    fclose(file);
+    return text;
+}
+
+/* The sink's whole way, from samples to hashes of encoded frames, with samples that come more often than frames. */
+static char *run_with_threads(const char *directory, int threads, struct bead_grid native)
+{
+    struct world w = make_world();
+    struct bead_output output = w.scene->outputs[0];
+    struct bead_message msg = {""};
+    struct bead_sink *sink;
+    struct bead_needs needs;
+    char name[] = "m.hash", result[300];
+    double u[BEADS], f[BEADS];
+    output.path = name; /* a codec for tests; scenes may not ask for it */
+    struct bead_stage stage = {.scene = w.scene,
+                               .chains = (const struct bead_chain *const *)w.chains,
+                               .chain_count = 2,
+                               .end = 0.8e-3,
+                               .native = native,
+                               .resolution = 5e-6,
+                               .threads = threads,
+                               .directory = directory};
+    require(bead_movie_sink.create(&output, &stage, &sink, &msg), &msg);
+    bead_movie_sink.needs(sink, &needs);
+    assert_true(needs.range && needs.range_field == BEAD_FIELD_FORCE);
+    require(bead_movie_sink.begin(sink, (struct bead_range){0, 33}, &msg), &msg);
+    for (size_t i = 0; i < bead_grid_count(&needs.grid); i++) {
+        for (size_t c = 0; c < 2; c++) {
+            struct bead_sample sample;
+            double time = bead_grid_time(&needs.grid, i);
+            make_sample(c, (size_t)(time / 0.8e-3 * FRAMES), u, f, &sample);
+            sample.index = i;
+            sample.time = time;
+            require(bead_movie_sink.sample(sink, &sample, &msg), &msg);
+        }
+    }
+    require(bead_movie_sink.end(sink, NULL, &msg), &msg);
+    bead_movie_sink.destroy(sink);
+    free_world(&w);
+    snprintf(result, sizeof result, "%s/m.hash", directory);
+    char *text = read_all(result);
+    remove(result);
+    return text;
+}
+
+static void check_threads(const char *directory, struct bead_grid native)
+{
+    char *one = run_with_threads(directory, 1, native), *two = run_with_threads(directory, 2, native);
+    char *more = run_with_threads(directory, 5, native);
+    size_t lines = 0, distinct = 0;
+    for (const char *at = one; *at; at += 17) {
+        lines++;
+        distinct += at == one || strncmp(at, at - 17, 16) != 0;
+    }
+    assert_int_equal(lines, 40);
+    assert_int_equal(distinct, 40); /* no two frames alike: something moves */
+    assert_string_equal(one, two);
+    assert_string_equal(one, more);
+    free(one);
+    free(two);
+    free(more);
+}
+
+static void test_frames_do_not_depend_on_threads(void **state)
+{
+    (void)state;
+    char directory[256];
+    snprintf(directory, sizeof directory, "%s/beadreel-XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
+    assert_non_null(mkdtemp(directory));
+    check_threads(directory, (struct bead_grid){0, 0, 0});
+    check_threads(directory, (struct bead_grid){0, 3e-6, 0.8e-3}); /* samples that fall between frames */
+    check_threads(directory, (struct bead_grid){0, 5e-5, 0.8e-3}); /* fewer samples than frames */
+    rmdir(directory);
+}
+
+static void test_magnification(void **state)
+{
+    (void)state;
+    struct world w = make_world();
+    double d = bead_compression_scale(w.chains[0]), factor = bead_magnify_auto((const struct bead_chain *const *)w.chains, 2);
+    /* Two masses and Hertz: d = (5 m v^2 / 4 A)^(2/5), m the reduced mass of two steel beads. */
+    double m = 0.5 * 3.63e-3, v = 0.443, a = bead_chain_stiffness(w.chains[0])[0];
+    assert_true(fabs(d / pow(5 * m * v * v / (4 * a), 0.4) - 1) < 1e-6);
+    assert_true(factor * d <= 0.25 * 4.76e-3 && factor * d > 0.1 * 4.76e-3);
+    free_world(&w);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_beads_with_lens),
+        cmocka_unit_test(test_beads_in_one_row),
+        cmocka_unit_test(test_beads_as_strip),
+        cmocka_unit_test(test_profile),
+        cmocka_unit_test(test_gaps_show),
+        cmocka_unit_test(test_frames_tell_their_changes),
+        cmocka_unit_test(test_frames_do_not_depend_on_threads),
+        cmocka_unit_test(test_magnification),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
