@@ -1,0 +1,333 @@
+/* Looks: round ticks that have room, suitable units, numbers as people write them, even colour maps. */
+#include <ctype.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "beadreel/colormap.h"
+#include "beadreel/look.h"
+
+/* ---- axes ---- */
+
+static double draw(uint64_t *state, double low, double high)
+{
+    *state = *state * 6364136223846793005u + 1442695040888963407u;
+    return low + (high - low) * (double)(*state >> 11) / 9007199254740992.0;
+}
+
+/* The number that a label shows. */
+static double shown_number(const char *label)
+{
+    char plain[64];
+    size_t used = 0;
+    double power = 0;
+    if (strncmp(label, "10<sup>", 7) == 0) {
+        label += 7;
+        power = 10;
+    }
+    for (; *label && *label != '<'; label++) {
+        if (strncmp(label, "\u2212", 3) == 0) {
+            plain[used++] = '-';
+            label += 2;
+        } else if (isdigit((unsigned char)*label) || *label == '.') {
+            plain[used++] = *label;
+        } else if (strncmp(label, "\u2009", 3) == 0) {
+            label += 2;
+        } else {
+            fail_msg("a label is '%s'", label);
+        }
+    }
+    plain[used] = '\0';
+    return power > 0 ? pow(power, strtod(plain, NULL)) : strtod(plain, NULL);
+}
+
+static bool is_round(double step)
+{
+    double mantissa = step / pow(10, floor(log10(step) + 1e-9));
+    return fabs(mantissa - 1) < 1e-6 || fabs(mantissa - 2) < 1e-6 || fabs(mantissa - 5) < 1e-6;
+}
+
+static double extent(const struct bead_look *look, const char *label, bool horizontal)
+{
+    double width, height;
+    struct bead_text_style style = {.family = look->family, .size = look->tick};
+    bead_text_size(NULL, &style, label, &width, &height);
+    return horizontal ? width : 0.75 * look->tick;
+}
+
+static void check_axis(const struct bead_look *look, const struct bead_axis *axis, double length, bool horizontal)
+{
+    double end = -1e9;
+    for (size_t i = 0; i < axis->count; i++) {
+        const struct bead_tick *tick = &axis->ticks[i];
+        double shown = tick->value * axis->factor, half = 0.5 * extent(look, tick->label, horizontal);
+        assert_true(tick->place >= 0 && tick->place <= 1);
+        assert_true(fabs(bead_axis_place(axis, tick->value) - tick->place) < 1e-6);
+        if (!(fabs(shown_number(tick->label) - shown) <= 1e-6 * fmax(fabs(shown), 1e-9)))
+            fail_msg("'%s' stands at %.15g", tick->label, shown);
+        if (!(tick->place * length - half > end))
+            fail_msg("'%s' runs into '%s' on %g px from %g to %g", tick->label, axis->ticks[i - 1].label, length, axis->low,
+                     axis->high);
+        end = tick->place * length + half;
+    }
+}
+
+static void test_linear_ticks(void **state)
+{
+    (void)state;
+    uint64_t random = 1;
+    size_t bare = 0;
+    for (int i = 0; i < 4000; i++) {
+        struct bead_look look;
+        struct bead_axis axis;
+        bool horizontal = i % 2;
+        double size = pow(10, draw(&random, -11, 5)), low = i % 3 ? 0 : draw(&random, -1, 1) * size,
+               length = draw(&random, 30, 2000);
+        if (i % 5 == 0)
+            bead_look_paper(&look, 600);
+        else
+            bead_look_screen(&look, 640, 360, false);
+        bead_axis_make(&axis, low, low + draw(&random, 0.1, 1) * size, "N", BEAD_SCALE_LINEAR, length, look.tick, horizontal);
+        check_axis(&look, &axis, length, horizontal);
+        for (size_t t = 2; t < axis.count; t++) {
+            double step = axis.ticks[t].value - axis.ticks[t - 1].value;
+            assert_true(fabs(step - (axis.ticks[1].value - axis.ticks[0].value)) < 1e-6 * step);
+        }
+        if (axis.count >= 2 && !is_round((axis.ticks[1].value - axis.ticks[0].value) * axis.factor))
+            fail_msg("step %g", axis.ticks[1].value - axis.ticks[0].value);
+        double largest = fmax(fabs(axis.low), fabs(axis.high)) * axis.factor;
+        assert_true(largest >= 0.999999 && largest < 1000.001);
+        if (length > 12 * look.tick)
+            assert_in_range(axis.count, 2, 10);
+        bare += axis.count < 2;
+    }
+    assert_true(bare < 400); /* only where there is hardly any room */
+}
+
+static void test_uneven_ticks(void **state)
+{
+    (void)state;
+    uint64_t random = 2;
+    struct bead_look look;
+    struct bead_axis axis;
+    bead_look_screen(&look, 1280, 720, true);
+    for (int i = 0; i < 1000; i++) {
+        bool horizontal = i % 2;
+        double high = pow(10, draw(&random, -9, 4)), length = draw(&random, 150, 1000);
+        bead_axis_make(&axis, 0, high, "J", BEAD_SCALE_SQRT, length, look.tick, horizontal);
+        check_axis(&look, &axis, length, horizontal);
+        assert_true(axis.count >= 2 && axis.ticks[0].value == 0);
+        bead_axis_make(&axis, -high, high, "m/s", BEAD_SCALE_SQRT, length, look.tick, horizontal);
+        check_axis(&look, &axis, length, horizontal);
+        bead_axis_make(&axis, high * pow(10, -draw(&random, 0.2, 12)), high, "N", BEAD_SCALE_LOG, length, look.tick, horizontal);
+        check_axis(&look, &axis, length, horizontal);
+        assert_true(axis.count >= 1);
+    }
+}
+
+static void test_axes_of_beads_count(void **state)
+{
+    (void)state;
+    struct bead_axis axis;
+    for (double beads = 1; beads < 2e6; beads *= 1.7) {
+        bead_axis_make(&axis, -0.5, floor(beads) - 0.5, "", BEAD_SCALE_LINEAR, 400, 15, false);
+        assert_string_equal(axis.unit, "");
+        for (size_t i = 0; i < axis.count; i++)
+            assert_true(axis.ticks[i].value == floor(axis.ticks[i].value) && !strchr(axis.ticks[i].label, '.'));
+    }
+}
+
+static void test_axes_that_make_no_sense_have_no_ticks(void **state)
+{
+    (void)state;
+    struct bead_axis axis;
+    const double bad[][2] = {{0, 0}, {1, 0}, {NAN, 1}, {0, INFINITY}, {1, 1 + 1e-15}};
+    for (size_t i = 0; i < 5; i++) {
+        bead_axis_make(&axis, bad[i][0], bad[i][1], "N", BEAD_SCALE_LINEAR, 400, 15, false);
+        assert_int_equal(axis.count, 0);
+    }
+    bead_axis_make(&axis, -1, 1, "N", BEAD_SCALE_LOG, 400, 15, false);
+    assert_int_equal(axis.count, 0);
+}
+
+/* ---- numbers ---- */
+
+static void assert_quantity(double value, const char *unit, int digits, const char *wanted)
+{
+    char text[64];
+    bead_quantity(value, unit, digits, text, sizeof text);
+    assert_string_equal(text, wanted);
+}
+
+static void test_quantities(void **state)
+{
+    (void)state;
+    assert_quantity(1.64e-3, "s", 4, "1.640\u00a0ms");
+    assert_quantity(35, "N", 2, "35\u00a0N");
+    assert_quantity(35, "N", 4, "35.00\u00a0N");
+    assert_quantity(0, "N", 4, "0\u00a0N");
+    assert_quantity(-0.5e-6, "m", 2, "\u2212500\u00a0nm");
+    assert_quantity(999.96, "N", 4, "1.000\u00a0kN");
+    assert_quantity(999.94, "N", 4, "999.9\u00a0N");
+    assert_quantity(2.5e-6, "s", 2, "2.5\u00a0\u00b5s");
+    assert_quantity(7200, "s", 2, "7200\u00a0s");
+    assert_quantity(0.443, "m/s", 3, "443\u00a0mm/s");
+    assert_quantity(3600, "", 2, "3600");
+    assert_quantity(1234567, "", 2, "1\u2009234\u2009567");
+    assert_quantity(0.25, "", 2, "0.25");
+    assert_quantity(NAN, "N", 3, "\u2013\u00a0N");
+    assert_quantity(-INFINITY, "N", 3, "\u2212\u221e\u00a0N");
+}
+
+static void test_escapes(void **state)
+{
+    (void)state;
+    char out[64], small[8];
+    bead_text_escape("a < b & \"c\" > d", out, sizeof out);
+    assert_string_equal(out, "a &lt; b &amp; \"c\" &gt; d");
+    bead_text_escape("\u00e4\u00e4\u00e4\u00e4\u00e4", small, sizeof small);
+    assert_string_equal(small, "\u00e4\u00e4\u00e4"); /* no half characters */
+    bead_text_escape("a&b&c", small, sizeof small);
+    assert_string_equal(small, "a&amp;b");
+    bead_text_escape("x\xff\x80y\tz", out, sizeof out);
+    assert_string_equal(out, "x??y z");
+    bead_text_magnetism(0.2, out, sizeof out);
+    assert_non_null(strstr(out, "</i> = 0.2<"));
+    bead_text_magnetism(1, out, sizeof out);
+    assert_non_null(strstr(out, "</i> = 1<"));
+    bead_text_magnetism(0, out, sizeof out);
+    assert_non_null(strstr(out, "</i> = 0<"));
+}
+
+static void test_text_is_measured_alike_everywhere(void **state)
+{
+    (void)state;
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 10, 10);
+    cairo_t *cr = cairo_create(surface);
+    struct bead_text_style style = {.family = "Lato", .size = 17.3};
+    double w[4], h[4];
+    bead_text_size(NULL, &style, "time (ms)", &w[0], &h[0]);
+    bead_text_size(cr, &style, "time (ms)", &w[1], &h[1]);
+    cairo_scale(cr, 0.12, 0.12);
+    bead_text_size(cr, &style, "time (ms)", &w[2], &h[2]);
+    style.size *= 10;
+    bead_text_size(NULL, &style, "time (ms)", &w[3], &h[3]);
+    assert_true(w[0] > 50 && w[0] == w[1] && h[0] == h[1]);
+    assert_true(fabs(w[2] - w[0]) < 0.02 * w[0]);
+    assert_true(fabs(w[3] - 10 * w[0]) < 0.2 * w[0]);
+    cairo_destroy(cr);
+    cairo_surface_destroy(surface);
+}
+
+/* ---- colours ---- */
+
+static double linear(double c)
+{
+    return c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
+}
+
+/* CIELAB L* of an sRGB colour, D65. */
+static double lightness(const uint8_t rgb[3])
+{
+    double y = 0.2126 * linear(rgb[0] / 255.0) + 0.7152 * linear(rgb[1] / 255.0) + 0.0722 * linear(rgb[2] / 255.0);
+    return y > 0.008856 ? 116 * cbrt(y) - 16 : 903.3 * y;
+}
+
+static void test_lightness_rises(void **state)
+{
+    (void)state;
+    for (const struct bead_colormap_info *info = bead_colormap_list(); info->name; info++) {
+        struct bead_colormap map;
+        assert_int_equal(bead_colormap_load(info->name, &map, NULL), BEAD_OK);
+        assert_string_equal(map.name, info->name);
+        bool diverging = strcmp(info->name, "vik") == 0;
+        for (int i = 0; i < 255; i++) {
+            double step = lightness(map.rgb[i + 1]) - lightness(map.rgb[i]);
+            bool rises = diverging ? (i < 120 ? step > -0.1 : i < 136 ? fabs(step) < 1.5 : step < 0.1) : step > -0.15;
+            if (!rises)
+                fail_msg("%s: lightness steps by %g at %d", info->name, step, i);
+        }
+        double whole = lightness(map.rgb[255]) - lightness(map.rgb[0]), first = lightness(map.rgb[127]) - lightness(map.rgb[0]);
+        if (!diverging) /* evenly: half of the way in the middle */
+            assert_true(whole > 60 && fabs(first / whole - 0.5) < 0.12);
+        else
+            assert_true(fabs(lightness(map.rgb[255]) - lightness(map.rgb[0])) < 10 && first > 70);
+    }
+}
+
+static void test_unknown_map(void **state)
+{
+    (void)state;
+    struct bead_colormap map;
+    struct bead_message msg = {""};
+    assert_int_equal(bead_colormap_load("jet", &map, &msg), BEAD_ERROR_SCENE);
+    assert_non_null(strstr(msg.text, "viridis"));
+    assert_int_equal(bead_colormap_load("../materials", &map, &msg), BEAD_ERROR_SCENE);
+}
+
+static void test_values_to_colours(void **state)
+{
+    (void)state;
+    struct bead_colours c = {NULL, BEAD_SCALE_LINEAR, 0, 256};
+    for (int i = 0; i < 256; i++) {
+        assert_int_equal(bead_colours_index(&c, i + 0.5), i);
+        assert_int_equal(bead_colours_index(&c, i), i);
+    }
+    assert_int_equal(bead_colours_index(&c, -5), 0);
+    assert_int_equal(bead_colours_index(&c, 256), 255);
+    assert_int_equal(bead_colours_index(&c, 1e300), 255);
+    assert_int_equal(bead_colours_index(&c, NAN), 0);
+    c.scale = BEAD_SCALE_SQRT;
+    assert_int_equal(bead_colours_index(&c, 64.01), 128);
+    c = (struct bead_colours){NULL, BEAD_SCALE_SQRT, -4, 4};
+    assert_true(bead_colours_place(&c, 0) == 0.5 && bead_colours_place(&c, 1) == 0.75 && bead_colours_place(&c, -1) == 0.25);
+    c = (struct bead_colours){NULL, BEAD_SCALE_LOG, 1e-4, 1};
+    assert_true(fabs(bead_colours_place(&c, 1e-2) - 0.5) < 1e-12);
+    assert_int_equal(bead_colours_index(&c, 0), 0);
+    assert_int_equal(bead_colours_index(&c, -3), 0);
+}
+
+/* Frames: changes never get lost. */
+static void test_changes_merge(void **state)
+{
+    (void)state;
+    struct bead_changes changes = {0};
+    for (int i = 0; i < 100; i++)
+        bead_changes_add(&changes, (struct bead_rect){10 * i, 5 * i, 3, 3});
+    bead_changes_add(&changes, (struct bead_rect){0, 0, 0, 9});
+    assert_true(changes.count <= 32);
+    for (int i = 0; i < 100; i++) {
+        bool covered = false;
+        for (size_t r = 0; r < changes.count; r++) {
+            struct bead_rect c = changes.rect[r];
+            covered = covered || (c.x <= 10 * i && c.y <= 5 * i && c.x + c.width >= 10 * i + 3 && c.y + c.height >= 5 * i + 3);
+        }
+        assert_true(covered);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_linear_ticks),
+        cmocka_unit_test(test_uneven_ticks),
+        cmocka_unit_test(test_axes_of_beads_count),
+        cmocka_unit_test(test_axes_that_make_no_sense_have_no_ticks),
+        cmocka_unit_test(test_quantities),
+        cmocka_unit_test(test_escapes),
+        cmocka_unit_test(test_text_is_measured_alike_everywhere),
+        cmocka_unit_test(test_lightness_rises),
+        cmocka_unit_test(test_unknown_map),
+        cmocka_unit_test(test_values_to_colours),
+        cmocka_unit_test(test_changes_merge),
+    };
+    return cmocka_run_group_tests_name("looks", tests, NULL, NULL);
+}
