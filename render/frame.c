@@ -27,7 +27,10 @@ enum bead_error bead_frame_create(int width, int height, struct bead_frame *fram
     if (!pixels)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a picture of %d x %d pixels", width, height);
     memset(pixels, 0, stride * (size_t)height);
-    *frame = (struct bead_frame){width, height, stride, pixels};
+    frame->width = width;
+    frame->height = height;
+    frame->stride = stride;
+    frame->pixels = pixels;
     return BEAD_OK;
 }
 

@@ -74,15 +74,15 @@ static void put_notes(struct writer *w, const struct bead_picture_notes *notes)
     for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
         if (!all[i].text || !*all[i].text)
             continue;
-        png_text text = {.key = (png_charp)all[i].key, .text = (png_charp)all[i].text};
-        bool is_long = strlen(text.text) > LONG, ascii = is_ascii(text.text);
-        text.compression = ascii ? (is_long ? PNG_TEXT_COMPRESSION_zTXt : PNG_TEXT_COMPRESSION_NONE)
-                                 : (is_long ? PNG_ITXT_COMPRESSION_zTXt : PNG_ITXT_COMPRESSION_NONE);
+        png_text chunk = {.key = (png_charp)all[i].key, .text = (png_charp)all[i].text};
+        bool is_long = strlen(chunk.text) > LONG, ascii = is_ascii(chunk.text);
+        chunk.compression = ascii ? (is_long ? PNG_TEXT_COMPRESSION_zTXt : PNG_TEXT_COMPRESSION_NONE)
+                                  : (is_long ? PNG_ITXT_COMPRESSION_zTXt : PNG_ITXT_COMPRESSION_NONE);
         if (ascii)
-            text.text_length = strlen(text.text);
+            chunk.text_length = strlen(chunk.text);
         else
-            text.itxt_length = strlen(text.text);
-        png_set_text(w->png, w->info, &text, 1);
+            chunk.itxt_length = strlen(chunk.text);
+        png_set_text(w->png, w->info, &chunk, 1);
     }
     if (notes->dpi > 0 && notes->dpi < 1e6) {
         png_uint_32 per_metre = (png_uint_32)(notes->dpi / 0.0254 + 0.5);

@@ -82,7 +82,7 @@ void bead_number(double number, int decimals, char *out, size_t size)
 /* Decimals that leave `digits` significant ones. */
 static int decimals_for(double shown, int digits)
 {
-    if (shown == 0)
+    if (shown == 0 || !isfinite(shown))
         return 0;
     int before = (int)floor(log10(fabs(shown)) + 1e-12) + 1;
     return digits > before ? digits - before : 0;
