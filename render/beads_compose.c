@@ -133,15 +133,6 @@ static void glow_marks(const struct bead_view *v, const struct bead_window *w, s
     }
 }
 
-static void lens_frame(const struct bead_view *v, const struct bead_window *w, struct bead_drawing *d)
-{
-    const struct bead_rect *r = &w->rect;
-    struct bead_mark *mark = add_mark(d, BEAD_MARK_FRAME, r->x, r->y, r->x + r->width, r->y + r->height);
-    mark->shape[0] = 0.5f;
-    mark->shape[1] = (float)fmax(1, v->look.line);
-    paint_mark(mark, v->look.accent, 0.45);
-}
-
 static void swap(struct bead_drawing *d)
 {
     struct bead_drawing was = *d;
@@ -178,6 +169,4 @@ void bead_beads_compose(struct bead_view *v, const struct bead_window *w, struct
     if (w == &v->lens && v->wall)
         wall_mark(v, w, d);
     glow_marks(v, w, d);
-    if (w == &v->lens)
-        lens_frame(v, w, d);
 }

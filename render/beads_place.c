@@ -51,7 +51,7 @@ void bead_beads_divide(struct bead_view *v)
     v->strip = diameter < strip_below;
     v->lens = (struct bead_window){.scale = 0};
     double row = v->strip ? fmax(6, 0.5 * look->tick) : ceil(diameter + fmax(4, 0.9 * diameter)), zoom = round(1.2 * look->gap);
-    double height = v->plot.height - top - row - zoom, large = fmin(0.8 * height, v->plot.width / 10.0);
+    double height = v->plot.height - top - row - zoom, large = fmin(0.8 * height, v->plot.width / 14.0);
     bool worth = large > fmax(14, 1.7 * diameter) && v->plot.width / large < 0.8 * (double)v->count;
     if (diameter >= 1.25 * look->label || !worth) {
         only_row(v, scale, top);
@@ -64,6 +64,9 @@ void bead_beads_divide(struct bead_view *v)
     v->row.from = v->ends[0];
     v->zoom = (struct bead_rect){v->plot.x - v->area.x, v->row.rect.y + v->row.rect.height, v->plot.width, (int)zoom};
     set_window(&v->lens, v, large / (2 * v->largest), v->zoom.y + v->zoom.height, large / 0.8, false);
+    int line = (int)fmax(1, look->line); /* of its frame, which is drawn once */
+    v->lens.rect = (struct bead_rect){v->lens.rect.x + line, v->lens.rect.y + line, v->lens.rect.width - 2 * line,
+                                      v->lens.rect.height - 2 * line};
     v->lens.left = v->lens.rect.x;
     v->lens.from = v->ends[0];
 }
@@ -181,9 +184,14 @@ void bead_beads_decorate(struct bead_view *v, cairo_t *cr)
 {
     if (v->lens.scale > 0) {
         const struct bead_rect *r = &v->lens.rect;
-        cairo_rectangle(cr, v->area.x + r->x, v->area.y + r->y, r->width, r->height);
+        double line = fmax(1, v->look.line);
         set_colour(cr, v->look.panel, 1);
+        cairo_rectangle(cr, v->area.x + r->x, v->area.y + r->y, r->width, r->height);
         cairo_fill(cr);
+        set_colour(cr, v->look.accent, 0.45);
+        cairo_set_line_width(cr, line);
+        cairo_rectangle(cr, v->area.x + r->x - 0.5 * line, v->area.y + r->y - 0.5 * line, r->width + line, r->height + line);
+        cairo_stroke(cr);
     }
     if (v->wall)
         draw_wall(v, cr);

@@ -100,7 +100,7 @@ static int below(const struct bead_movie_wants *w, const struct measures *m, siz
 /* Of a movie's height; and the most that is good for a view, in widths of the plots. */
 static const struct {
     double share, most;
-} heights_of[BEAD_VIEW_KINDS] = {[BEAD_VIEW_BEADS] = {1.45, 0.17},
+} heights_of[BEAD_VIEW_KINDS] = {[BEAD_VIEW_BEADS] = {1.45, 0.135},
                                  [BEAD_VIEW_PROFILE] = {0.8, 0.25},
                                  [BEAD_VIEW_SPACETIME] = {1.25, 2},
                                  [BEAD_VIEW_SENSORS] = {1.2, 0.5}};

@@ -40,10 +40,6 @@ void main()
         vec2 lines = clamp(1.1 - abs(p.xx - at) * inversesqrt(1.0 + lean * lean), 0.0, 1.0);
         float edges = max(0.6 * max(lines.x, lines.y), line(p.y, bounds.y + 1.0, 2.0) * within(p.x, shape.x, shape.y));
         cover = within(p.y, bounds.y, bounds.w) * max(0.13 * within(p.x, at.x, at.y), edges);
-    } else if (what == 6) { // frame
-        vec2 d = abs(p - middle) - extent + shape.x;
-        float outside = length(max(d, 0.0)) + min(max(d.x, d.y), 0.0) - shape.x;
-        cover = clamp(0.5 - outside, 0.0, 1.0) * clamp(outside + shape.y + 0.5, 0.0, 1.0);
     }
     cover *= paint.a;
     pixel = vec4(paint.rgb * cover, cover * weight);
