@@ -49,8 +49,9 @@ struct bead_kernels {
     void (*combine)(size_t n, double *y, const double *base, double scale, const double *v, size_t count, const double *coefficient,
                     const double *const *term);
     double (*largest)(size_t n, const double *f); /* max of f_0..f_{n-1} and 0 */
-    /* mark[k] = 1 where the relative velocity v_k - v_{k+1} was > 0 in `before` and is <= 0 in `after`; returns whether any. */
-    bool (*turns)(size_t n, const double *before, const double *after, unsigned char *mark);
+    /* mark[k] = 1 where the relative velocity v_k - v_{k+1} was > 0 at the start of the step h (v0, a0) and is <= 0 at its end (v1,
+     * a1), or has one sign at both ends and may have the other in between; returns whether any. */
+    bool (*turns)(size_t n, double h, const double *v0, const double *a0, const double *v1, const double *a1, unsigned char *mark);
     /* Contact events, see events_patch.h. mark[k] = 1 where contact k may open or close within the step or `reach` steps outside;
      * returns whether any. Whole vectors are read, and written. */
     bool (*mark_events)(size_t n, const struct bead_event_ends *ends, double reach, unsigned char *mark);

@@ -120,11 +120,18 @@ static double largest(size_t n, const double *f)
     return most;
 }
 
-static bool turns(size_t n, const double *before, const double *after, unsigned char *mark)
+/* Between its ends a rate r bends away from them by at most h |r'| / 2 of either. */
+static bool turns(size_t n, double h, const double *v0, const double *a0, const double *v1, const double *a1, unsigned char *mark)
 {
+    const double half = 0.5 * h;
     unsigned any = 0;
     for (size_t k = 0; k < n; k++) {
-        mark[k] = (before[k] > before[k + 1]) & (after[k] <= after[k + 1]);
+        double r0 = v0[k] - v0[k + 1], r1 = v1[k] - v1[k + 1], b0 = half * (a0[k] - a0[k + 1]), b1 = half * (a1[k] - a1[k + 1]);
+        double low = r0 < r1 ? r0 : r1, high = r0 < r1 ? r1 : r0, most = b1 > -b0 ? b1 : -b0, least = b1 < -b0 ? b1 : -b0;
+        int turn = (r0 > 0) & (r1 <= 0);
+        int dip = (low > 0) & (b0 < 0) & (b1 > 0) & (low < most);
+        int hump = (high <= 0) & (b0 > 0) & (b1 < 0) & (high > least);
+        mark[k] = (unsigned char)(turn | dip | hump);
         any |= mark[k];
     }
     return any != 0;

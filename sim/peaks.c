@@ -147,20 +147,47 @@ static double force_bound(const struct bead_peaks *p, const struct bead_stepper 
     return p->of_beads ? 0.5 * force : force;
 }
 
+/* Part of the step, from x = from on. */
+struct curve_part {
+    const struct force_curve *curve;
+    double from, length;
+};
+
+static double part_rate(const void *context, double x)
+{
+    const struct curve_part *part = context;
+    return curve_rate(part->curve, part->from + x * part->length);
+}
+
+/* The maximum within a part of the step that the force rises into and falls out of. */
+static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct curve_part *part,
+                         double rate0, double rate1, double limit)
+{
+    double x = part->from + part->length * bead_find_root(part_rate, part, rate0, rate1), value = curve_force(p, part->curve, x);
+    if (s->events && x > 0 && value > p->best[index].value * (1 - close_call))
+        sharpen(p, s, part->curve, &x, &value);
+    double time = s->t0 + x * s->h;
+    if (time <= limit && value > p->best[index].value)
+        p->best[index] = (struct bead_peak){value, time, false};
+}
+
+/* Where the rate has one sign at both ends, it is looked at in between. */
+enum { PARTS = 8 };
+
 static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
     if (force_bound(p, s, index) < p->best[index].value)
         return;
     struct force_curve curve = curve_of(p, s, index);
-    double rate0 = curve_rate(&curve, 0), rate1 = curve_rate(&curve, 1);
-    if (!(rate0 > 0 && rate1 <= 0))
-        return;
-    double x = bead_find_root(curve_rate, &curve, rate0, rate1), value = curve_force(p, &curve, x);
-    if (s->events && x > 0 && value > p->best[index].value * (1 - close_call))
-        sharpen(p, s, &curve, &x, &value);
-    double time = s->t0 + x * s->h;
-    if (time <= limit && value > p->best[index].value)
-        p->best[index] = (struct bead_peak){value, time, false};
+    double rate0 = curve_rate(&curve, 0), end = curve_rate(&curve, 1);
+    const int parts = rate0 > 0 && end <= 0 ? 1 : PARTS;
+    for (int i = 1; i <= parts; i++) {
+        struct curve_part part = {&curve, (i - 1) / (double)parts, 1.0 / parts};
+        double rate1 = i == parts ? end : part_rate(&part, 1);
+        if (rate0 > 0 && rate1 <= 0)
+            find_in_part(p, s, index, &part, rate0, rate1, limit);
+        rate0 = rate1;
+    }
 }
 
 /* Still rising at the limit, and higher than any maximum before: the maximum stands, marked as open; where there was none the force
@@ -179,6 +206,11 @@ static void find_open(struct bead_peaks *p, const struct bead_stepper *s, size_t
     }
 }
 
+static bool mark_contacts(struct bead_peaks *p, const struct bead_stepper *s, size_t n)
+{
+    return s->kernels->turns(n, s->h, s->start.v, s->start.a, s->end.v, s->end.a, p->mark);
+}
+
 /* Rates of all bead forces in a state. */
 static void find_rates(const struct bead_stepper *s, const struct bead_state *state, double *rate)
 {
@@ -190,8 +222,10 @@ static void find_rates(const struct bead_stepper *s, const struct bead_state *st
     }
 }
 
+/* A bead's force may turn where its rate changes sign, or where one of its contacts turns there and back. */
 static bool mark_beads(struct bead_peaks *p, const struct bead_stepper *s)
 {
+    mark_contacts(p, s, s->active < s->chain->contacts ? s->active : s->chain->contacts);
     double *rate = p->rate0;
     p->rate0 = p->rate1;
     p->rate1 = rate;
@@ -199,9 +233,12 @@ static bool mark_beads(struct bead_peaks *p, const struct bead_stepper *s)
         find_rates(s, &s->start, p->rate0);
     find_rates(s, &s->end, p->rate1);
     bool any = false;
+    unsigned char left = 0;
     for (size_t j = 0; j < s->active; j++) {
-        p->mark[j] = p->rate0[j] > 0 && p->rate1[j] <= 0;
+        unsigned char here = j < s->chain->contacts ? p->mark[j] : 0;
+        p->mark[j] = left | here | (p->rate0[j] > 0 && p->rate1[j] <= 0);
         any = any || p->mark[j];
+        left = here;
     }
     return any;
 }
@@ -211,7 +248,7 @@ void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double 
     size_t n = s->active < p->count ? s->active : p->count;
     if (s->t0 > limit)
         return;
-    bool any = p->of_beads ? mark_beads(p, s) : s->kernels->turns(n, s->start.v, s->end.v, p->mark);
+    bool any = p->of_beads ? mark_beads(p, s) : mark_contacts(p, s, n);
     for (size_t i = 0; any && i < n; i++) {
         if (p->mark[i])
             find_peak(p, s, i, limit);
