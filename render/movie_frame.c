@@ -28,6 +28,7 @@ struct bead_composer {
     cairo_t *cr;
     char time_text[256]; /* as shown now */
     bool started;
+    bool over, under, bar_over, bar_under; /* values beyond the colours' range: seen; as the bar shows it */
 };
 
 unsigned bead_composer_fields(const struct bead_output *output)
@@ -251,6 +252,13 @@ static void draw_words(struct bead_composer *c, cairo_t *cr)
     }
 }
 
+static void draw_bar(struct bead_composer *c, cairo_t *cr)
+{
+    const struct bead_field_info *field = bead_field_info(c->setup.output->field);
+    if (c->layout.bar.width > 0)
+        bead_colour_bar_draw(cr, &c->look, &c->colours, field->unit, field->title, c->layout.bar, c->bar_over, c->bar_under);
+}
+
 static enum bead_error draw_background(struct bead_composer *c, struct bead_message *msg)
 {
     struct bead_frame *b = &c->background;
@@ -261,9 +269,7 @@ static enum bead_error draw_background(struct bead_composer *c, struct bead_mess
     cairo_paint(cr);
     enum bead_error err = decorate_views(c, cr, msg);
     draw_words(c, cr);
-    const struct bead_field_info *field = bead_field_info(c->setup.output->field);
-    if (c->layout.bar.width > 0)
-        bead_colour_bar_draw(cr, &c->look, &c->colours, field->unit, field->title, c->layout.bar, false, false);
+    draw_bar(c, cr);
     cairo_surface_flush(surface);
     if (!err && cairo_status(cr) != CAIRO_STATUS_SUCCESS)
         err = bead_fail(msg, BEAD_ERROR_GRAPHICS, "drawing the background: %s", cairo_status_to_string(cairo_status(cr)));
@@ -287,12 +293,49 @@ enum bead_error bead_composer_open(struct bead_composer *c, struct bead_message 
     return BEAD_OK;
 }
 
+/* Are there values that the colours do not tell apart? */
+static void look_beyond(struct bead_composer *c, const struct bead_sample *sample)
+{
+    const double *value = sample->field[c->setup.output->field];
+    struct bead_span span = span_of(c, sample->chain);
+    double slack = 1e-9 * (c->colours.high - c->colours.low), high = c->colours.high + slack, low = c->colours.low - slack;
+    bool below = c->colours.scale != BEAD_SCALE_LOG; /* every logarithmic scale leaves out the smallest */
+    for (size_t i = span.first; value && i <= span.last && i <= sample->active; i++) {
+        c->over = c->over || value[i] > high;
+        c->under = c->under || (below && value[i] < low);
+    }
+}
+
 enum bead_error bead_composer_feed(struct bead_composer *c, const struct bead_sample *sample, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
+    look_beyond(c, sample);
     for (size_t v = 0; !err && v < c->wants.view_count; v++)
         err = c->wants.views[v]->feed(*view_at(c, sample->chain, v), sample, msg);
     return err;
+}
+
+/* The bar gets its points when values beyond its ends have come. */
+static void update_bar(struct bead_composer *c, struct bead_changes *changes)
+{
+    const struct bead_rect *bar = &c->layout.bar;
+    if (bar->width == 0 || (c->over == c->bar_over && c->under == c->bar_under))
+        return;
+    c->bar_over = c->over;
+    c->bar_under = c->under;
+    int pad = 2 * bar->width, x = bar->x - bar->width / 2, y = bar->y - pad > 0 ? bar->y - pad : 0;
+    int bottom = bar->y + bar->height + pad < c->frame.height ? bar->y + bar->height + pad : c->frame.height;
+    struct bead_rect rect = {x, y, c->frame.width - x, bottom - y};
+    cairo_save(c->cr);
+    cairo_rectangle(c->cr, rect.x, rect.y, rect.width, rect.height);
+    cairo_clip(c->cr);
+    cairo_set_source_rgb(c->cr, c->look.background.r, c->look.background.g, c->look.background.b);
+    cairo_paint(c->cr);
+    draw_bar(c, c->cr);
+    cairo_restore(c->cr);
+    cairo_surface_flush(c->surface);
+    bead_frame_copy(&c->background, &c->frame, rect);
+    bead_changes_add(changes, rect);
 }
 
 /* The time as text, where it reads differently now. */
@@ -328,9 +371,12 @@ enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct 
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++)
         err = c->wants.views[i % c->wants.view_count]->draw(c->views[i], time, &c->frame, &c->background, changes, msg);
-    if (!err)
-        draw_time(c, time, changes);
-    return err;
+    if (err)
+        return err;
+    cairo_surface_mark_dirty(c->surface); /* the views wrote its pixels */
+    draw_time(c, time, changes);
+    update_bar(c, changes);
+    return BEAD_OK;
 }
 
 const struct bead_frame *bead_composer_frame(const struct bead_composer *c)
