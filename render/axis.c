@@ -7,10 +7,10 @@
 #include "beadreel/look.h"
 #include "render/units.h"
 
-enum { MOST_TICKS = sizeof((struct bead_axis *)0)->ticks / sizeof(struct bead_tick), ENOUGH = 9 };
+enum { MOST_TICKS = sizeof((struct bead_axis *)0)->ticks / sizeof(struct bead_tick), ENOUGH = 7, ENOUGH_UNEVEN = 9 };
 
 /* Room that labels take, in units of the font size. A digit is 0.5 wide in STIX and 0.58 in Lato. */
-static const double character = 0.6, between_labels = 1.2, least_between = 0.5, line_apart = 2.4, least_line = 1.4,
+static const double character = 0.6, between_labels = 1.2, least_between = 0.5, line_apart = 1.9, least_line = 1.4,
                     usual_width = 1.8;
 
 struct room {
@@ -135,7 +135,7 @@ static void roundest_first(struct bead_axis *axis, const struct room *room)
         double step = multiple(1, mantissa, exponent);
         if ((high - low) / step > 2000)
             return;
-        for (double k = ceil((low - slack) / step); k <= floor((high + slack) / step) && axis->count < ENOUGH; k++) {
+        for (double k = ceil((low - slack) / step); k <= floor((high + slack) / step) && axis->count < ENOUGH_UNEVEN; k++) {
             double shown = multiple(k, mantissa, exponent);
             if (axis->scale == BEAD_SCALE_LOG && !(shown > 0))
                 continue;

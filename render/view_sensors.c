@@ -128,28 +128,29 @@ static struct bead_text_style name_style(const struct bead_view *v)
         .family = v->look.family, .size = v->look.label, .down = BEAD_ALIGN_MIDDLE, .across = BEAD_ALIGN_START};
 }
 
-/* A legend: line and name of each sensor, in rows of the plot's width. Returns the number of rows. */
-static int lay_out_names(const struct bead_view *v, cairo_t *cr, struct name *names)
+/* A legend in rows of the plot's width: a line and a name for each sensor, or the name alone in the line's colour. Returns the
+ * number of rows. */
+static int lay_out_names(const struct bead_view *v, cairo_t *cr, struct name *names, bool lines)
 {
-    double em = v->look.label, x = v->plot.x + 0.6 * em, height;
+    double em = v->look.label, left = v->plot.x + 0.6 * em, x = left, height;
     struct bead_text_style style = name_style(v);
     int row = 0;
     for (size_t k = 0; k < v->count; k++) {
         bead_text_escape(v->sensors[k].name, names[k].markup, sizeof names[k].markup);
         bead_text_size(cr, &style, names[k].markup, &names[k].width, &height);
-        double all = (sample_length + 0.4) * em + names[k].width;
-        if (x + all > v->plot.x + v->plot.width && x > v->plot.x + em) {
+        double all = (lines ? (sample_length + 0.4) * em : 0) + names[k].width;
+        if (x + all > v->plot.x + v->plot.width - 0.2 * em && x > left) {
             row++;
-            x = v->plot.x + 0.6 * em;
+            x = left;
         }
         names[k].x = x;
         names[k].row = row;
-        x += all + 1.2 * em;
+        x += all + (lines ? 1.2 : 0.8) * em;
     }
     return row + 1;
 }
 
-static void draw_names(const struct bead_view *v, cairo_t *cr, const struct name *names)
+static void draw_names(const struct bead_view *v, cairo_t *cr, const struct name *names, bool lines)
 {
     double em = v->look.label;
     struct bead_text_style style = name_style(v);
@@ -157,23 +158,26 @@ static void draw_names(const struct bead_view *v, cairo_t *cr, const struct name
     cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
     cairo_clip(cr);
     for (size_t k = 0; k < v->count; k++) {
-        double y = v->plot.y + (names[k].row + 0.65) * strip * em;
+        double x = names[k].x, y = v->plot.y + (names[k].row + 0.65) * strip * em;
         struct bead_rgb colour = ink(v, k);
-        cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
-        cairo_set_line_width(cr, curve_width * v->look.line);
-        cairo_move_to(cr, names[k].x, y);
-        cairo_rel_line_to(cr, sample_length * em, 0);
-        cairo_stroke(cr);
-        style.colour = v->look.ink;
-        bead_text_draw(cr, &style, names[k].x + (sample_length + 0.4) * em, y, names[k].markup);
+        style.colour = lines ? v->look.ink : colour;
+        if (lines) {
+            cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
+            cairo_set_line_width(cr, curve_width * v->look.line);
+            cairo_move_to(cr, x, y);
+            cairo_rel_line_to(cr, sample_length * em, 0);
+            cairo_stroke(cr);
+            x += (sample_length + 0.4) * em;
+        }
+        bead_text_draw(cr, &style, x, y, names[k].markup);
     }
     cairo_restore(cr);
 }
 
-/* The axis reaches higher than the curves by what the rows of names take, but never by more than a third of the plot. */
+/* The axis reaches higher than the curves by what the rows of names take, but never by more than half of the plot. */
 static void make_force_axis(struct bead_view *v, int rows)
 {
-    double taken = fmin((rows + 0.15) * strip * v->look.label / v->plot.height, 1.0 / 3);
+    double taken = fmin((rows + 0.15) * strip * v->look.label / v->plot.height, 0.5);
     double high = v->low + (v->high - v->low) * 1.03 / (1 - taken);
     bead_axis_make(&v->force, v->low, high, "N", BEAD_SCALE_LINEAR, v->plot.height, v->look.tick, false);
 }
@@ -183,13 +187,14 @@ static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_me
     struct name *names = calloc(v->count, sizeof *names);
     if (!names)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for names of sensors");
-    make_force_axis(v, lay_out_names(v, cr, names));
+    bool lines = lay_out_names(v, cr, names, true) == 1;
+    make_force_axis(v, lay_out_names(v, cr, names, lines));
     if (v->look.dark) {
         cairo_set_source_rgb(cr, v->look.panel.r, v->look.panel.g, v->look.panel.b);
         cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
         cairo_fill(cr);
     }
-    draw_names(v, cr, names);
+    draw_names(v, cr, names, lines);
     free(names);
     if (!v->setup.axes)
         return BEAD_OK;
