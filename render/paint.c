@@ -1,5 +1,6 @@
 #include "render/paint.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 
 #include "render/canvas_private.h"
@@ -51,7 +52,7 @@ static enum bead_error make_brush(struct bead_canvas *canvas, const char *name, 
     for (GLuint i = 0; attributes[i].numbers; i++) {
         const struct attribute *a = &attributes[i];
         gl->EnableVertexAttribArray(i);
-        gl->VertexAttribPointer(i, a->numbers, a->type, a->normalised, (GLsizei)stride, (const char *)NULL + a->offset);
+        gl->VertexAttribPointer(i, a->numbers, a->type, a->normalised, (GLsizei)stride, (const void *)(uintptr_t)a->offset);
         gl->VertexAttribDivisor(i, 1);
     }
     return bead_gl_check(gl, "preparing a shader", msg);
