@@ -55,11 +55,9 @@ void bead_page_look(const struct bead_page *page, const struct bead_output *outp
 void bead_page_notes(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
                      char *description, size_t size, struct bead_picture_notes *notes)
 {
-    const char *slash = strrchr(scene->file, '/'), *file = slash ? slash + 1 : scene->file;
     bool sensors = output->kind == BEAD_OUTPUT_PLOT;
-    snprintf(description, size, "%s in %zu chain%s of beads, scene %s",
-             sensors ? "force of sensors" : bead_field_info(output->field)->title, scene->chain_count,
-             scene->chain_count == 1 ? "" : "s", file);
+    snprintf(description, size, "%s in %zu chain%s of beads", sensors ? "force of sensors" : bead_field_info(output->field)->title,
+             scene->chain_count, scene->chain_count == 1 ? "" : "s");
     *notes = (struct bead_picture_notes){.dpi = page->dpi,
                                          .title = scene->title,
                                          .description = description,
