@@ -111,7 +111,8 @@ static void print_outcome(FILE *out, size_t index, const struct bead_outcome *ou
     if (isfinite(outcome->front_arrival))
         fprintf(out, "  front arrived at the end at %s\n", command_quantity(outcome->front_arrival, "s", text, sizeof text));
     if (isfinite(outcome->energy_error))
-        fprintf(out, "  largest relative error of energy %.2g\n", outcome->energy_error);
+        fprintf(out, "  errors seen: energy %.2g, embedded method %.2g, contact events %.2g\n", outcome->energy_error,
+                outcome->embedded_error, outcome->event_error);
 }
 
 static void print_samples(FILE *out, const struct bead_trajectory *trajectory)

@@ -48,6 +48,18 @@ static void print_results(const struct bead_result *results, size_t count)
         printf("%-*s  %8s\n", width, results[i].path, command_quantity((double)results[i].bytes, "B", size, sizeof size));
 }
 
+/* The largest of all chains; of a run that stopped early they may not be known. */
+static void print_errors(const struct bead_outcome *outcomes, size_t chains)
+{
+    double energy = 0, method = 0, events = 0;
+    for (size_t i = 0; i < chains; i++) {
+        energy = fmax(energy, outcomes[i].energy_error);
+        method = fmax(method, outcomes[i].embedded_error);
+        events = fmax(events, outcomes[i].event_error);
+    }
+    printf("; errors seen: energy %.1g, embedded %.1g, events %.1g", energy, method, events);
+}
+
 /* "2 files, 1.8 MB, in 2.1 s: 2 chains to 1.05 ms with rkn8, step 0.36 us" */
 static void print_summary(const struct bead_session *session, size_t files, uint64_t bytes, double seconds)
 {
@@ -62,7 +74,8 @@ static void print_summary(const struct bead_session *session, size_t files, uint
             end = fmax(end, outcomes[i].end);
         printf(": %zu chain%s to %s", chains, chains == 1 ? "" : "s", command_quantity(end, "s", time, sizeof time));
         if (outcomes[0].method)
-            printf(" with %s, step %s", outcomes[0].method, command_quantity(outcomes[0].step, "s", step, sizeof step));
+            printf(" with %s, first step %s", outcomes[0].method, command_quantity(outcomes[0].step, "s", step, sizeof step));
+        print_errors(outcomes, chains);
     }
     putchar('\n');
 }

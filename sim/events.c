@@ -450,3 +450,9 @@ bool bead_events_compression(struct bead_events *e, const struct bead_stepper *s
     d[1] = e->patch.array[BEAD_PATCH_RATE][contact - first + 1];
     return true;
 }
+
+const size_t *bead_events_flagged(const struct bead_events *events, size_t *count)
+{
+    *count = events->flagged_count;
+    return events->flagged;
+}

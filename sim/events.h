@@ -32,6 +32,8 @@ struct bead_events;
 /* For steps of this stepper; NULL where no contact opens (two-sided laws). Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_events_create(const struct bead_stepper *stepper, struct bead_events **events,
                                               struct bead_message *msg);
+/* Contacts near an event in the step just made, ascending. */
+const size_t *bead_events_flagged(const struct bead_events *events, size_t *count);
 /* NULL is allowed. */
 void bead_events_destroy(struct bead_events *events);
 /* Correct end.u, end.v, end.a, end.f of the step just made. Reads stage_f. Sets event_change. Contacts that

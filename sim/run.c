@@ -6,6 +6,7 @@
 
 #include "sim/control.h"
 #include "sim/dense.h"
+#include "sim/estimate.h"
 #include "sim/events.h"
 #include "sim/front.h"
 #include "sim/peaks.h"
@@ -26,7 +27,7 @@ struct bead_run {
     struct bead_stepper *stepper;
     struct bead_control control;
     struct bead_front front;
-    double energy_start, momentum_start, energy_error, input; /* input: energy that counts as 1 */
+    double energy_start, momentum_start, energy_error, embedded_error, event_error, input; /* input: energy that counts as 1 */
     struct bead_peaks *contact_peaks, *bead_peaks;
     double *state_memory, *u, *v, *f; /* samples: state between steps */
     double *field[BEAD_FIELD_COUNT];
@@ -181,6 +182,7 @@ static enum bead_error check_energy(struct bead_run *run, struct bead_message *m
             "give a shorter simulate.step or leave it to `auto`",
             bead_chain_name(s->chain), s->t1, error, run->stepping.step, s->method->info.name);
     run->energy_error = fmax(run->energy_error, error);
+    run->embedded_error = fmax(run->embedded_error, bead_estimate_embedded(s));
     return BEAD_OK;
 }
 
@@ -209,6 +211,7 @@ enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
     advance(run);
     if (bead_events_failed(s->events))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contacts that open or close");
+    run->event_error = fmax(run->event_error, s->event_change);
     enum bead_error err = bead_front_watch(&run->front, s, msg);
     if (err)
         return err;
@@ -290,6 +293,7 @@ enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields,
 void bead_run_finish(struct bead_run *run, double end, struct bead_outcome *outcome)
 {
     const struct bead_stepper *s = run->stepper;
+    double speed = fabs(s->chain->spec->striker_velocity);
     *outcome = (struct bead_outcome){
         .end = end,
         .front_arrival = run->front.arrival,
@@ -302,6 +306,8 @@ void bead_run_finish(struct bead_run *run, double end, struct bead_outcome *outc
         .momentum_start = run->momentum_start,
         .momentum_end = bead_stepper_momentum(s, &s->end),
         .energy_error = run->energy_error,
+        .embedded_error = speed > 0 ? run->embedded_error / speed : 0,
+        .event_error = speed > 0 ? run->event_error / speed : 0,
         .contact_peaks = run->contact_peaks ? bead_peaks_found(run->contact_peaks) : NULL,
         .bead_peaks = run->bead_peaks ? bead_peaks_found(run->bead_peaks) : NULL,
     };

@@ -38,5 +38,7 @@ const struct bead_outcome_column bead_outcome_columns[] = {
     {"momentum_start", "kg m s-1", offsetof(struct bead_outcome, momentum_start)},
     {"momentum_end", "kg m s-1", offsetof(struct bead_outcome, momentum_end)},
     {"energy_error", "1", offsetof(struct bead_outcome, energy_error)},
+    {"embedded_error", "1", offsetof(struct bead_outcome, embedded_error)},
+    {"event_error", "1", offsetof(struct bead_outcome, event_error)},
 };
 const size_t bead_outcome_column_count = sizeof bead_outcome_columns / sizeof *bead_outcome_columns;

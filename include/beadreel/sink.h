@@ -60,11 +60,15 @@ struct bead_outcome {
     double end;           /* s: simulated until here */
     double front_arrival; /* s: last contact exceeded 1e-4 of the largest force so far; NaN: never */
     const char *method;
-    double step;                           /* s, nominal */
-    uint64_t steps, evaluations;           /* evaluations of one bead's force */
-    double energy_start, energy_end;       /* J */
-    double momentum_start, momentum_end;   /* kg m/s */
-    double energy_error;                   /* largest relative deviation seen */
+    double step;                         /* s, nominal */
+    uint64_t steps, evaluations;         /* evaluations of one bead's force */
+    double energy_start, energy_end;     /* J */
+    double momentum_start, momentum_end; /* kg m/s */
+    /* What the run knows of its own errors, the largest seen of each, as parts of what was put in: */
+    double energy_error;   /* of the energy */
+    double embedded_error; /* of a velocity: a step against the embedded method of lower order, away from contacts that open or
+                              close */
+    double event_error;    /* of a velocity: the last correction of a contact that opens or closes */
     const struct bead_peak *contact_peaks; /* [contacts], NULL where not asked */
     const struct bead_peak *bead_peaks;    /* [beads], NULL where not asked */
 };
