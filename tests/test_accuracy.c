@@ -79,6 +79,68 @@ static void orders_are_those_of_the_tables(void **state)
     }
 }
 
+/* Asked for an accuracy, peaks are within it, and the steps are not much shorter than that takes: at most 100 times better, unless
+ * the step is the longest allowed. */
+static void accuracy_is_what_was_asked(void **state)
+{
+    (void)state;
+    static const double asked[] = {1e-4, 1e-6, 1e-8, 1e-10};
+    static const struct {
+        const char *chain, *reference;
+        double end;
+    } cases[] = {{P1_CHAIN, "p1_peaks.csv", 0.8e-3}, {P2_CHAIN, "p2_peaks.csv", 1.5e-3}, {P3_CHAIN, "p3_peaks.csv", 3e-3}};
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        for (size_t a = 0; a < sizeof asked / sizeof *asked; a++) {
+            char simulate[64];
+            snprintf(simulate, sizeof simulate, "until: %g, accuracy: %g", cases[c].end, asked[a]);
+            double error = peaks_of(cases[c].chain, simulate, cases[c].end, cases[c].reference);
+            assert_below(error, asked[a]);
+            if (asked[a] < 1e-4) /* there the step is at its cap */
+                assert_true(error > asked[a] / 100);
+        }
+    }
+}
+
+/* The same for chains that no reference exists for, against a run of their own with a step 20 times shorter than the default's. */
+static void accuracy_holds_for_other_chains(void **state)
+{
+    (void)state;
+    static const double asked[] = {1e-4, 1e-6, 1e-8, 1e-10};
+    static const struct {
+        const char *chain, *step;
+    } cases[] = {
+        {"chain: {beads: [{cell: [large-steel, ptfe], count: 20}]}\n", "0.2 us"},
+        {"chain: {beads: [{cell: [large-steel, ptfe], spins: \"11000011101100110001\"}]}\n", "0.2 us"},
+        {"chain: {beads: [{cell: [large-steel, aluminium, small-steel], count: 20}], wall: brass}\n", "0.1 us"},
+        {"chain: {beads: [{cell: [large-steel, aluminium], spins: \"10101101001111111111\"}, {bead: large-steel, count: 30}]}\n",
+         "0.1 us"},
+    };
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        struct bead_peak exact[256] = {{0, 0, false}};
+        char simulate[64];
+        snprintf(simulate, sizeof simulate, "method: rkn8, step: %s", cases[c].step);
+        for (size_t a = 0; a <= sizeof asked / sizeof *asked; a++) {
+            if (a > 0)
+                snprintf(simulate, sizeof simulate, "accuracy: %g", asked[a - 1]);
+            struct built built = build(cases[c].chain, simulate);
+            struct bead_run *run =
+                start_run(&built, (struct bead_run_settings){.end = INFINITY, .passage = true, .contact_peaks = true});
+            while (isnan(bead_run_arrival(run)))
+                run_until(run, bead_run_time(run) + 1e-9);
+            struct bead_outcome outcome;
+            bead_run_finish(run, bead_run_arrival(run), &outcome);
+            for (size_t k = 0; k < built.chain->contacts; k++) {
+                if (a == 0)
+                    exact[k] = outcome.contact_peaks[k];
+                else if (!exact[k].open)
+                    assert_below(fabs(outcome.contact_peaks[k].value / exact[k].value - 1), asked[a - 1]);
+            }
+            bead_run_destroy(run);
+            release(&built);
+        }
+    }
+}
+
 /* Bead force maxima of sensors, first passage (68 beads, small steel sensors at beads 39 and 48). */
 static void sensors_of_the_experiment(void **state)
 {
@@ -162,6 +224,7 @@ static void disordered_chains_agree(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(accuracy_is_what_was_asked),     cmocka_unit_test(accuracy_holds_for_other_chains),
         cmocka_unit_test(peaks_agree_with_references),    cmocka_unit_test(rk4_shows_its_known_error),
         cmocka_unit_test(orders_are_those_of_the_tables), cmocka_unit_test(sensors_of_the_experiment),
         cmocka_unit_test(disordered_chains_agree),
