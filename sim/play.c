@@ -30,7 +30,7 @@ bool bead_play_due(const struct bead_play *play, struct bead_due *due)
     if (due->time == INFINITY)
         return false;
     double earliest = due->time;
-    due->fields = 0;
+    due->fields = due->twin = 0;
     due->span = (struct bead_span){SIZE_MAX, 0};
     for (size_t i = 0; i < play->consumer_count; i++) {
         const struct bead_consumer *c = &play->consumers[i];
@@ -39,6 +39,7 @@ bool bead_play_due(const struct bead_play *play, struct bead_due *due)
         if (c->exact)
             due->time = bead_grid_time(&c->needs.grid, c->next);
         due->fields |= c->needs.fields;
+        due->twin |= c->needs.twin;
         due->span.first = c->needs.beads.first < due->span.first ? c->needs.beads.first : due->span.first;
         due->span.last = c->needs.beads.last > due->span.last ? c->needs.beads.last : due->span.last;
     }

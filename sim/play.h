@@ -35,6 +35,7 @@ struct bead_play {
     double needed; /* s: nobody needs more than this */
     bool passage;  /* the scene's `until` is the default */
     bool full_window, hash;
+    double twin; /* how much looser twin runs are, where consumers want one */
     const struct bead_kernels *kernels;
     const char *what; /* for progress */
     const volatile sig_atomic_t *stop;
@@ -45,6 +46,7 @@ struct bead_play {
 /* The runs of a pass stay, for their peaks, until bead_passed_free. */
 struct bead_passed {
     struct bead_run **runs;
+    struct bead_run **twins;       /* NULL where nobody asked */
     struct bead_outcome *outcomes; /* [chains] */
     size_t count;
     double end;   /* s: reached by all chains */
@@ -65,7 +67,7 @@ enum bead_error bead_consumer_scout(struct bead_consumer *consumer, const struct
 /* kept by play.c for its two sources */
 struct bead_due {
     double time;
-    unsigned fields;
+    unsigned fields, twin;
     struct bead_span span;
 };
 /* The next time anybody wants, and what is wanted then; false: nobody wants more. */

@@ -1,6 +1,7 @@
 /* Samples from a simulation: all chains advance together, none further than the next sample needs. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #include "sim/play.h"
@@ -42,8 +43,8 @@ static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
 {
     const struct bead_play *p = pass->play;
     struct bead_passed *passed = pass->passed;
-    *passed = (struct bead_passed){calloc(p->chain_count, sizeof *passed->runs), calloc(p->chain_count, sizeof *passed->outcomes),
-                                   0, 0, false};
+    *passed = (struct bead_passed){.runs = calloc(p->chain_count, sizeof *passed->runs),
+                                   .outcomes = calloc(p->chain_count, sizeof *passed->outcomes)};
     if (!passed->runs || !passed->outcomes)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu chains", p->chain_count);
     passed->count = p->chain_count;
@@ -61,6 +62,28 @@ static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
     return err;
 }
 
+/* The same chains again, where anybody asks for samples of them. */
+static enum bead_error create_twins(struct pass *pass, struct bead_message *msg)
+{
+    const struct bead_play *p = pass->play;
+    struct bead_run_settings settings = {
+        .kernels = p->kernels, .end = p->end, .passage = p->passage, .full_window = p->full_window, .looser = p->twin};
+    unsigned asked = 0;
+    for (size_t i = 0; i < p->consumer_count; i++)
+        asked |= p->consumers[i].needs.twin;
+    if (!asked)
+        return BEAD_OK;
+    pass->passed->twins = calloc(p->chain_count, sizeof *pass->passed->twins);
+    if (!pass->passed->twins)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu chains", p->chain_count);
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < p->chain_count; i++) {
+        settings.chain = p->chains[i];
+        err = bead_run_create(&settings, &pass->passed->twins[i], msg);
+    }
+    return err;
+}
+
 /* A front that takes this many times longer than a wave needs for the chain never comes. */
 static const double patience = 400;
 
@@ -70,9 +93,8 @@ static enum bead_error lost_front(const struct bead_play *p, size_t chain, doubl
                      bead_chain_scene(p->chains[chain])->file, bead_chain_name(p->chains[chain]), time);
 }
 
-static enum bead_error advance(struct pass *pass, size_t chain, double time, struct bead_message *msg)
+static enum bead_error advance(struct pass *pass, struct bead_run *run, double time, struct bead_message *msg)
 {
-    struct bead_run *run = pass->passed->runs[chain];
     enum bead_error err = BEAD_OK;
     while (!err && bead_run_time(run) < time && bead_run_time(run) < pass->play->end) {
         err = bead_run_step(run, msg);
@@ -99,6 +121,22 @@ static enum bead_error advance_to_arrival(struct pass *pass, size_t chain, struc
     return err;
 }
 
+/* The twin's values join the sample. */
+static enum bead_error add_twin(struct pass *pass, size_t chain, double time, const struct bead_due *due,
+                                struct bead_sample *sample, struct bead_message *msg)
+{
+    struct bead_run *twin = pass->passed->twins[chain];
+    struct bead_sample other = {.chain = chain};
+    enum bead_error err = advance(pass, twin, time, msg);
+    if (!err)
+        err = bead_run_sample(twin, time, due->twin, due->span, &other, msg);
+    if (err)
+        return err;
+    memcpy(sample->twin, other.field, sizeof sample->twin);
+    sample->twin_active = other.active;
+    return BEAD_OK;
+}
+
 static enum bead_error give_samples(struct pass *pass, struct bead_message *msg)
 {
     const struct bead_play *p = pass->play;
@@ -110,9 +148,11 @@ static enum bead_error give_samples(struct pass *pass, struct bead_message *msg)
         double time = fmin(due.time, p->end);
         for (size_t i = 0; !err && i < p->chain_count; i++) {
             struct bead_sample sample = {.chain = i};
-            err = advance(pass, i, time, msg);
+            err = advance(pass, pass->passed->runs[i], time, msg);
             if (!err)
                 err = bead_run_sample(pass->passed->runs[i], time, due.fields, due.span, &sample, msg);
+            if (!err && due.twin)
+                err = add_twin(pass, i, time, &due, &sample, msg);
             sample.time = due.time;
             if (!err)
                 err = bead_play_deliver(p, &due, &sample, i + 1 == p->chain_count, msg);
@@ -144,6 +184,12 @@ static void finish(struct pass *pass)
         pass->counts->evaluations += bead_run_evaluations(passed->runs[i]);
         pass->counts->state_hash += bead_run_hash(passed->runs[i]) * (2 * i + 1);
     }
+    for (size_t i = 0; passed->twins && i < passed->count; i++) {
+        if (!passed->twins[i])
+            continue;
+        pass->counts->twin_steps += bead_run_steps(passed->twins[i]);
+        pass->counts->twin_evaluations += bead_run_evaluations(passed->twins[i]);
+    }
     pass->counts->passes++;
 }
 
@@ -152,13 +198,15 @@ enum bead_error bead_play_simulation(const struct bead_play *play, struct bead_c
 {
     struct pass pass = {play, counts, passed, now(), 0};
     enum bead_error err = create_runs(&pass, msg);
+    if (!err)
+        err = create_twins(&pass, msg);
     if (err)
         return err;
     bead_play_start(play);
     err = give_samples(&pass, msg);
     double rest = fmin(play->end, play->needed);
     for (size_t i = 0; !err && i < play->chain_count; i++)
-        err = isfinite(rest) ? advance(&pass, i, rest, msg) : advance_to_arrival(&pass, i, msg);
+        err = isfinite(rest) ? advance(&pass, passed->runs[i], rest, msg) : advance_to_arrival(&pass, i, msg);
     finish(&pass);
     return err;
 }
@@ -167,7 +215,10 @@ void bead_passed_free(struct bead_passed *passed)
 {
     for (size_t i = 0; passed->runs && i < passed->count; i++)
         bead_run_destroy(passed->runs[i]);
+    for (size_t i = 0; passed->twins && i < passed->count; i++)
+        bead_run_destroy(passed->twins[i]);
     free(passed->runs);
+    free(passed->twins);
     free(passed->outcomes);
-    *passed = (struct bead_passed){NULL, NULL, 0, 0, false};
+    *passed = (struct bead_passed){.count = 0};
 }

@@ -20,7 +20,7 @@ static enum bead_error give(const struct bead_play *play, struct bead_trajectory
     size_t index = 0;
     enum bead_error err = find_sample(trajectory, due->time, &index, msg);
     for (size_t i = 0; !err && i < play->chain_count; i++) {
-        struct bead_sample sample;
+        struct bead_sample sample = {.chain = i};
         err = bead_trajectory_read(trajectory, index, i, due->fields, &sample, msg);
         sample.chain = i;
         if (!err)

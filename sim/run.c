@@ -45,6 +45,27 @@ static const char *chosen_method(const struct bead_chain *chain)
 
 enum bead_error bead_run_stepping(const struct bead_chain *chain, struct bead_stepping *stepping, struct bead_message *msg)
 {
+    return bead_run_twin_stepping(chain, 1, stepping, msg);
+}
+
+double bead_run_twin(const struct bead_chain *const *chains, size_t count)
+{
+    const struct bead_simulate *asked = &chains[0]->scene->simulate;
+    bool fixed = asked->step > 0, room = true;
+    for (size_t i = 0; i < count; i++) {
+        const struct bead_method *method = bead_method_row(chosen_method(chains[i]));
+        double omega = bead_chain_omega(chains[i], bead_chain_energy(chains[i]));
+        if (method && fixed)
+            room = room && 2 * asked->step * omega <= method->info.theta_max;
+        else if (method)
+            room = room && bead_control_theta(&method->info, 10 * asked->accuracy) < method->info.theta_cap;
+    }
+    return fixed ? (room ? 2 : 0.5) : (room ? 10 : 0.1);
+}
+
+enum bead_error bead_run_twin_stepping(const struct bead_chain *chain, double looser, struct bead_stepping *stepping,
+                                       struct bead_message *msg)
+{
     const char *name = chosen_method(chain);
     const struct bead_method *method = bead_method_row(name);
     const char *file = chain->scene->file;
@@ -53,8 +74,8 @@ enum bead_error bead_run_stepping(const struct bead_chain *chain, struct bead_st
     if (chain->spec->damping_coefficient > 0 && !method->info.damping)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: `%s` is for forces without damping; use rk4 or auto", file,
                          name);
-    double omega = bead_chain_omega(chain, bead_chain_energy(chain)), step = chain->scene->simulate.step;
-    double theta = bead_control_theta(&method->info, chain->scene->simulate.accuracy);
+    double omega = bead_chain_omega(chain, bead_chain_energy(chain)), step = looser * chain->scene->simulate.step;
+    double theta = bead_control_theta(&method->info, looser * chain->scene->simulate.accuracy);
     *stepping = (struct bead_stepping){method, step > 0 ? step : theta / omega, omega, theta, !(step > 0) && method->info.variable};
     /* The bound is generous: a step is hopeless only when it exceeds the limit twice over. */
     if (step * omega > 2 * method->info.theta_max)
@@ -88,7 +109,8 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a run");
     r->settings = *settings;
     r->front.arrival = NAN;
-    enum bead_error err = bead_run_stepping(settings->chain, &r->stepping, msg);
+    const double looser = settings->looser > 0 ? settings->looser : 1;
+    enum bead_error err = bead_run_twin_stepping(settings->chain, looser, &r->stepping, msg);
     if (!err)
         err = bead_stepper_create(settings->chain, r->stepping.method, settings->kernels, settings->full_window, &r->stepper, msg);
     if (!err)
@@ -103,7 +125,7 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
     }
     if (!(settings->chain->scene->simulate.step > 0))
         r->stepper->event_tolerance =
-            event_part * settings->chain->scene->simulate.accuracy * fabs(settings->chain->spec->striker_velocity);
+            event_part * looser * settings->chain->scene->simulate.accuracy * fabs(settings->chain->spec->striker_velocity);
     r->control = bead_control_start(r->stepper, r->stepping.theta, r->stepping.omega);
     r->energy_start = bead_stepper_energy(r->stepper, &r->stepper->end);
     r->momentum_start = bead_stepper_momentum(r->stepper, &r->stepper->end);

@@ -98,6 +98,20 @@ static enum bead_error check_shown(const struct bead_reader *reader, const struc
     return BEAD_OK;
 }
 
+/* Trust shows in views of all times, and needs room for its words. */
+static enum bead_error check_trust(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+{
+    struct bead_at where = bead_at_key(at, "trust");
+    bool shows = output->kind == BEAD_OUTPUT_PLOT;
+    for (size_t i = 0; i < output->view_count; i++)
+        shows = shows || output->views[i] == BEAD_VIEW_SPACETIME || output->views[i] == BEAD_VIEW_SENSORS;
+    if (!output->trust)
+        return BEAD_OK;
+    if (output->kind != BEAD_OUTPUT_PLOT && !output->axes)
+        return bead_wrong(reader, &where, "is set, but `axes: false` leaves pixels bare and no room for its line of text");
+    return shows ? BEAD_OK : bead_wrong(reader, &where, "is set, but no view shows all times: add spacetime or sensors to `views`");
+}
+
 /* Past any `./` and `/` that name nothing. */
 static const char *skip(const char *path)
 {
@@ -135,6 +149,8 @@ static enum bead_error read_output(struct bead_reader *reader, const struct bead
         err = check_times(reader, at, output);
     if (!err)
         err = check_shown(reader, at, output);
+    if (!err)
+        err = check_trust(reader, at, output);
     for (size_t i = 0; i < index && !err; i++) {
         struct bead_at where = bead_at_key(at, kinds[output->kind]);
         if (same_path(outputs[i].path, output->path))

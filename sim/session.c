@@ -123,6 +123,7 @@ static enum bead_error find_resolution(struct bead_session *s, struct bead_messa
         omega = fmax(omega, stepping.omega);
     }
     s->resolution = resolving / omega;
+    s->twin = bead_run_twin(s->chains, s->chain_count);
     return BEAD_OK;
 }
 
@@ -135,6 +136,7 @@ struct bead_play bead_session_play(const struct bead_session *s, const char *wha
                               .passage = s->passage,
                               .full_window = s->job.full_window,
                               .hash = s->job.hash,
+                              .twin = s->twin,
                               .kernels = s->kernels,
                               .what = what,
                               .stop = s->job.stop,
@@ -198,6 +200,7 @@ static enum bead_error create_sink(struct bead_session *s, struct bead_made *m, 
                                .end = s->end,
                                .native = m->shared ? s->native : (struct bead_grid){0, 0, 0},
                                .resolution = s->resolution,
+                               .twin = s->twin,
                                .threads = s->threads,
                                .directory = s->trajectory || !s->job.output ? "." : s->job.output};
     enum bead_error err = m->type->create(m->output, &stage, &m->sink, msg);
@@ -339,12 +342,18 @@ static enum bead_error limit_to_file(struct bead_session *s, struct bead_output 
     return BEAD_OK;
 }
 
-static enum bead_error check_stored(const struct bead_session *s, const struct bead_made *m, struct bead_message *msg)
+/* `index`: of the output in the file's scene. */
+static enum bead_error check_stored(const struct bead_session *s, const struct bead_made *m, size_t index, struct bead_message *msg)
 {
     unsigned missing = m->needs.fields & ~bead_trajectory_fields(s->trajectory);
     if (m->needs.contact_peaks || m->needs.bead_peaks)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: peaks are found while simulating, not from samples: run the scene",
                          m->output->path);
+    if (m->needs.twin)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED,
+                         "%s: `trust` compares two runs, and a trajectory holds one: run the scene, or draw without it: "
+                         "--set outputs.%zu.trust=false",
+                         m->output->path, index);
     for (size_t f = 0; f < BEAD_FIELD_COUNT; f++) {
         if (missing & BEAD_FIELD_BIT(f))
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED,
@@ -389,7 +398,7 @@ static enum bead_error open_trajectory(struct bead_session *s, struct bead_messa
         err = limit_to_file(s, &m->changed, msg);
     if (!err)
         err = create_sink(s, m, msg);
-    return err ? err : check_stored(s, m, msg);
+    return err ? err : check_stored(s, m, (size_t)(again - s->source->outputs), msg);
 }
 
 enum bead_error bead_session_open(const struct bead_job *job, struct bead_session **session, struct bead_message *msg)

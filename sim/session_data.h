@@ -32,6 +32,7 @@ struct bead_session {
     bool passage;                     /* the scene's `until` is the default */
     double end, needed;               /* s; end INFINITY: not known before the run */
     double resolution;                /* s */
+    double twin;                      /* how much looser a twin run is */
     struct bead_grid native;          /* of the trajectory output, every 0: none */
     const struct bead_output *keeper; /* that output */
     struct bead_made *made;

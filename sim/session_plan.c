@@ -69,6 +69,29 @@ static void plan_output(const struct bead_session *s, const struct bead_made *m,
         fprintf(out, "  the range of colours is found by a scouting pass over the same samples\n");
 }
 
+/* Who asks for a second run of all chains, and what that is. */
+static enum bead_error plan_twin(const struct bead_session *s, FILE *out, struct bead_message *msg)
+{
+    const struct bead_simulate *asked = &s->source->simulate;
+    size_t count = 0;
+    for (size_t i = 0; i < s->made_count; i++) {
+        const struct bead_made *m = &s->made[i];
+        if (m->sink && m->needs.twin)
+            fprintf(out, "%s %s", count++ ? "," : "twin: trust of", m->path);
+    }
+    if (count == 0)
+        return BEAD_OK;
+    struct bead_stepping stepping;
+    enum bead_error err = bead_run_twin_stepping(s->chains[0], s->twin, &stepping, msg);
+    if (err)
+        return err;
+    fprintf(out, " needs all chains a second time, for comparison: ");
+    if (!(asked->step > 0))
+        fprintf(out, "accuracy %.3g instead of %.3g, ", s->twin * asked->accuracy, asked->accuracy);
+    fprintf(out, "steps of %.4g us\n", 1e6 * stepping.step);
+    return BEAD_OK;
+}
+
 /* What the whole run does without. */
 static void plan_skips(const struct bead_session *s, FILE *out)
 {
@@ -105,6 +128,8 @@ enum bead_error bead_session_plan(const struct bead_session *s, FILE *out, struc
     plan_time(s, out);
     for (size_t i = 0; i < s->made_count; i++)
         plan_output(s, &s->made[i], out);
-    plan_skips(s, out);
-    return BEAD_OK;
+    enum bead_error err = plan_twin(s, out, msg);
+    if (!err)
+        plan_skips(s, out);
+    return err;
 }

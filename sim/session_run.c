@@ -53,6 +53,7 @@ static enum bead_error scout(struct bead_session *s, struct bead_consumer *consu
         *c = (struct bead_consumer){.needs = m->needs, .take = bead_consumer_scout, .made = m};
         c->needs.fields = BEAD_FIELD_BIT(m->needs.range_field);
         c->needs.contact_peaks = c->needs.bead_peaks = false;
+        c->needs.twin = 0;
         needed = fmax(needed, m->needs.until);
     }
     if (count == 0)
@@ -61,7 +62,7 @@ static enum bead_error scout(struct bead_session *s, struct bead_consumer *consu
     p.consumer_count = count;
     p.needed = needed;
     p.hash = false;
-    struct bead_passed passed = {NULL, NULL, 0, 0, false};
+    struct bead_passed passed = {.count = 0};
     enum bead_error err = play(s, &p, &passed, msg);
     bead_passed_free(&passed);
     for (size_t i = 0; i < count; i++)

@@ -115,6 +115,7 @@ struct bead_output {
     enum bead_scale scale;
     double range[2]; /* SI; NaN: automatic */
     bool axes;
+    bool trust;           /* say from when on two runs of different accuracy differ: image, movie, plot */
     double fps, duration; /* 1/s, s: movie; duration is that of the film, not of the motion */
     enum bead_view_kind views[8];
     size_t view_count;

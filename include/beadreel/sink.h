@@ -28,6 +28,7 @@ struct bead_needs {
     bool contact_peaks, bead_peaks; /* maxima of every contact's / bead's force: in the outcome */
     bool range;                     /* wants the range of `range_field` over beads and times before begin (a scouting pass) */
     enum bead_field range_field;
+    unsigned twin;   /* BEAD_FIELD_BITs, of `fields`, that samples are to have of the twin run as well: see bead_sample */
     double until;    /* s: nothing after this time is needed (tables of peaks: INFINITY = whole run) */
     const char *why; /* a few words for --plan: "600 frames of 1920 x 1080, every 5 us" (owned by the sink) */
 };
@@ -40,6 +41,7 @@ struct bead_stage {
     double end;              /* s: the end of the run */
     struct bead_grid native; /* every > 0: use these samples (those of the trajectory); 0: choose */
     double resolution;       /* s: samples this close show every oscillation */
+    double twin;             /* accuracy of a twin run, or where the scene gives steps their length, in units of the first's */
     int threads;             /* 1: do everything in the calling thread */
     const char *directory;   /* where relative paths of outputs go */
 };
