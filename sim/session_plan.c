@@ -13,10 +13,11 @@ static void plan_chain(const struct bead_session *s, size_t index, const struct 
     fprintf(out, "chain %s%s%zu beads, %zu contacts", name, *name ? ": " : "", bead_chain_beads(c), bead_chain_contacts(c));
     if (*bead_chain_spins(c))
         fprintf(out, ", M = %.4g", bead_chain_magnetism(c));
-    fprintf(out, "; %s with steps of %.4g us", stepping->method->info.name, 1e6 * stepping->step);
+    fprintf(out, "; %s with steps %s %.4g us", stepping->method->info.name, stepping->variable ? "from" : "of",
+            1e6 * stepping->step);
     double end = fmin(s->end, s->needed);
     if (isfinite(end))
-        fprintf(out, ", %.0f of them", ceil(end / stepping->step * (1 - 1e-9)));
+        fprintf(out, ", %s%.0f of them", stepping->variable ? "at most about " : "", ceil(end / stepping->step * (1 - 1e-9)));
     fprintf(out, "\n");
 }
 

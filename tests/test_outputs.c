@@ -1,0 +1,232 @@
+/* Scenes with pictures: what they skip, that they are the same for any thread count, and the same again from a trajectory. */
+#include "support.h"
+
+#include <dirent.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "beadreel/render.h"
+#include "beadreel/session.h"
+#include "beadreel/trajectory.h"
+
+static char directory[256];
+
+static int make_directory(void **state)
+{
+    (void)state;
+    snprintf(directory, sizeof directory, "%s/beadreel-outputs-XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
+    return mkdtemp(directory) ? 0 : -1;
+}
+
+static void path_of(const char *part, const char *name, char path[512])
+{
+    snprintf(path, 512, "%s/%s%s%s", directory, part, *part && *name ? "/" : "", name);
+}
+
+static void empty(const char *part)
+{
+    char path[512], file[1024];
+    path_of(part, "", path);
+    DIR *dir = opendir(path);
+    for (struct dirent *e; dir && (e = readdir(dir));) {
+        snprintf(file, sizeof file, "%s/%s", path, e->d_name);
+        if (e->d_name[0] != '.')
+            unlink(file);
+    }
+    if (dir)
+        closedir(dir);
+    rmdir(path);
+}
+
+static int empty_directory(void **state)
+{
+    (void)state;
+    static const char *const parts[] = {"a", "b", "c", ""};
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
+        empty(parts[i]);
+    return 0;
+}
+
+static size_t files_in(const char *part, const char *ending)
+{
+    char path[512];
+    size_t count = 0;
+    path_of(part, "", path);
+    DIR *dir = opendir(path);
+    assert_non_null(dir);
+    for (struct dirent *e; (e = readdir(dir));) {
+        size_t length = strlen(e->d_name);
+        count += length >= strlen(ending) && strcmp(e->d_name + length - strlen(ending), ending) == 0 && e->d_name[0] != '.';
+    }
+    closedir(dir);
+    return count;
+}
+
+static struct bead_counts play_job(struct bead_job job)
+{
+    const struct bead_sink_type *const *lists[] = {bead_data_sinks(), bead_render_sinks(), NULL};
+    struct bead_message msg = {""};
+    struct bead_session *session = NULL;
+    job.sinks = lists;
+    job.hash = true;
+    if (bead_session_open(&job, &session, &msg) || bead_session_run(session, &msg))
+        fail_msg("%s", msg.text);
+    struct bead_counts counts = *bead_session_counts(session);
+    bead_session_close(session);
+    return counts;
+}
+
+/* Run a scene text into directory/part. */
+static struct bead_counts play(const char *text, const char *part, int threads)
+{
+    char scene[512], out[512];
+    path_of("", "scene.yaml", scene);
+    path_of(part, "", out);
+    FILE *file = fopen(scene, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+    return play_job((struct bead_job){.input = scene, .output = out, .threads = threads});
+}
+
+static char *contents(const char *path, size_t *length)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        fail_msg("%s is not there", path);
+    fseek(file, 0, SEEK_END);
+    *length = (size_t)ftell(file);
+    rewind(file);
+    char *bytes = malloc(*length + 1);
+    assert_int_equal(fread(bytes, 1, *length, file), *length);
+    fclose(file);
+    return bytes;
+}
+
+/* Encoders are deterministic, so the same frames are the same bytes. */
+static void assert_same_file(const char *part, const char *other, const char *name)
+{
+    char a[512], b[512];
+    size_t la, lb;
+    path_of(part, name, a);
+    path_of(other, name, b);
+    char *ca = contents(a, &la), *cb = contents(b, &lb);
+    if (la != lb || memcmp(ca, cb, la) != 0)
+        fail_msg("%s and %s differ", a, b);
+    free(ca);
+    free(cb);
+}
+
+/* Every number of two trajectories of one chain, to the bit; the scenes they store differ. */
+static void assert_same_samples(const char *part, const char *other)
+{
+    struct bead_trajectory *t[2];
+    struct bead_message msg = {""};
+    const char *parts[2] = {part, other};
+    for (int i = 0; i < 2; i++) {
+        char path[512];
+        path_of(parts[i], "run.h5", path);
+        if (bead_trajectory_open(path, NULL, 0, &t[i], &msg))
+            fail_msg("%s", msg.text);
+    }
+    size_t samples = bead_grid_count(bead_trajectory_grid(t[0])), chains;
+    size_t beads = bead_chain_beads(bead_trajectory_chains(t[0], &chains)[0]);
+    unsigned fields = bead_trajectory_fields(t[0]);
+    assert_int_equal(samples, bead_grid_count(bead_trajectory_grid(t[1])));
+    for (size_t i = 0; i < samples; i++) {
+        struct bead_sample s[2];
+        for (int k = 0; k < 2; k++)
+            assert_int_equal(bead_trajectory_read(t[k], i, 0, fields, &s[k], &msg), BEAD_OK);
+        for (int f = 0; f < BEAD_FIELD_COUNT; f++) {
+            if (s[0].field[f])
+                assert_memory_equal(s[0].field[f], s[1].field[f], beads * sizeof(double));
+        }
+    }
+    bead_trajectory_close(t[0]);
+    bead_trajectory_close(t[1]);
+}
+
+#define CHAIN                                                                                                           \
+    "title: Test\nchain: {beads: [{cell: [large-steel, aluminium], count: 20, spins: random, magnetism: 0.2, seed: 7}," \
+    " {bead: small-steel, sensor: s}, {bead: large-steel, count: 4}], wall: brass}\n"
+#define LONG CHAIN "simulate: {until: 1.5 ms, step: 1 us}\n"
+
+static void an_image_of_some_beads_stops_with_its_time(void **state)
+{
+    (void)state;
+    struct bead_counts counts =
+        play(LONG "outputs: [{image: part.png, beads: [20, 40], time: [0, 0.5 ms], size: [300, 200]}]\n", "a", 1);
+    assert_int_equal(counts.steps, 500);
+    assert_int_equal(counts.passes, 1);
+    assert_true(counts.samples > 0);
+    assert_true(counts.sample_values < 21 * counts.samples);
+    struct bead_counts whole = play(LONG "outputs: [{image: part.png, size: [300, 200]}]\n", "a", 1);
+    assert_int_equal(whole.steps, 1500);
+    empty("a");
+}
+
+static void a_movie_without_trajectory_writes_no_hdf5(void **state)
+{
+    (void)state;
+    play(LONG "outputs: [{movie: m.mp4, size: [320, 180], fps: 10, duration: 1 s}]\n", "a", 2);
+    assert_int_equal(files_in("a", ".mp4"), 1);
+    assert_int_equal(files_in("a", ""), 1);
+    empty("a");
+}
+
+static void pictures_do_not_change_the_states(void **state)
+{
+    (void)state;
+    uint64_t hash = play(LONG "outputs: [{trajectory: run.h5, every: 2 us}]\n", "a", 1).state_hash;
+    assert_true(hash ==
+                play(LONG "outputs: [{trajectory: run.h5, every: 2 us}, {image: f.png}, {movie: m.mp4, size: [320, 180], fps: 10, "
+                          "duration: 1 s}]\n",
+                     "b", 2)
+                    .state_hash);
+    assert_same_samples("a", "b");
+    empty("a");
+    empty("b");
+}
+
+#define OUTPUTS                                                                                                      \
+    "outputs: [{trajectory: run.h5, every: 2 us}, {image: f.png, size: [400, 300]}, {image: bare.png, axes: false, " \
+    "size: [200, 100]}, {image: f.pdf}, {plot: s.svg, show: sensors}, {movie: m.mp4, size: [320, 180], fps: 20, "    \
+    "duration: 1 s}, {movie: b.mkv, views: [beads], quality: lossless, size: [320, 180], fps: 20, duration: 1 s}, "  \
+    "{image: still.png, views: [beads, profile], at: 0.4 ms, size: [640, 360]}]\n"
+static const char *const names[] = {"f.png", "bare.png", "f.pdf", "s.svg", "m.mp4", "b.mkv", "still.png"};
+
+static void threads_do_not_matter(void **state)
+{
+    (void)state;
+    play(CHAIN OUTPUTS, "a", 1);
+    play(CHAIN OUTPUTS, "b", 2);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        assert_same_file("a", "b", names[i]);
+    assert_same_file("a", "b", "run.h5");
+    empty("b");
+}
+
+static void a_trajectory_draws_the_same_again(void **state)
+{
+    (void)state;
+    char run[512], out[512], made[512];
+    play(CHAIN OUTPUTS, "a", 1);
+    path_of("a", "run.h5", run);
+    path_of("c", "", made);
+    mkdir(made, 0777);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        path_of("c", names[i], out);
+        play_job((struct bead_job){.input = run, .output = out});
+        assert_same_file("a", "c", names[i]);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_image_of_some_beads_stops_with_its_time), cmocka_unit_test(a_movie_without_trajectory_writes_no_hdf5),
+        cmocka_unit_test(pictures_do_not_change_the_states),          cmocka_unit_test(threads_do_not_matter),
+        cmocka_unit_test(a_trajectory_draws_the_same_again),
+    };
+    return cmocka_run_group_tests_name("outputs", tests, make_directory, empty_directory);
+}
