@@ -63,3 +63,15 @@ void bead_look_screen(struct bead_look *look, int width, int height, bool dark)
     }
     snprintf(look->family, sizeof look->family, "Lato");
 }
+
+/* Legible from the back of a room: type 1/28 of the height. */
+void bead_look_slide(struct bead_look *look, int width, int height, bool dark)
+{
+    static const double larger = 1.6;
+    bead_look_screen(look, width, height, dark);
+    look->title *= 0.8 * larger;
+    look->label *= larger;
+    look->tick *= 0.95 * larger;
+    look->line = whole(1.5 * look->line);
+    look->gap *= larger;
+}

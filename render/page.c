@@ -20,20 +20,28 @@ static const double inch = 0.0254;
 enum bead_error bead_page_find(const struct bead_output *output, const char *file, struct bead_page *page, struct bead_message *msg)
 {
     double size[2];
-    bool vector = is_vector(output->path), paper = output->size_is_length;
+    bool vector = is_vector(output->path), length = output->size_is_length;
     for (int i = 0; i < 2; i++)
-        size[i] = round(paper ? output->size[i] / inch * output->dpi : output->size[i]);
+        size[i] = round(length ? output->size[i] / inch * output->dpi : output->size[i]);
     if (!(size[0] >= 1 && size[1] >= 1 && size[0] <= largest_side && size[1] <= largest_side && size[0] * size[1] <= largest_area))
         return bead_fail(msg, BEAD_ERROR_SCENE,
                          "%s:%zu:%zu: size: is %.0f x %.0f pixels; at most %.0f a side and %.0f million in all", file,
                          output->place.line, output->place.column, size[0], size[1], largest_side, largest_area / 1e6);
-    *page = (struct bead_page){(int)size[0], (int)size[1], paper ? output->dpi : vector ? screen_dpi : 0, paper, vector};
+    bool screen = output->style == BEAD_STYLE_SLIDE || output->style == BEAD_STYLE_MOVIE;
+    bool paper = output->style == BEAD_STYLE_PAPER || (length && !screen);
+    double dpi = length || paper ? output->dpi : vector ? screen_dpi : 0;
+    *page = (struct bead_page){(int)size[0], (int)size[1], dpi, paper, vector};
     return BEAD_OK;
 }
 
 void bead_page_look(const struct bead_page *page, const struct bead_output *output, struct bead_look *look)
 {
-    bool dark = output->theme == BEAD_THEME_DARK;
+    bool automatic = output->theme == BEAD_THEME_AUTO;
+    bool dark = output->theme == BEAD_THEME_DARK || (automatic && output->style == BEAD_STYLE_MOVIE);
+    if (!page->paper && output->style == BEAD_STYLE_SLIDE) {
+        bead_look_slide(look, page->width, page->height, dark);
+        return;
+    }
     if (!page->paper) {
         bead_look_screen(look, page->width, page->height, dark);
         return;

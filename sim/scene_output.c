@@ -98,6 +98,18 @@ static enum bead_error check_shown(const struct bead_reader *reader, const struc
     return BEAD_OK;
 }
 
+/* Sizes that belong to a style, where the output asks for none. */
+static void style_size(const struct bead_reader *reader, const struct bead_at *at, struct bead_output *output)
+{
+    static const double one_column[] = {86e-3, 64e-3}, page_wide[] = {178e-3, 90e-3}, screen[] = {1920, 1080};
+    const double *paper = reader->scene->chain_count > 1 ? page_wide : one_column;
+    if (output->style == BEAD_STYLE_AUTO || bead_at_key(at, "size").node != at->node)
+        return;
+    output->size_is_length = output->style == BEAD_STYLE_PAPER;
+    for (size_t i = 0; i < 2; i++)
+        output->size[i] = output->size_is_length ? paper[i] : screen[i];
+}
+
 /* Trust shows in views of all times, and needs room for its words. */
 static enum bead_error check_trust(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
 {
@@ -145,6 +157,8 @@ static enum bead_error read_output(struct bead_reader *reader, const struct bead
         return no_kind(reader, at);
     if (!err)
         err = bead_options_read(reader, at, &bead_output_options, form, output);
+    if (!err)
+        style_size(reader, at, output);
     if (!err)
         err = check_times(reader, at, output);
     if (!err)

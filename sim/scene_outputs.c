@@ -23,6 +23,7 @@ static const char *const plot_shows[] = {"sensors", NULL};
 static const char *const table_shows[] = {"sensors", "peaks", "bead-peaks", NULL};
 static const char *const scales[] = {"linear", "sqrt", "log", NULL};
 static const char *const qualities[] = {"draft", "standard", "high", "lossless", NULL};
+static const char *const styles[] = {"auto", "paper", "slide", "movie", NULL};
 static const char *const themes[] = {"auto", "light", "dark", NULL};
 static const char *const fields[] = {
 #define FIELD_NAME(id, name, unit, title, place) name,
@@ -103,6 +104,14 @@ static const struct bead_option rows[] = {
      .word = "auto",
      .help = "time between samples; auto: as close as the output needs",
      .forms = TRAJECTORY | IMAGE | PLOT | TABLE},
+    {.key = "style",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(style),
+     .initial = "auto",
+     .choices = styles,
+     .help = "preset; paper: 8 pt STIX, 86 mm wide (178 mm for several chains); slide: large type for a projector; movie: type and "
+             "colours of movies; auto: paper for sizes that are lengths, else screen",
+     .forms = IMAGE | PLOT},
     {.key = "dpi",
      .offset = OUTPUT(dpi),
      .initial = "600",

@@ -28,6 +28,8 @@ struct bead_look {
 /* Paper look (lengths with dpi: 8 pt type) or screen look (type in proportion to the height, never unreadably small). */
 BEAD_API void bead_look_paper(struct bead_look *look, double dpi);
 BEAD_API void bead_look_screen(struct bead_look *look, int width, int height, bool dark);
+/* Screen look for a projector: larger type, thicker lines. */
+BEAD_API void bead_look_slide(struct bead_look *look, int width, int height, bool dark);
 
 enum bead_align { BEAD_ALIGN_START, BEAD_ALIGN_MIDDLE, BEAD_ALIGN_END, BEAD_ALIGN_BASELINE };
 

@@ -94,6 +94,7 @@ enum bead_output_kind {
 enum bead_show { BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_BEAD_PEAKS };
 enum bead_scale { BEAD_SCALE_LINEAR, BEAD_SCALE_SQRT, BEAD_SCALE_LOG };
 enum bead_quality { BEAD_QUALITY_DRAFT, BEAD_QUALITY_STANDARD, BEAD_QUALITY_HIGH, BEAD_QUALITY_LOSSLESS };
+enum bead_style { BEAD_STYLE_AUTO, BEAD_STYLE_PAPER, BEAD_STYLE_SLIDE, BEAD_STYLE_MOVIE };
 enum bead_theme { BEAD_THEME_AUTO, BEAD_THEME_LIGHT, BEAD_THEME_DARK };
 enum bead_view_kind { BEAD_VIEW_BEADS, BEAD_VIEW_PROFILE, BEAD_VIEW_SPACETIME, BEAD_VIEW_SENSORS, BEAD_VIEW_KINDS };
 
@@ -120,6 +121,7 @@ struct bead_output {
     enum bead_view_kind views[8];
     size_t view_count;
     enum bead_quality quality;
+    enum bead_style style; /* preset of image and plot: size, type, colours */
     enum bead_theme theme;
     double magnify; /* factor on displacements; 0: automatic */
     double at;      /* s; time of a still with views other than spacetime; NaN: end */
