@@ -1,42 +1,114 @@
 #include "sim/dense.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Times this close to an end of the step, as a fraction of it, are that end. */
 static const double same_time = 1e-9;
 
-static void combine_state(const struct bead_stepper *s, const double weight[5], double scale, double *y, const double *base)
+enum bead_error bead_dense_create(const struct bead_stepper *s, struct bead_dense *dense, struct bead_message *msg)
 {
-    const double *term[5] = {s->start.u, s->start.a, s->end.u, s->end.v, s->end.a};
-    s->kernels->combine(s->active, y, base, scale, s->start.v, 5, weight, term);
+    const size_t padding = 16;
+    *dense = (struct bead_dense){.septic = !(s->chain->spec->damping_coefficient > 0)};
+    if (!dense->septic)
+        return BEAD_OK;
+    dense->memory = calloc(2 * (s->beads + padding), sizeof *dense->memory);
+    if (!dense->memory)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the samples of %zu beads", s->beads);
+    dense->jerk[0] = dense->memory;
+    dense->jerk[1] = dense->memory + s->beads + padding;
+    return BEAD_OK;
 }
 
-void bead_dense_state(const struct bead_stepper *s, double t, double *u, double *v)
+void bead_dense_destroy(struct bead_dense *dense)
 {
-    double h = s->h, x = h > 0 ? (t - s->t0) / h : 1;
+    free(dense->memory);
+    *dense = (struct bead_dense){0};
+}
+
+/* d/dt of the accelerations: those of the forces' rates. */
+static void find_jerks(const struct bead_stepper *s, const struct bead_state *state, double *jerk)
+{
+    double before = 0;
+    for (size_t j = 0; j < s->active; j++) {
+        double here = bead_dense_force_rate(s, state, j);
+        jerk[j] = (before - here) * s->chain->inverse_mass[j];
+        before = here;
+    }
+}
+
+static void update_jerks(struct bead_dense *dense, const struct bead_stepper *s)
+{
+    if (dense->step == s->steps)
+        return;
+    double *spare = dense->jerk[0];
+    dense->jerk[0] = dense->jerk[1];
+    dense->jerk[1] = spare;
+    if (dense->step + 1 != s->steps || s->steps == 1)
+        find_jerks(s, &s->start, dense->jerk[0]);
+    find_jerks(s, &s->end, dense->jerk[1]);
+    dense->step = s->steps;
+}
+
+/* Weights of the end states' derivatives in the interpolant at x, of u0, v0, a0, j0, u1, v1, a1, j1; those of u0 (v0) in the
+ * displacement (velocity) less the 1 that the base of the sum brings. */
+enum { U0, V0, A0, J0, U1, V1, A1, J1, WEIGHTS };
+
+static void quintic(double x, double h, double value[WEIGHTS], double rate[WEIGHTS])
+{
+    const double x2 = x * x, x3 = x2 * x, y = 1 - x, y2 = y * y, one = x3 * (10 - 15 * x + 6 * x2), slope = 30 * x2 * y2 / h;
+    const double u[WEIGHTS] = {-one, h * x * y * y2 * (1 + 3 * x), 0.5 * h * h * x2 * y * y2, 0,
+                               one,  -h * x3 * y * (4 - 3 * x),    0.5 * h * h * x3 * y2,     0};
+    const double v[WEIGHTS] = {-slope, y2 * (1 + 2 * x - 15 * x2) - 1, 0.5 * h * x * y2 * (2 - 5 * x), 0,
+                               slope,  x2 * (-12 + 28 * x - 15 * x2),  0.5 * h * x2 * y * (3 - 5 * x), 0};
+    memcpy(value, u, sizeof u);
+    memcpy(rate, v, sizeof v);
+}
+
+static void septic(double x, double h, double value[WEIGHTS], double rate[WEIGHTS])
+{
+    const double h2 = h * h, h3 = h2 * h, x2 = x * x, x3 = x2 * x, x4 = x2 * x2, y = 1 - x, y2 = y * y, y3 = y2 * y, y4 = y2 * y2;
+    const double one = x4 * (35 - 84 * x + 70 * x2 - 20 * x3), slope = 140 * x3 * y3 / h;
+    const double u[WEIGHTS] = {-one, h * x * y4 * (1 + 4 * x + 10 * x2),    0.5 * h2 * x2 * y4 * (1 + 4 * x), h3 / 6 * x3 * y4,
+                               one,  -h * x4 * y * (15 - 24 * x + 10 * x2), 0.5 * h2 * x4 * y2 * (5 - 4 * x), -h3 / 6 * x4 * y3};
+    const double v[WEIGHTS] = {
+        -slope, y3 * (1 + 3 * x + 6 * x2 - 70 * x3) - 1,   h * x * y3 * (1 + 3 * x - 14 * x2),   h2 / 6 * x2 * y3 * (3 - 7 * x),
+        slope,  x3 * (-60 + 195 * x - 204 * x2 + 70 * x3), h * x3 * y * (10 - 25 * x + 14 * x2), h2 / 6 * x3 * y2 * (7 * x - 4)};
+    memcpy(value, u, sizeof u);
+    memcpy(rate, v, sizeof v);
+}
+
+static void combine_state(const struct bead_dense *dense, const struct bead_stepper *s, const double weight[WEIGHTS],
+                          const double *base, double *y)
+{
+    const double *all[WEIGHTS] = {s->start.u, s->start.v, s->start.a, dense->jerk[0], s->end.u, s->end.v, s->end.a, dense->jerk[1]};
+    const double *term[WEIGHTS];
+    double coefficient[WEIGHTS];
+    size_t count = 0;
+    for (size_t i = 0; i < WEIGHTS; i++) {
+        if (i == V0 || !all[i])
+            continue;
+        coefficient[count] = weight[i];
+        term[count++] = all[i];
+    }
+    s->kernels->combine(s->active, y, base, weight[V0], s->start.v, count, coefficient, term);
+}
+
+void bead_dense_state(struct bead_dense *dense, const struct bead_stepper *s, double t, double *u, double *v)
+{
+    double h = s->h, x = h > 0 ? (t - s->t0) / h : 1, value[WEIGHTS], rate[WEIGHTS];
     if (x >= 1 - same_time || x <= same_time) {
         const struct bead_state *end = x <= same_time ? &s->start : &s->end;
-        if (u)
-            memcpy(u, end->u, s->active * sizeof *u);
-        if (v)
-            memcpy(v, end->v, s->active * sizeof *v);
+        memcpy(u, end->u, s->active * sizeof *u);
+        memcpy(v, end->v, s->active * sizeof *v);
         return;
     }
-    double x2 = x * x, x3 = x2 * x, y = 1 - x, y2 = y * y;
-    if (u) {
-        /* 1 of u0 is the base of the sum, so its weight here is the quintic's less 1: minus that of u1. */
-        double one = x3 * (10 - 15 * x + 6 * x2);
-        double weight[5] = {-one, 0.5 * h * h * x2 * y * y2, one, -h * x3 * y * (4 - 3 * x), 0.5 * h * h * x3 * y2};
-        combine_state(s, weight, h * x * y * y2 * (1 + 3 * x), u, s->start.u);
-    }
-    if (v) {
-        double one = 30 * x2 * y2 / h;
-        double weight[5] = {-one, 0.5 * h * x * y2 * (2 - 5 * x), one, x2 * (-12 + 28 * x - 15 * x2),
-                            0.5 * h * x2 * y * (3 - 5 * x)};
-        /* Likewise the weight of v0 less 1. */
-        combine_state(s, weight, y2 * (1 + 2 * x - 15 * x2) - 1, v, s->start.v);
-    }
+    if (dense->septic)
+        update_jerks(dense, s);
+    (dense->septic ? septic : quintic)(x, h, value, rate);
+    combine_state(dense, s, value, s->start.u, u);
+    combine_state(dense, s, rate, s->start.v, v);
 }
 
 struct bead_polynomial bead_polynomial_hermite(const double at0[4], const double at1[4])

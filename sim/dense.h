@@ -6,9 +6,19 @@
 
 #include "sim/stepper.h"
 
-/* u and v (either may be NULL) of beads 0..active-1 at time t in [t0, t1] by quintic Hermite from u, u', u'' at both
- * ends; exactly the state itself at the ends. Arrays like those of struct bead_state. */
-void bead_dense_state(const struct bead_stepper *stepper, double t, double *u, double *v);
+/* Third derivatives of the displacements at both ends of a step, found where somebody looks between them, and kept. */
+struct bead_dense {
+    double *memory, *jerk[2]; /* [beads] m/s^3, at start and end of step `step` */
+    uint64_t step;            /* 0: none */
+    bool septic;              /* forces follow from displacements alone */
+};
+/* Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_dense_create(const struct bead_stepper *stepper, struct bead_dense *dense,
+                                             struct bead_message *msg);
+void bead_dense_destroy(struct bead_dense *dense);
+/* u and v of beads 0..active-1 at time t in [t0, t1] by septic Hermite from u and its three derivatives at both ends (quintic,
+ * without the third, where there is damping); exactly the state itself at the ends. Arrays like those of struct bead_state. */
+void bead_dense_state(struct bead_dense *dense, const struct bead_stepper *stepper, double t, double *u, double *v);
 
 /* A polynomial in 0 <= x <= 1 over the step: sum c_i x^i. */
 struct bead_polynomial {

@@ -26,6 +26,7 @@ struct bead_run {
     struct bead_stepping stepping;
     struct bead_stepper *stepper;
     struct bead_control control;
+    struct bead_dense dense;
     struct bead_front front;
     double energy_start, momentum_start, energy_error, embedded_error, event_error, input; /* input: energy that counts as 1 */
     struct bead_peaks *contact_peaks, *bead_peaks;
@@ -114,6 +115,8 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
     if (!err)
         err = bead_stepper_create(settings->chain, r->stepping.method, settings->kernels, settings->full_window, &r->stepper, msg);
     if (!err)
+        err = bead_dense_create(r->stepper, &r->dense, msg);
+    if (!err)
         err = allocate(r, msg);
     if (!err && settings->contact_peaks)
         err = bead_peaks_create(r->stepper, false, &r->contact_peaks, msg);
@@ -140,6 +143,7 @@ void bead_run_destroy(struct bead_run *run)
         return;
     bead_peaks_destroy(run->contact_peaks);
     bead_peaks_destroy(run->bead_peaks);
+    bead_dense_destroy(&run->dense);
     bead_stepper_destroy(run->stepper);
     free(run->state_memory);
     free(run);
@@ -295,7 +299,7 @@ enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields,
     if (last >= sample->active)
         last = sample->active - 1; /* at rest behind: zeros since the start */
     first = first < last ? first : last;
-    bead_dense_state(s, t, run->u, run->v);
+    bead_dense_state(&run->dense, s, t, run->u, run->v);
     if (fields & (BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE)))
         sample_forces(run, first > 0 ? first - 1 : 0, last);
     const double *f = run->field[BEAD_FIELD_CONTACT_FORCE];

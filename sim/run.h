@@ -6,7 +6,7 @@
  *   bead_run_finish(run, &outcome);
  *   bead_run_destroy(run);
  *
- * Output times never force the step: states between steps come from quintic Hermite interpolation of u, u', u''. */
+ * Output times never force the step: states between steps come from Hermite interpolation (dense.h). */
 #ifndef BEADREEL_SIM_RUN_H
 #define BEADREEL_SIM_RUN_H
 

@@ -23,7 +23,7 @@ static void septic_is_exact_for_septics(void **state)
     }
 }
 
-/* Samples between steps converge as the step's power 6 (velocity: 5), and are the states themselves at the ends. */
+/* Samples between steps converge as the step's power 8, and are the states themselves at the ends. */
 static void samples_between_steps_are_accurate(void **state)
 {
     (void)state;
@@ -49,7 +49,7 @@ static void samples_between_steps_are_accurate(void **state)
         release(&built);
         release(&fine);
     }
-    assert_near(log2(error[0] / error[1]), 6, 0.7);
+    assert_near(log2(error[0] / error[1]), 8, 0.7);
 }
 
 static void magnetism_is_exact(void **state)
