@@ -307,6 +307,12 @@ static const char *kind_of(const char *file)
     return strcasecmp(extension(file), "csv") == 0 ? "table" : "image";
 }
 
+static enum bead_error open_again(struct bead_session *s, const char *const *settings, size_t count, struct bead_message *msg)
+{
+    bead_trajectory_close(s->trajectory);
+    return bead_trajectory_open(s->job.input, settings, count, &s->trajectory, msg);
+}
+
 /* The file's scene has no such output: its defaults then, with the user's settings on top. */
 static enum bead_error open_with_default(struct bead_session *s, struct bead_message *msg)
 {
@@ -320,8 +326,7 @@ static enum bead_error open_with_default(struct bead_session *s, struct bead_mes
         settings[0] = outputs;
         for (size_t i = 0; i < count; i++)
             settings[i + 1] = s->job.settings[i];
-        bead_trajectory_close(s->trajectory);
-        err = bead_trajectory_open(s->job.input, settings, count + 1, &s->trajectory, msg);
+        err = open_again(s, settings, count + 1, msg);
     }
     free(settings);
     if (length > 0)
@@ -368,11 +373,12 @@ static enum bead_error open_trajectory(struct bead_session *s, struct bead_messa
     if (!s->job.output)
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s is a trajectory: say what to draw with -o FILE (png, pdf, svg, mp4, ...)",
                          s->job.input);
-    enum bead_error err = bead_trajectory_open(s->job.input, s->job.settings, s->job.setting_count, &s->trajectory, msg);
-    if (err)
-        return err;
-    if (!find_again(bead_trajectory_scene(s->trajectory), s->job.output))
+    /* As stored first: which output is meant decides what the user's settings are about. */
+    enum bead_error err = bead_trajectory_open(s->job.input, NULL, 0, &s->trajectory, msg);
+    if (!err && !find_again(bead_trajectory_scene(s->trajectory), s->job.output))
         err = open_with_default(s, msg);
+    else if (!err && s->job.setting_count > 0)
+        err = open_again(s, s->job.settings, s->job.setting_count, msg);
     if (err)
         return err;
     s->source = bead_trajectory_scene(s->trajectory);

@@ -221,12 +221,30 @@ static void a_trajectory_draws_the_same_again(void **state)
     }
 }
 
+/* A scene without pictures can be drawn all the same: with an output's defaults, and what the command line says of it. */
+static void a_trajectory_alone_can_be_drawn(void **state)
+{
+    (void)state;
+    static const char *const made[] = {"x.png", "x.svg", "x.gif"};
+    const char *settings[] = {"outputs.0.size=[320, 240]"};
+    char run[512], out[512];
+    play(CHAIN "outputs: [{trajectory: run.h5, every: 2 us}]\n", "a", 1);
+    path_of("a", "run.h5", run);
+    for (size_t i = 0; i < sizeof made / sizeof *made; i++) {
+        size_t length;
+        path_of("a", made[i], out);
+        play_job((struct bead_job){.input = run, .output = out, .settings = settings, .setting_count = 1});
+        free(contents(out, &length));
+        assert_true(length > 1000);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_image_of_some_beads_stops_with_its_time), cmocka_unit_test(a_movie_without_trajectory_writes_no_hdf5),
         cmocka_unit_test(pictures_do_not_change_the_states),          cmocka_unit_test(threads_do_not_matter),
-        cmocka_unit_test(a_trajectory_draws_the_same_again),
+        cmocka_unit_test(a_trajectory_draws_the_same_again),          cmocka_unit_test(a_trajectory_alone_can_be_drawn),
     };
     return cmocka_run_group_tests_name("outputs", tests, make_directory, empty_directory);
 }
