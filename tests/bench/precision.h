@@ -60,7 +60,7 @@ static inline bool quick(void)
 static inline double limit(void)
 {
     const char *text = getenv("BENCH_LIMIT");
-    return text ? strtod(text, NULL) : quick() ? 0.05 : 20;
+    return text ? strtod(text, NULL) : quick() ? 0.05 : 5;
 }
 
 static inline double cpu_seconds(void)

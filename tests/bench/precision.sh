@@ -1,12 +1,12 @@
 #!/bin/sh
 # Work against error of our methods and of whatever else is installed, as a table and as a diagram:
 #   precision.sh BUILD       writes BUILD/bench/work-precision.csv, .png and .pdf
-# BENCH_QUICK=1: seconds instead of minutes. BENCH_LIMIT: CPU seconds that one run may take (default 20).
+# BENCH_QUICK=1: seconds instead of minutes. BENCH_LIMIT: CPU seconds that one run may take (default 5).
 set -e
 programs=$1/tests/bench here=$(dirname "$0") out=$1/bench
 table=$out/work-precision.csv
 quick=''
-limit=${BENCH_LIMIT:-20}
+limit=${BENCH_LIMIT:-5}
 case ${BENCH_QUICK:-0} in 0) ;; *) quick=1 limit=${BENCH_LIMIT:-0.05} ;; esac
 problems='P1 P2 P3 P4 500_beads'
 mkdir -p "$out"
@@ -16,7 +16,7 @@ trap 'rm -rf "$work"' EXIT
 say() { echo "bench: $*" >&2; }
 # Whether the last row took longer than one run may.
 too_long() { awk -F, -v limit="$limit" '{cpu = $4} END {exit !(cpu > limit)}' "$work/row"; }
-# sweep SOLVER SETTINGS COMMAND...: COMMAND FILE SETTING writes a stream; coarse to fine, as long as there is time.
+# sweep SOLVER SETTINGS COMMAND...: COMMAND FILE SETTING writes a stream; as long as there is time.
 sweep() {
     solver=$1 settings=$2
     shift 2
@@ -51,10 +51,33 @@ peers() {
     if octave-cli --version > "$work/version" 2>&1; then
         steps=${quick:+0.8e-6}
         [ ! "$quick" ] || problems=P1
-        sweep "thesis (Octave)" "${steps:-0.8e-6 0.4e-6 0.2e-6 0.1e-6 0.05e-6}" thesis
+        # The thesis's own step first.
+        sweep "thesis (Octave)" "${steps:-0.1e-6 0.2e-6 0.4e-6 0.8e-6}" thesis
     else
         say "GNU Octave is not installed and left out: octave would add it"
     fi
+}
+
+# The default's time for an error, and the fastest of all others.
+summary() {
+    awk -F, 'FNR > 1 && $4 > 0 {
+        if (!($1 in seen)) { seen[$1] = 1; problem[++problems] = $1 }
+        for (digits = 4; digits <= 12; digits += 2)
+            if ($5 <= 10 ^ -digits) {
+                which = $2 == "auto" ? "auto" : "other"
+                key = $1 SUBSEP digits SUBSEP which
+                if (!(key in best) || $4 < best[key]) { best[key] = $4; name[key] = $2 }
+            }
+    }
+    END {
+        printf "\nCPU ms of the default for an error of peaks, and of the fastest other solver\n"
+        for (p = 1; p <= problems; p++)
+            for (digits = 4; digits <= 12; digits += 2) {
+                a = problem[p] SUBSEP digits SUBSEP "auto"; o = problem[p] SUBSEP digits SUBSEP "other"
+                printf "%-10s 1e-%-2d %10s %10s %s\n", problem[p], digits, a in best ? sprintf("%.3f", 1e3 * best[a]) : "-",
+                    o in best ? sprintf("%.3f", 1e3 * best[o]) : "-", name[o]
+            }
+    }' "$table"
 }
 
 echo problem,solver,setting,cpu_s,error_peaks,error_velocity,evaluations > "$table.part"
@@ -65,5 +88,6 @@ echo problem,solver,setting,cpu_s,error_peaks,error_velocity,evaluations > "$tab
 } | tee -a "$table.part"
 [ -e "$work/done" ]
 mv "$table.part" "$table"
+summary
 "$programs/precision_diagram" "$table" "$out/work-precision"
 say "wrote $table, $out/work-precision.png and .pdf"
