@@ -9,12 +9,13 @@
 struct bead_area {
     struct bead_area_setup setup;
     size_t beads, rows;
-    double *sums;         /* [along][rows], integral over time of value - rest, averaged over the row */
-    double *covered;      /* s, [along] */
-    double *rest;         /* [beads], values of beads that had not moved at the first sample */
-    double *resting;      /* [rows], the same in rows */
-    double *before, *now; /* [rows], value - rest of the last sample and of this */
-    size_t lit_before;    /* rows of `before` that may differ from 0 */
+    double *sums;    /* [along][rows], integral over time of value - rest, averaged over the row; or the value furthest from 0 in
+                        row and column, NaN where all was at rest */
+    double *covered; /* s, [along] */
+    double *rest;    /* [beads], values of beads that had not moved at the first sample */
+    double *resting; /* [rows], the same in rows */
+    double *before, *now; /* [rows], value - rest (or value) of the last sample and of this */
+    size_t lit_before;    /* rows of `before` that may differ from rest */
     double time_before;
     bool started;
 };
@@ -22,6 +23,17 @@ struct bead_area {
 static double *numbers(size_t count)
 {
     return calloc(count ? count : 1, sizeof(double));
+}
+
+static bool keeps_largest(const struct bead_area *a)
+{
+    return a->setup.sampling == BEAD_SAMPLING_MAX;
+}
+
+/* The one further from 0; b where a is NaN. */
+static double further(double a, double b)
+{
+    return fabs(b) <= fabs(a) ? a : b;
 }
 
 enum bead_error bead_area_create(const struct bead_area_setup *setup, struct bead_area **area, struct bead_message *msg)
@@ -44,6 +56,8 @@ enum bead_error bead_area_create(const struct bead_area_setup *setup, struct bea
         *area = NULL;
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image of %d x %d pixels", setup->along, setup->across);
     }
+    for (size_t i = 0; keeps_largest(a) && i < a->rows * (size_t)setup->along; i++)
+        a->sums[i] = NAN;
     return BEAD_OK;
 }
 
@@ -72,9 +86,28 @@ static size_t shares(const struct bead_area *a, size_t i, double *own, double *n
     return row;
 }
 
+/* Values furthest from 0 in rows, as far as beads below `count` reach; returns how many rows that touches. A bead counts whole in
+ * every row that it reaches into. */
+static size_t largest_in_rows(const struct bead_area *a, const double *values, size_t count, double *rows)
+{
+    size_t touched = 0;
+    for (size_t i = 0; i < a->beads; i++) {
+        size_t from = i * a->rows / a->beads, to = ((i + 1) * a->rows - 1) / a->beads;
+        if (i >= count && from >= touched)
+            break;
+        for (size_t row = from; row <= to && (i < count || row < touched); row++) {
+            rows[row] = row < touched ? further(rows[row], i < count ? values[i] : a->rest[i]) : values[i];
+            touched = row < touched ? touched : row + 1;
+        }
+    }
+    return touched;
+}
+
 /* Means over rows of values - rest, of beads below `count`; returns how many rows that touches. */
 static size_t into_rows(const struct bead_area *a, const double *values, size_t count, double *rows)
 {
+    if (keeps_largest(a))
+        return largest_in_rows(a, values, count, rows);
     if (a->rows == a->beads) {
         for (size_t i = 0; i < count; i++)
             rows[i] = values[i] - a->rest[i];
@@ -106,14 +139,26 @@ static int column_of(const struct bead_area *a, double time)
     return place > 1 ? (int)fmin(place, a->setup.along) - 1 : 0; /* or the one before: rounding must not lose a piece */
 }
 
+/* A linear piece is furthest from 0 at one of its ends, here parts of the way from `before` to `now`. */
+static void add_largest(const struct bead_area *a, double *largest, double begin, double end, size_t lit)
+{
+    for (size_t r = 0; r < lit; r++) {
+        double change = a->now[r] - a->before[r], last = end < 1 ? a->before[r] + end * change : a->now[r];
+        largest[r] = further(largest[r], further(a->before[r] + begin * change, last));
+    }
+}
+
 /* The integral of one linear piece over column c: weights of its two ends, the same for all rows. */
 static void add_piece(struct bead_area *a, int c, double from, double to, double time, size_t lit)
 {
     double length = to - from, span = time - a->time_before;
     double late = length * ((from - a->time_before) + (to - a->time_before)) / (2 * span), early = length - late;
     double *sums = a->sums + (size_t)c * a->rows;
-    for (size_t r = 0; r < lit; r++)
-        sums[r] += early * a->before[r] + late * a->now[r];
+    if (keeps_largest(a))
+        add_largest(a, sums, (from - a->time_before) / span, (to - a->time_before) / span, lit);
+    else
+        for (size_t r = 0; r < lit; r++)
+            sums[r] += early * a->before[r] + late * a->now[r];
     a->covered[c] += length;
 }
 
@@ -129,10 +174,22 @@ static void remember_rest(struct bead_area *a, const double *values, size_t acti
         double own = 1, next = 0;
         size_t row = a->rows == a->beads ? i : shares(a, i, &own, &next);
         a->rest[i] = values[i];
+        if (keeps_largest(a)) {
+            for (row = i * a->rows / a->beads; row * a->beads < (i + 1) * a->rows; row++)
+                a->resting[row] = further(a->resting[row], values[i]);
+            continue;
+        }
         a->resting[row] += own * values[i];
         if (next > 0)
             a->resting[row + 1] += next * values[i];
     }
+}
+
+/* Rows from..to - 1 as they are while nothing has moved. */
+static void set_at_rest(const struct bead_area *a, double *rows, size_t from, size_t to)
+{
+    for (size_t r = from; r < to; r++)
+        rows[r] = keeps_largest(a) ? a->resting[r] : 0;
 }
 
 void bead_area_feed(struct bead_area *area, double time, const double *values, size_t active)
@@ -144,9 +201,9 @@ void bead_area_feed(struct bead_area *area, double time, const double *values, s
     if (!a->started)
         remember_rest(a, values, count);
     size_t touched = into_rows(a, values, count, a->now);
-    if (touched < a->lit_before)
-        memset(a->now + touched, 0, (a->lit_before - touched) * sizeof *a->now);
     size_t lit = larger(touched, a->lit_before);
+    set_at_rest(a, a->now, touched, lit);
+    set_at_rest(a, a->before, a->lit_before, lit);
     if (a->started && time > a->time_before) {
         for (int c = column_of(a, a->time_before); c < a->setup.along && edge(a, c) < time; c++) {
             double from = fmax(a->time_before, edge(a, c)), to = fmin(time, edge(a, c + 1));
@@ -164,7 +221,10 @@ void bead_area_feed(struct bead_area *area, double time, const double *values, s
 
 static double row_mean(const struct bead_area *a, int c, size_t row)
 {
-    return a->resting[row] + a->sums[(size_t)c * a->rows + row] / a->covered[c];
+    double sum = a->sums[(size_t)c * a->rows + row];
+    if (keeps_largest(a))
+        return isnan(sum) ? a->resting[row] : sum;
+    return a->resting[row] + sum / a->covered[c];
 }
 
 bool bead_area_column(const struct bead_area *area, int c, double *means)
@@ -184,7 +244,8 @@ bool bead_area_column(const struct bead_area *area, int c, double *means)
         double mean = row_mean(a, c, bead);
         if (to > border) {
             double beyond = (double)(to - border) / (double)a->beads;
-            mean += beyond * (row_mean(a, c, bead + 1) - mean);
+            double next = row_mean(a, c, bead + 1);
+            mean = keeps_largest(a) ? further(mean, next) : mean + beyond * (next - mean);
         }
         means[p] = mean;
     }

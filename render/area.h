@@ -1,8 +1,9 @@
 /* Areas: samples averaged exactly over the pixels of a space-time image, as they arrive.
  *
  * Between samples, values are linear in time; across the chain, bead j is a cell from j - 1/2 to j + 1/2. Every pixel is the mean
- * of this function over the pixel's rectangle, so a pulse shorter than a pixel keeps its integral. Only sums for the pixels
- * are kept, never the samples. */
+ * of this function over the pixel's rectangle, so a pulse shorter than a pixel keeps its integral; or, where asked, the function's
+ * value furthest from 0 within the pixel, so that it keeps its height. Only one number for each pixel is kept, never the samples.
+ */
 #ifndef BEADREEL_RENDER_AREA_H
 #define BEADREEL_RENDER_AREA_H
 
@@ -11,6 +12,7 @@
 
 #include "beadreel/error.h"
 #include "beadreel/sample.h"
+#include "beadreel/scene.h"
 
 struct bead_area;
 
@@ -18,6 +20,7 @@ struct bead_area_setup {
     struct bead_span beads; /* or contacts */
     double time[2];         /* s */
     int across, along;      /* pixels along the chain, along time */
+    enum bead_sampling sampling;
 };
 
 /* Errors: MEMORY. */
@@ -26,9 +29,10 @@ void bead_area_destroy(struct bead_area *area);
 /* Values of all beads at `time`, later than the one before; beads >= active have the values they had at the first sample. Costs
  * as much as beads are active. */
 void bead_area_feed(struct bead_area *area, double time, const double *values, size_t active);
-/* Means of the pixels of time column `c` from the chain's first to its last, [across]; false: no sample has touched it. */
+/* Means (or values furthest from 0) of the pixels of time column `c` from the chain's first to its last, [across]; false: no sample
+ * has touched it. */
 bool bead_area_column(const struct bead_area *area, int c, double *means);
-/* Least and largest mean of all pixels touched; low > high where there are none. */
+/* Least and largest of all pixels touched; low > high where there are none. */
 void bead_area_extremes(const struct bead_area *area, double *low, double *high);
 
 #endif

@@ -87,6 +87,7 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
                                                 .axes = f->output->axes,
                                                 .bead_labels = true,
                                                 .time_down = moments,
+                                                .sampling = f->output->sampling,
                                                 .magnify = magnify};
         err = find_span(f, cell->chain, &panel->setup.beads, msg);
         f->coloured = f->coloured || views[v] == BEAD_VIEW_SPACETIME || views[v] == BEAD_VIEW_BEADS;

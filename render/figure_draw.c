@@ -199,6 +199,16 @@ bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
     return true;
 }
 
+void bead_figure_bar_title(const struct bead_figure *f, char *title, size_t size)
+{
+    const char *name = bead_field_info(f->output->field)->title;
+    bool largest = false;
+    for (size_t v = 0; v < f->view_count; v++)
+        largest = largest || f->cells[0].panel[v].type->kind == BEAD_VIEW_SPACETIME;
+    largest = largest && f->output->sampling == BEAD_SAMPLING_MAX;
+    snprintf(title, size, largest ? "largest %s" : "%s", name);
+}
+
 /* The bar gives up what its points take, so that it ends where the images do. */
 static void draw_bar(const struct bead_figure *f, cairo_t *cr)
 {
@@ -207,8 +217,10 @@ static void draw_bar(const struct bead_figure *f, cairo_t *cr)
     const struct bead_field_info *field = bead_field_info(f->output->field);
     bar.y += f->range.over ? point : 0;
     bar.height -= (f->range.over + f->range.under) * point;
+    char title[64];
+    bead_figure_bar_title(f, title, sizeof title);
     if (bar.height > 0)
-        bead_colour_bar_draw(cr, &f->look, &f->colours, field->unit, field->title, bar, f->range.over, f->range.under);
+        bead_colour_bar_draw(cr, &f->look, &f->colours, field->unit, title, bar, f->range.over, f->range.under);
 }
 
 enum bead_error bead_figure_decorate(struct bead_figure *f, cairo_t *cr, struct bead_message *msg)

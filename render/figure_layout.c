@@ -117,6 +117,8 @@ static double bar_labels(const struct bead_figure *f, int height)
     const struct bead_field_info *field = bead_field_info(f->output->field);
     struct bead_colours colours = f->colours;
     double widest = 0;
+    char title[64];
+    bead_figure_bar_title(f, title, sizeof title);
     static const double sizes[] = {1, 9.9, 999};
     bool given = !isnan(f->output->range[0]) && !isnan(f->output->range[1]);
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
@@ -124,7 +126,7 @@ static double bar_labels(const struct bead_figure *f, int height)
             colours.high = sizes[i];
             colours.low = colours.scale == BEAD_SCALE_LOG ? 1e-4 * sizes[i] : f->colours.low < 0 ? -sizes[i] : 0;
         }
-        widest = larger(widest, bead_colour_bar_draw(NULL, &f->look, &colours, field->unit, field->title, bar, true, true));
+        widest = larger(widest, bead_colour_bar_draw(NULL, &f->look, &colours, field->unit, title, bar, true, true));
     }
     return widest;
 }

@@ -61,6 +61,8 @@ BEAD_CHECK enum bead_error bead_figure_arrange(struct bead_figure *figure, struc
 /* Draws everything; each panel's view must be there, fed and placed. A bead_draw for vector files. */
 BEAD_CHECK enum bead_error bead_figure_decorate(struct bead_figure *figure, cairo_t *cr, struct bead_message *msg);
 
+/* Title of the colour bar: the field, and whether colours show the largest values of pixels instead of means. */
+void bead_figure_bar_title(const struct bead_figure *figure, char *title, size_t size);
 /* The heading of a cell, from the left of `box`; shortened to fit. cr NULL: whether there is anything to say. */
 bool bead_figure_heading(const struct bead_figure *figure, const struct bead_cell *cell, cairo_t *cr);
 /* Title and time above all; cr NULL: whether there is anything to say. */

@@ -73,7 +73,7 @@ static enum bead_error make_areas(struct bead_sink *sink, const double time[2], 
     enum bead_error err = BEAD_OK;
     b->beads = (struct bead_span){sink->output->beads.first, 0};
     for (size_t c = 0; !err && c < chains; c++) {
-        struct bead_area_setup setup = {sink->output->beads, {time[0], time[1]}, 0, b->page.width};
+        struct bead_area_setup setup = {sink->output->beads, {time[0], time[1]}, 0, b->page.width, sink->output->sampling};
         size_t count = count_of(sink, c);
         setup.beads.last = setup.beads.last < count ? setup.beads.last : count - 1;
         if (setup.beads.first > setup.beads.last)

@@ -66,7 +66,7 @@ static enum bead_error place(struct bead_view *v, struct bead_rect plot, struct 
 /* Sums and indices are taken when the first sample comes: a view that only decorates needs none. */
 static enum bead_error prepare(struct bead_view *v, struct bead_message *msg)
 {
-    struct bead_area_setup setup = {v->setup.beads, {v->setup.time[0], v->setup.time[1]}, v->across, v->along};
+    struct bead_area_setup setup = {v->setup.beads, {v->setup.time[0], v->setup.time[1]}, v->across, v->along, v->setup.sampling};
     enum bead_error err = bead_area_create(&setup, &v->area, msg);
     if (err)
         return err;

@@ -31,7 +31,7 @@ static double field_at(size_t bead, double time)
 
 static struct bead_area *make_area(struct bead_span beads, double from, double to, int across, int along)
 {
-    struct bead_area_setup setup = {beads, {from, to}, across, along};
+    struct bead_area_setup setup = {beads, {from, to}, across, along, BEAD_SAMPLING_AREA};
     struct bead_area *area;
     assert_int_equal(bead_area_create(&setup, &area, NULL), BEAD_OK);
     return area;

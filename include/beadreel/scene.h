@@ -93,6 +93,7 @@ enum bead_output_kind {
 };
 enum bead_show { BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_BEAD_PEAKS };
 enum bead_scale { BEAD_SCALE_LINEAR, BEAD_SCALE_SQRT, BEAD_SCALE_LOG };
+enum bead_sampling { BEAD_SAMPLING_AREA, BEAD_SAMPLING_MAX };
 enum bead_quality { BEAD_QUALITY_DRAFT, BEAD_QUALITY_STANDARD, BEAD_QUALITY_HIGH, BEAD_QUALITY_LOSSLESS };
 enum bead_style { BEAD_STYLE_AUTO, BEAD_STYLE_PAPER, BEAD_STYLE_SLIDE, BEAD_STYLE_MOVIE };
 enum bead_theme { BEAD_THEME_AUTO, BEAD_THEME_LIGHT, BEAD_THEME_DARK };
@@ -114,7 +115,8 @@ struct bead_output {
     double dpi; /* of lengths, and of rasters in vector files */
     char *colormap;
     enum bead_scale scale;
-    double range[2]; /* SI; NaN: automatic */
+    double range[2];             /* SI; NaN: automatic */
+    enum bead_sampling sampling; /* what of the samples within a pixel is shown: mean or largest */
     bool axes;
     bool trust;           /* say from when on two runs of different accuracy differ: image, movie, plot */
     double fps, duration; /* 1/s, s: movie; duration is that of the film, not of the motion */

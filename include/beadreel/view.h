@@ -33,7 +33,8 @@ struct bead_view_setup {
     bool time_down;   /* spacetime: time runs down and beads to the right (movies); else beads up, time to the right (papers) */
     bool time_shared; /* spacetime, sensors: no labels on the time axis; a view below has them */
     bool fill;        /* spacetime: show only what has passed, with a cursor at the present (movies) */
-    double magnify;   /* beads: factor on displacements, > 0 */
+    enum bead_sampling sampling; /* spacetime */
+    double magnify;              /* beads: factor on displacements, > 0 */
 };
 
 struct bead_view; /* each type's own */
