@@ -1,46 +1,11 @@
 /* Included by kernels_body.h: the part of the contact-event correction that is worth vectors, in GCC's and Clang's vector types, as
  * wide as the set has them. Lanes are contacts or the nodes of a piece; sums have a fixed order, so every set gives the same bits.
  */
-#include <immintrin.h>
 #include <string.h>
 
 #include "sim/events_patch.h"
 
 enum { NODES = BEAD_GAUSS_NODES };
-#if defined __AVX512F__
-#define LANES      8
-#define ROOT_OF(x) _mm512_sqrt_pd(x)
-#elif defined __AVX2__
-#define LANES      4
-#define ROOT_OF(x) _mm256_sqrt_pd(x)
-#else
-#define LANES      2
-#define ROOT_OF(x) _mm_sqrt_pd(x)
-#endif
-typedef double lanes __attribute__((vector_size(8 * LANES)));
-typedef int64_t lane_masks __attribute__((vector_size(8 * LANES)));
-typedef signed char lane_bytes __attribute__((vector_size(LANES), may_alias, aligned(1)));
-typedef double lanes_anywhere __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
-
-static inline lanes load_lanes(const double *p)
-{
-    return *(const lanes_anywhere *)p;
-}
-
-static inline void store_lanes(double *p, lanes x)
-{
-    *(lanes_anywhere *)p = x;
-}
-
-static inline lanes positive_part(lanes x)
-{
-    return (lanes)((lane_masks)x & (x > 0));
-}
-
-static inline lanes magnitude(lanes x)
-{
-    return (lanes)((lane_masks)x & INT64_MAX);
-}
 
 /* Sum over the nodes, in pairs. */
 static inline double total(const double x[NODES])
@@ -174,6 +139,7 @@ static void place_square(double tau, struct bead_patch_piece *piece)
 static inline lanes node_forces(const struct bead_patch_rule *rule, double a, double f0, lanes d)
 {
     if (__builtin_expect(rule->hertz, 1)) {
+        /* Few at a time: the instruction takes longer but is done sooner. */
         d = positive_part(d);
         return a * (d * ROOT_OF(d)) - f0;
     }

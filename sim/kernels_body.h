@@ -3,28 +3,42 @@
 #include <math.h>
 
 #include "sim/kernels.h"
+#include "sim/kernels_vector.h"
+
+static inline double hertz_alone(double stiffness, double d)
+{
+    d = d > 0 ? d : 0;
+    return stiffness * (d * sqrt(d));
+}
+
+/* Where the last vector begins; it goes once more over some of the one before it. */
+static inline size_t vector_at(size_t k, size_t n)
+{
+    return k + LANES <= n ? k : n - LANES;
+}
 
 static void hertz(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f)
 {
-    const double *restrict a = table->stiffness;
-    double *restrict out = f;
+    const double *a = table->stiffness;
     (void)v;
-    for (size_t k = 0; k < n; k++) {
-        double d = u[k] - u[k + 1];
-        d = d > 0 ? d : 0;
-        out[k] = a[k] * (d * sqrt(d));
+    for (size_t k = 0; n < LANES && k < n; k++)
+        f[k] = hertz_alone(a[k], u[k] - u[k + 1]);
+    for (size_t i = 0; n >= LANES && i < n; i += LANES) {
+        const size_t k = vector_at(i, n);
+        store_lanes(f + k, hertz_of(load_lanes(a + k), load_lanes(u + k) - load_lanes(u + k + 1)));
     }
 }
 
 static void hertz_static(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f)
 {
-    const double *restrict a = table->stiffness, *restrict d0 = table->static_compression, *restrict f0 = table->static_force;
-    double *restrict out = f;
+    const double *a = table->stiffness, *d0 = table->static_compression, *f0 = table->static_force;
     (void)v;
-    for (size_t k = 0; k < n; k++) {
-        double d = d0[k] + (u[k] - u[k + 1]);
-        d = d > 0 ? d : 0;
-        out[k] = a[k] * (d * sqrt(d)) - f0[k];
+    for (size_t k = 0; n < LANES && k < n; k++)
+        f[k] = hertz_alone(a[k], d0[k] + (u[k] - u[k + 1])) - f0[k];
+    for (size_t i = 0; n >= LANES && i < n; i += LANES) {
+        const size_t k = vector_at(i, n);
+        lanes d = load_lanes(d0 + k) + (load_lanes(u + k) - load_lanes(u + k + 1));
+        store_lanes(f + k, hertz_of(load_lanes(a + k), d) - load_lanes(f0 + k));
     }
 }
 
