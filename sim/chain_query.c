@@ -154,3 +154,16 @@ double bead_chain_omega(const struct bead_chain *chain, double energy)
     worst = fmax(worst, here * (chain->inverse_mass[last] + right) + before * chain->inverse_mass[last]);
     return sqrt(worst);
 }
+
+double bead_chain_passage(const struct bead_chain *chain, double energy)
+{
+    struct bounds known = {{0, 0}, {0, 0}, {0, 0}, 0};
+    double time = 0;
+    for (size_t k = 0; k < chain->contacts; k++) {
+        double d = remembered_bound(&known, chain, k, energy);
+        double stiffness = chain->law->stiffness(chain->stiffness[k], &chain->spec->law, d);
+        double mass = k + 1 < chain->beads ? fmax(chain->mass[k], chain->mass[k + 1]) : chain->mass[k];
+        time += stiffness > 0 ? sqrt(mass / stiffness) : 0;
+    }
+    return time;
+}

@@ -111,8 +111,12 @@ static void print_outcome(FILE *out, size_t index, const struct bead_outcome *ou
     if (isfinite(outcome->front_arrival))
         fprintf(out, "  front arrived at the end at %s\n", command_quantity(outcome->front_arrival, "s", text, sizeof text));
     if (isfinite(outcome->energy_error))
-        fprintf(out, "  errors seen: energy %.2g, embedded method %.2g, contact events %.2g\n", outcome->energy_error,
-                outcome->embedded_error, outcome->event_error);
+        fprintf(out, "  errors seen: energy %.2g", outcome->energy_error);
+    if (isfinite(outcome->embedded_error))
+        fprintf(out, ", embedded method %.2g", outcome->embedded_error);
+    if (isfinite(outcome->event_error))
+        fprintf(out, ", contact events %.2g", outcome->event_error);
+    fputc('\n', out);
 }
 
 static void print_samples(FILE *out, const struct bead_trajectory *trajectory)

@@ -48,16 +48,23 @@ static void print_results(const struct bead_result *results, size_t count)
         printf("%-*s  %8s\n", width, results[i].path, command_quantity((double)results[i].bytes, "B", size, sizeof size));
 }
 
-/* The largest of all chains; of a run that stopped early they may not be known. */
+/* The largest of all chains; what the method cannot tell, or a stopped run did not, is left out. */
 static void print_errors(const struct bead_outcome *outcomes, size_t chains)
 {
-    double energy = 0, method = 0, events = 0;
+    double error[3] = {NAN, NAN, NAN};
+    static const char *const names[3] = {"energy", "embedded", "events"};
+    const char *separator = "; errors seen: ";
     for (size_t i = 0; i < chains; i++) {
-        energy = fmax(energy, outcomes[i].energy_error);
-        method = fmax(method, outcomes[i].embedded_error);
-        events = fmax(events, outcomes[i].event_error);
+        error[0] = fmax(error[0], outcomes[i].energy_error); /* fmax: the number, where one is none */
+        error[1] = fmax(error[1], outcomes[i].embedded_error);
+        error[2] = fmax(error[2], outcomes[i].event_error);
     }
-    printf("; errors seen: energy %.1g, embedded %.1g, events %.1g", energy, method, events);
+    for (int i = 0; i < 3; i++) {
+        if (isfinite(error[i])) {
+            printf("%s%s %.1g", separator, names[i], error[i]);
+            separator = ", ";
+        }
+    }
 }
 
 /* "2 files, 1.8 MB, in 2.1 s: 2 chains to 1.05 ms with rkn8, step 0.36 us" */

@@ -85,7 +85,7 @@ static enum bead_error create_twins(struct pass *pass, struct bead_message *msg)
 }
 
 /* A front that takes this many times longer than a wave needs for the chain never comes. */
-static const double patience = 400;
+static const double patience = 200;
 
 static enum bead_error lost_front(const struct bead_play *p, size_t chain, double time, struct bead_message *msg)
 {
@@ -109,7 +109,7 @@ static enum bead_error advance_to_arrival(struct pass *pass, size_t chain, struc
 {
     struct bead_run *run = pass->passed->runs[chain];
     const struct bead_chain *c = pass->play->chains[chain];
-    double give_up = patience * ((double)bead_chain_beads(c) + 10) / bead_chain_omega(c, bead_chain_energy(c));
+    double give_up = patience * bead_chain_passage(c, bead_chain_energy(c));
     enum bead_error err = BEAD_OK;
     while (!err && isnan(bead_run_arrival(run))) {
         err = bead_run_step(run, msg);

@@ -192,24 +192,38 @@ static void hash_state(struct bead_run *run)
     }
 }
 
-static enum bead_error check_energy(struct bead_run *run, struct bead_message *msg)
+/* Of the energy, as a part of what was put in; damping may take from it. */
+static double energy_off(const struct bead_run *run)
+{
+    const struct bead_stepper *s = run->stepper;
+    double change = bead_stepper_energy(s, &s->end) - run->energy_start;
+    if (s->chain->spec->damping_coefficient > 0 && change < 0)
+        return 0;
+    return run->input > 0 ? fabs(change) / run->input : fabs(change);
+}
+
+/* Where the energy runs away the numbers mean nothing any more. */
+static enum bead_error check_energy(struct bead_run *run, double error, struct bead_message *msg)
 {
     const struct bead_stepper *s = run->stepper;
     run->checked = s->steps;
-    double energy = bead_stepper_energy(s, &s->end), change = energy - run->energy_start;
-    bool damped = s->chain->spec->damping_coefficient > 0;
-    double error = run->input > 0 ? fabs(change) / run->input : fabs(change);
-    if (damped)
-        error = change > 0 ? error : 0;
-    if (!(error <= energy_limit)) /* also when not a number */
-        return bead_fail(
-            msg, BEAD_ERROR_NUMBERS,
-            "chain %s: at %.6g s the energy is off by %.3g of all that was put in: the step of %.3g s is too long for `%s`; "
-            "give a shorter simulate.step or leave it to `auto`",
-            bead_chain_name(s->chain), s->t1, error, run->stepping.step, s->method->info.name);
+    if (error <= energy_limit)
+        return BEAD_OK;
+    const char *advice =
+        run->stepping.variable ? "give a smaller simulate.accuracy" : "give a shorter simulate.step or leave it out";
+    return bead_fail(
+        msg, BEAD_ERROR_NUMBERS,
+        "chain %s: at %.6g s the energy is off by %.3g of all that was put in: steps of %.3g s are too long for `%s`; %s",
+        bead_chain_name(s->chain), s->t1, error, s->h, s->method->info.name, advice);
+}
+
+/* At fixed steps only, so that what the run knows of its errors does not depend on the outputs. */
+static enum bead_error note_errors(struct bead_run *run, struct bead_message *msg)
+{
+    double error = energy_off(run);
     run->energy_error = fmax(run->energy_error, error);
-    run->embedded_error = fmax(run->embedded_error, bead_estimate_embedded(s));
-    return BEAD_OK;
+    run->embedded_error = fmax(run->embedded_error, bead_estimate_embedded(run->stepper));
+    return check_energy(run, error, msg);
 }
 
 /* One step of the length chosen, or a shorter one that ends where the run does. */
@@ -248,8 +262,8 @@ enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
         bead_peaks_step(run->bead_peaks, s, limit);
     if (run->settings.hash)
         hash_state(run);
-    if (s->steps >= run->checked + CHECK_EVERY || s->t1 >= run->settings.end)
-        return check_energy(run, msg);
+    if (s->steps % CHECK_EVERY == 0 || s->t1 >= run->settings.end)
+        return note_errors(run, msg);
     return BEAD_OK;
 }
 
@@ -289,7 +303,7 @@ enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields,
     const struct bead_chain *c = s->chain;
     if (!(t >= s->t0 && t <= s->t1))
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "a sample at %.9g s lies outside the step from %.9g to %.9g s", t, s->t0, s->t1);
-    enum bead_error err = s->steps >= run->checked + CHECK_SAMPLES ? check_energy(run, msg) : BEAD_OK;
+    enum bead_error err = s->steps >= run->checked + CHECK_SAMPLES ? check_energy(run, energy_off(run), msg) : BEAD_OK;
     if (err)
         return err;
     size_t last = span.last < c->beads ? span.last : c->beads - 1, first = span.first < last ? span.first : last;
@@ -331,9 +345,9 @@ void bead_run_finish(struct bead_run *run, double end, struct bead_outcome *outc
         .energy_end = bead_stepper_energy(s, &s->end),
         .momentum_start = run->momentum_start,
         .momentum_end = bead_stepper_momentum(s, &s->end),
-        .energy_error = run->energy_error,
-        .embedded_error = speed > 0 ? run->embedded_error / speed : 0,
-        .event_error = speed > 0 ? run->event_error / speed : 0,
+        .energy_error = fmax(run->energy_error, energy_off(run)),
+        .embedded_error = s->method->tableau && speed > 0 ? fmax(run->embedded_error, bead_estimate_embedded(s)) / speed : NAN,
+        .event_error = s->events && speed > 0 ? run->event_error / speed : NAN,
         .contact_peaks = run->contact_peaks ? bead_peaks_found(run->contact_peaks) : NULL,
         .bead_peaks = run->bead_peaks ? bead_peaks_found(run->bead_peaks) : NULL,
     };

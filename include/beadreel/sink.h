@@ -66,7 +66,8 @@ struct bead_outcome {
     uint64_t steps, evaluations;         /* evaluations of one bead's force */
     double energy_start, energy_end;     /* J */
     double momentum_start, momentum_end; /* kg m/s */
-    /* What the run knows of its own errors, the largest seen of each, as parts of what was put in: */
+    /* What the run knows of its own errors, the largest seen of each, as parts of what was put in; NaN where the method
+     * has no such estimate: */
     double energy_error;   /* of the energy */
     double embedded_error; /* of a velocity: a step against the embedded method of lower order, away from contacts that open or
                               close */
