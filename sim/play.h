@@ -35,6 +35,7 @@ struct bead_play {
     double needed; /* s: nobody needs more than this */
     bool passage;  /* the scene's `until` is the default */
     bool full_window, hash;
+    int threads; /* for chains that nobody wants samples of any more; results do not depend on it */
     double twin; /* how much looser twin runs are, where consumers want one */
     const struct bead_kernels *kernels;
     const char *what; /* for progress */

@@ -1,9 +1,11 @@
 /* Samples from a simulation: all chains advance together, none further than the next sample needs. */
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
+#include "sim/crew.h"
 #include "sim/play.h"
 #include "sim/run.h"
 
@@ -13,6 +15,9 @@ struct pass {
     struct bead_passed *passed;
     double told; /* s, clock at the last progress */
     unsigned turn;
+    bool quiet;          /* in a thread that tells nobody */
+    double fraction;     /* told last; never falls */
+    atomic_size_t *done; /* chains; NULL: they advance together */
 };
 
 static double now(void)
@@ -27,14 +32,17 @@ static enum bead_error look_up(struct pass *pass, double time, struct bead_messa
 {
     const struct bead_play *p = pass->play;
     if (p->stop && *p->stop) {
-        pass->passed->stopped = true;
         return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped at %.4g s", time);
     }
-    if (!p->progress || pass->turn++ % 64 != 0 || now() - pass->told < 0.1)
+    if (pass->quiet || !p->progress || pass->turn++ % 64 != 0 || now() - pass->told < 0.1)
         return BEAD_OK;
     pass->told = now();
     double end = fmin(p->end, p->needed);
-    struct bead_progress progress = {p->what, isfinite(end) && end > 0 ? fmin(time / end, 1) : 0, time};
+    double fraction = isfinite(end) && end > 0 ? fmin(time / end, 1) : 0;
+    if (pass->done)
+        fraction = fmin(((double)atomic_load(pass->done) + fraction) / (double)p->chain_count, 1);
+    pass->fraction = fmax(pass->fraction, fraction);
+    struct bead_progress progress = {p->what, pass->fraction, time};
     p->progress(p->progress_context, &progress);
     return BEAD_OK;
 }
@@ -167,6 +175,19 @@ static enum bead_error give_samples(struct pass *pass, struct bead_message *msg)
     return err;
 }
 
+/* What is left of one chain when all samples are given. */
+static enum bead_error complete(void *context, size_t chain, bool calling, struct bead_message *msg)
+{
+    struct pass *pass = context, quiet = {.play = pass->play, .passed = pass->passed, .quiet = true};
+    struct pass *mine = calling ? pass : &quiet;
+    double rest = fmin(pass->play->end, pass->play->needed);
+    enum bead_error err =
+        isfinite(rest) ? advance(mine, pass->passed->runs[chain], rest, msg) : advance_to_arrival(mine, chain, msg);
+    if (!err)
+        atomic_fetch_add(pass->done, 1);
+    return err;
+}
+
 static void finish(struct pass *pass)
 {
     struct bead_passed *passed = pass->passed;
@@ -196,7 +217,8 @@ static void finish(struct pass *pass)
 enum bead_error bead_play_simulation(const struct bead_play *play, struct bead_counts *counts, struct bead_passed *passed,
                                      struct bead_message *msg)
 {
-    struct pass pass = {play, counts, passed, now(), 0};
+    struct pass pass = {.play = play, .counts = counts, .passed = passed, .told = now()};
+    atomic_size_t done = 0;
     enum bead_error err = create_runs(&pass, msg);
     if (!err)
         err = create_twins(&pass, msg);
@@ -204,9 +226,10 @@ enum bead_error bead_play_simulation(const struct bead_play *play, struct bead_c
         return err;
     bead_play_start(play);
     err = give_samples(&pass, msg);
-    double rest = fmin(play->end, play->needed);
-    for (size_t i = 0; !err && i < play->chain_count; i++)
-        err = isfinite(rest) ? advance(&pass, passed->runs[i], rest, msg) : advance_to_arrival(&pass, i, msg);
+    pass.done = &done;
+    if (!err)
+        err = bead_crew_run(play->chain_count, play->threads, complete, &pass, msg);
+    passed->stopped = err == BEAD_ERROR_STOPPED;
     finish(&pass);
     return err;
 }

@@ -136,6 +136,7 @@ struct bead_play bead_session_play(const struct bead_session *s, const char *wha
                               .passage = s->passage,
                               .full_window = s->job.full_window,
                               .hash = s->job.hash,
+                              .threads = s->threads,
                               .twin = s->twin,
                               .kernels = s->kernels,
                               .what = what,
