@@ -192,10 +192,19 @@ static void derivatives(const struct bead_stepper *s, const struct bead_state *s
     out[3] = h * h * h * (jerk(s, state, k) - jerk(s, state, k + 1));
 }
 
+/* The same without the third derivatives. */
+static struct bead_polynomial quintic_hermite(const double at0[4], const double at1[4])
+{
+    double c0 = at0[0], c1 = at0[1], c2 = at0[2] / 2, r0 = at1[0] - (c0 + c1 + c2), r1 = at1[1] - (c1 + 2 * c2),
+           r2 = at1[2] - 2 * c2;
+    return (struct bead_polynomial){
+        {c0, c1, c2, 10 * r0 - 4 * r1 + 0.5 * r2, -15 * r0 + 7 * r1 - r2, 6 * r0 - 3 * r1 + 0.5 * r2, 0, 0}};
+}
+
 struct bead_polynomial bead_dense_compression(const struct bead_stepper *s, size_t k)
 {
     double h = s->h, at0[4], at1[4];
     derivatives(s, &s->start, k, h, at0);
     derivatives(s, &s->end, k, h, at1);
-    return bead_polynomial_hermite(at0, at1);
+    return s->closed ? quintic_hermite(at0, at1) : bead_polynomial_hermite(at0, at1);
 }

@@ -24,7 +24,8 @@ void bead_dense_state(struct bead_dense *dense, const struct bead_stepper *stepp
 struct bead_polynomial {
     double c[8];
 };
-/* Compression of contact k over the step by septic Hermite from d, d', d'', d''' at both ends. */
+/* Compression of contact k over the step by septic Hermite from d, d', d'', d''' at both ends; with damping quintic, without d'''.
+ */
 struct bead_polynomial bead_dense_compression(const struct bead_stepper *stepper, size_t k);
 /* The septic through value and three derivatives (with respect to x) at 0 and 1. */
 struct bead_polynomial bead_polynomial_hermite(const double at0[4], const double at1[4]);

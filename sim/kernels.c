@@ -59,7 +59,9 @@ void bead_force_damped(size_t n, const struct bead_contact_table *table, const d
     for (size_t k = 0; k < n; k++) {
         double d = table->static_compression[k] + (u[k] - u[k + 1]);
         double a = table->stiffness[k], force = law->force(a, table->law, d), rate = v[k] - v[k + 1];
-        bool closed = a > 0 && (d > 0 || !law->one_sided);
+        bool closed = a > 0 && (!law->one_sided || table->closed[k]);
+        if (!closed && law->one_sided)
+            force = 0;
         if (closed && rate != 0)
             force += copysign(table->damping * pow(fabs(rate), table->damping_exponent), rate);
         if (law->one_sided && force < 0)

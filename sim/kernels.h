@@ -21,6 +21,7 @@ struct bead_contact_table {
     const double *static_force;       /* f0_k = A_k d0_k^p, subtracted */
     const struct bead_law_spec *law;
     double damping, damping_exponent;
+    const unsigned char *closed; /* with damping: contacts that count as closed, whatever their compression */
 };
 
 /* f_k of displacements u (and velocities v where damped), minus the static force. */

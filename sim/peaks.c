@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/closings.h"
 #include "sim/dense.h"
 #include "sim/events.h"
 
@@ -59,6 +60,7 @@ const struct bead_peak *bead_peaks_found(const struct bead_peaks *peaks)
 
 /* Force over the step: of one contact, or the mean of a bead's two. */
 struct force_curve {
+    const struct bead_stepper *stepper;
     const struct bead_chain *chain;
     size_t count;
     size_t contact[2];
@@ -67,7 +69,7 @@ struct force_curve {
 
 static struct force_curve curve_of(const struct bead_peaks *p, const struct bead_stepper *s, size_t index)
 {
-    struct force_curve curve = {s->chain, 0, {0, 0}, {{{0}}}};
+    struct force_curve curve = {s, s->chain, 0, {0, 0}, {{{0}}}};
     size_t first = p->of_beads && index > 0 ? index - 1 : index;
     for (size_t k = first; k <= index && k < s->chain->contacts; k++) {
         curve.contact[curve.count] = k;
@@ -76,20 +78,44 @@ static struct force_curve curve_of(const struct bead_peaks *p, const struct bead
     return curve;
 }
 
+/* With damping the force is what the contact's state in this step makes of it. */
+static double damped_force(const struct force_curve *curve, size_t i, double x)
+{
+    const struct bead_stepper *s = curve->stepper;
+    double d = bead_polynomial_value(&curve->compression[i], x), change = bead_polynomial_slope(&curve->compression[i], x) / s->h;
+    return s->was_closed[curve->contact[i]] ? fmax(bead_closings_force(s, curve->contact[i], d, change), 0) : 0;
+}
+
+static double elastic_force(const struct force_curve *curve, size_t i, double x)
+{
+    double d = bead_polynomial_value(&curve->compression[i], x);
+    return curve->chain->law->force(curve->chain->stiffness[curve->contact[i]], &curve->chain->spec->law, d);
+}
+
 static double curve_force(const struct bead_peaks *p, const struct force_curve *curve, double x)
 {
     double force = 0;
-    for (size_t i = 0; i < curve->count; i++) {
-        double d = bead_polynomial_value(&curve->compression[i], x);
-        force += curve->chain->law->force(curve->chain->stiffness[curve->contact[i]], &curve->chain->spec->law, d);
-    }
+    for (size_t i = 0; i < curve->count; i++)
+        force += curve->stepper->closed ? damped_force(curve, i, x) : elastic_force(curve, i, x);
     return p->of_beads ? 0.5 * force : force;
+}
+
+/* By differences: the rate of the damping has no closed form that is better. */
+static double damped_rate(const struct force_curve *curve, double x)
+{
+    const double near = 1e-4, from = fmax(x - near, 0), to = fmin(x + near, 1);
+    double change = 0;
+    for (size_t i = 0; i < curve->count; i++)
+        change += damped_force(curve, i, to) - damped_force(curve, i, from);
+    return change;
 }
 
 static double curve_rate(const void *context, double x)
 {
     const struct force_curve *curve = context;
     double rate = 0;
+    if (curve->stepper->closed)
+        return damped_rate(curve, x);
     for (size_t i = 0; i < curve->count; i++) {
         double d = bead_polynomial_value(&curve->compression[i], x);
         double stiffness = curve->chain->law->stiffness(curve->chain->stiffness[curve->contact[i]], &curve->chain->spec->law, d);
@@ -171,14 +197,25 @@ static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, siz
         p->best[index] = (struct bead_peak){value, time, false};
 }
 
+/* With damping the force may be largest as the contact closes. */
+static void find_jump(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct force_curve *curve,
+                      double limit)
+{
+    double value = curve_force(p, curve, 0);
+    if (s->t0 <= limit && value > p->best[index].value && curve_rate(curve, 0) <= 0)
+        p->best[index] = (struct bead_peak){value, s->t0, false};
+}
+
 /* Where the rate has one sign at both ends, it is looked at in between. */
 enum { PARTS = 8 };
 
 static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
-    if (force_bound(p, s, index) < p->best[index].value)
+    if (!s->closed && force_bound(p, s, index) < p->best[index].value)
         return;
     struct force_curve curve = curve_of(p, s, index);
+    if (s->closed)
+        find_jump(p, s, index, &curve, limit);
     double rate0 = curve_rate(&curve, 0), end = curve_rate(&curve, 1);
     const int parts = rate0 > 0 && end <= 0 ? 1 : PARTS;
     for (int i = 1; i <= parts; i++) {
@@ -248,7 +285,11 @@ void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double 
     size_t n = s->active < p->count ? s->active : p->count;
     if (s->t0 > limit)
         return;
-    bool any = p->of_beads ? mark_beads(p, s) : mark_contacts(p, s, n);
+    if (s->closed) {
+        for (size_t i = 0; i < n; i++)
+            find_peak(p, s, i, limit);
+    }
+    bool any = s->closed ? false : p->of_beads ? mark_beads(p, s) : mark_contacts(p, s, n);
     for (size_t i = 0; any && i < n; i++) {
         if (p->mark[i])
             find_peak(p, s, i, limit);

@@ -231,10 +231,10 @@ static void advance(struct bead_run *run)
 {
     struct bead_stepper *s = run->stepper;
     double h = run->stepping.step, t = (double)(s->steps + 1) * h;
-    if (run->stepping.variable) {
+    if (run->stepping.variable)
         h = bead_control_next(&run->control, s);
+    if (run->stepping.variable || s->closed) /* with damping steps end where contacts close */
         t = s->t1 + h;
-    }
     /* Where the front's arrival ends the run the steps keep their length: they must not depend on whether it was known before. */
     double end = run->settings.passage ? INFINITY : run->settings.end;
     if (t > end + last_sliver * h && s->t1 < end)
@@ -276,6 +276,7 @@ static void sample_forces(struct bead_run *run, size_t first, size_t last)
     part.stiffness += first;
     part.static_compression += first;
     part.static_force += first;
+    part.closed = s->was_closed && s->steps > 0 ? s->was_closed + first : part.closed ? part.closed + first : NULL;
     s->force(last - first + 1, &part, run->u + first, run->v + first, run->f + first);
     double *out = run->field[BEAD_FIELD_CONTACT_FORCE];
     for (size_t k = first; k <= last; k++)

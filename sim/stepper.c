@@ -5,6 +5,7 @@
 #include <string.h>
 #include <xmmintrin.h>
 
+#include "sim/closings.h"
 #include "sim/events.h"
 #include "sim/tableau.h"
 
@@ -107,10 +108,20 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
     bool printed = s->force == bead_force_printed;
     s->accelerate = printed ? bead_accelerations_printed : kernels->accelerations;
     s->inverse_mass = printed ? chain->mass : chain->inverse_mass;
-    s->table = (struct bead_contact_table){chain->stiffness,  chain->static_compression,        chain->static_force,
-                                           &chain->spec->law, chain->spec->damping_coefficient, chain->spec->damping_exponent};
+    s->table = (struct bead_contact_table){.stiffness = chain->stiffness,
+                                           .static_compression = chain->static_compression,
+                                           .static_force = chain->static_force,
+                                           .law = &chain->spec->law,
+                                           .damping = chain->spec->damping_coefficient,
+                                           .damping_exponent = chain->spec->damping_exponent};
     s->event_tolerance = ldexp(fabs(chain->spec->striker_velocity), -43);
     enum bead_error err = allocate(s, msg);
+    if (!err && chain->spec->damping_coefficient > 0 && chain->law->one_sided) {
+        s->table.closed = s->closed = calloc(s->beads + 1, 1);
+        s->was_closed = calloc(s->beads + 1, 1);
+        if (!s->closed || !s->was_closed)
+            err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contacts of %zu beads", s->beads);
+    }
     if (!err && method->events)
         err = bead_events_create(s, &s->events, msg);
     if (err) {
@@ -120,6 +131,8 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
     s->end.v[0] = chain->spec->striker_velocity;
     s->active = 1;
     open_window(s, &s->end);
+    if (s->closed) /* all beads touch; the same ahead of the window */
+        memset(s->closed, 1, s->beads);
     bead_stepper_evaluate(s, s->end.u, s->end.v, s->end.f, s->end.a);
     *stepper = s;
     return BEAD_OK;
@@ -130,6 +143,8 @@ void bead_stepper_destroy(struct bead_stepper *stepper)
     if (!stepper)
         return;
     bead_events_destroy(stepper->events);
+    free(stepper->closed);
+    free(stepper->was_closed);
     free(stepper->memory);
     free(stepper);
 }
@@ -146,6 +161,8 @@ enum bead_error bead_stepper_branch(const struct bead_stepper *s, struct bead_st
         memcpy(to[i], from[i], s->active * sizeof(double));
     b->active = s->active;
     b->t1 = s->t0;
+    if (b->closed)
+        bead_closings_update(b);
     return BEAD_OK;
 }
 
@@ -159,6 +176,23 @@ void bead_stepper_evaluate(struct bead_stepper *s, const double *u, const double
 void bead_stepper_advance(struct bead_stepper *s, double t1)
 {
     bead_stepper_advance_by(s, t1 - s->t1, t1);
+}
+
+/* A step in which a contact closes or lets go is made again up to there; the next begins with the other state, and its force. */
+static void end_at_closing(struct bead_stepper *s)
+{
+    struct bead_closing first = bead_closings_first(s);
+    unsigned char other = !s->closed[first.contact];
+    if (first.at < 1) {
+        s->h *= first.at;
+        s->t1 = s->t0 + s->h;
+        s->method->step(s, s->h);
+    }
+    memcpy(s->was_closed, s->closed, s->beads);
+    bead_closings_update(s);
+    if (first.at < 1)
+        s->closed[first.contact] = other;
+    bead_stepper_evaluate(s, s->end.u, s->end.v, s->end.f, s->end.a);
 }
 
 void bead_stepper_advance_by(struct bead_stepper *s, double h, double t1)
@@ -175,6 +209,8 @@ void bead_stepper_advance_by(struct bead_stepper *s, double h, double t1)
     unsigned flags = _mm_getcsr();
     _mm_setcsr(flags | 0x8040);
     s->method->step(s, h);
+    if (s->closed)
+        end_at_closing(s);
     if (s->events)
         bead_events_correct(s->events, s);
     _mm_setcsr(flags);

@@ -48,9 +48,11 @@ struct bead_stepper {
     double *stage_a[BEAD_STAGES_MAX + 1], *stage_f[BEAD_STAGES_MAX + 1];
     double *y, *w[3];            /* work */
     uint64_t steps, evaluations; /* evaluations: contact forces computed */
-    struct bead_events *events;  /* the contact-event correction's own, NULL where the method has none */
-    double event_tolerance;      /* m/s: events that cannot change a velocity by more are left alone; the owner may set it */
-    double event_change;         /* largest change of a velocity in the last Picard sweep of this step, m/s: an error estimate */
+    /* With damping, NULL without: contacts [beads] that are closed for the whole of the next step, and of the step just made. */
+    unsigned char *closed, *was_closed;
+    struct bead_events *events; /* the contact-event correction's own, NULL where the method has none */
+    double event_tolerance;     /* m/s: events that cannot change a velocity by more are left alone; the owner may set it */
+    double event_change;        /* largest change of a velocity in the last Picard sweep of this step, m/s: an error estimate */
     void *memory;
 };
 
