@@ -88,7 +88,8 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
                                                 .bead_labels = true,
                                                 .time_down = moments,
                                                 .sampling = f->output->sampling,
-                                                .magnify = magnify};
+                                                .magnify = magnify,
+                                                .trust = f->output->trust};
         err = find_span(f, cell->chain, &panel->setup.beads, msg);
         f->coloured = f->coloured || views[v] == BEAD_VIEW_SPACETIME || views[v] == BEAD_VIEW_BEADS;
         f->collects = f->collects || bead_panel_collects(panel);
@@ -268,6 +269,7 @@ void bead_figure_needs(const struct bead_figure *f, struct bead_needs *needs)
     *needs = (struct bead_needs){.fields = fields_of(f, true) | fields_of(f, false),
                                  .beads = all_beads(f),
                                  .grid = f->grid,
+                                 .twin = f->output->trust ? fields_of(f, true) : 0,
                                  .until = f->grid.end,
                                  .why = f->why};
 }

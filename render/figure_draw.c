@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "render/figure_private.h"
+#include "render/trust_words.h"
 #include "render/units.h"
 
 static struct bead_text_style style_of(const struct bead_look *look, double size, struct bead_rgb colour)
@@ -199,6 +200,16 @@ bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
     return true;
 }
 
+/* Up to when the two runs of a cell's chain agree. */
+static void draw_trust(const struct bead_figure *f, const struct bead_cell *cell, cairo_t *cr)
+{
+    struct bead_trust trust = bead_trust_make(f->stage.scene, f->stage.twin);
+    trust.from = f->time[0];
+    trust.until = cell->horizon;
+    trust.bold = !f->page.paper;
+    bead_trust_draw(cr, &f->look, &trust, cell->trust, false);
+}
+
 void bead_figure_bar_title(const struct bead_figure *f, char *title, size_t size)
 {
     const char *name = bead_field_info(f->output->field)->title;
@@ -231,6 +242,8 @@ enum bead_error bead_figure_decorate(struct bead_figure *f, cairo_t *cr, struct 
     bead_figure_line(f, cr);
     for (size_t c = 0; !err && c < f->cell_count; c++) {
         bead_figure_heading(f, &f->cells[c], cr);
+        if (f->cells[c].trust.height > 0)
+            draw_trust(f, &f->cells[c], cr);
         for (size_t v = 0; !err && v < f->view_count; v++)
             err = f->cells[c].panel[v].type->decorate(f->cells[c].panel[v].view, cr, msg);
     }

@@ -8,7 +8,9 @@
 
 /* Lengths in units of the label's font size. */
 static const double paper_margin = 0.35, screen_margin = 1.3, between_columns = 1.3, between_rows = 0.9, between_views = 0.55;
-static const double bar_width = 1.05, bar_gap = 0.9, heading_gap = 0.45, line_gap = 0.7;
+static const double bar_width = 1.05, bar_gap = 0.9, heading_gap = 0.45, line_gap = 0.7, trust_line = 2.1;
+/* Of the line of trust: the rest keeps it off the plot. */
+static const double trust_share = 0.75;
 static const int smallest_plot = 12; /* px */
 enum { FAR = 8192 };                 /* px */
 
@@ -76,11 +78,11 @@ static enum bead_error measure(const struct bead_figure *f, const struct bead_pa
 
 /* All lengths of a layout; plots follow from them. */
 struct plan {
-    double margin, heading;
-    double *left, *right; /* [columns] */
-    struct reach *row;    /* [rows * views]: top and bottom of each line of plots */
-    double bar_room;      /* bar, gap and labels */
-    int width, *height;   /* of plots; [views] */
+    double margin, heading, trust; /* trust: of what heading includes */
+    double *left, *right;          /* [columns] */
+    struct reach *row;             /* [rows * views]: top and bottom of each line of plots */
+    double bar_room;               /* bar, gap and labels */
+    int width, *height;            /* of plots; [views] */
 };
 
 static void free_plan(struct plan *plan)
@@ -98,7 +100,9 @@ static enum bead_error make_plan(const struct bead_figure *f, struct plan *plan,
     for (size_t c = 0; c < f->cell_count; c++)
         headings = headings || bead_figure_heading(f, &f->cells[c], NULL);
     *plan = (struct plan){.margin = f->output->axes ? round((f->page.paper ? paper_margin : screen_margin) * em) : 0,
-                          .heading = headings ? round(1.15 * f->look.title + heading_gap * em) : 0};
+                          .heading = headings ? round(1.15 * f->look.title + heading_gap * em) : 0,
+                          .trust = f->output->trust ? round(trust_line * em) : 0};
+    plan->heading += plan->trust;
     plan->left = calloc(f->columns, sizeof *plan->left);
     plan->right = calloc(f->columns, sizeof *plan->right);
     plan->row = calloc(f->rows * f->view_count, sizeof *plan->row);
@@ -217,7 +221,13 @@ static void put_rows(struct bead_figure *f, const struct plan *plan, int *bottom
                 cell->panel[v].plot.y = (int)y;
                 cell->panel[v].plot.height = plan->height[v];
                 cell->heading.y = (int)heading;
-                cell->heading.height = (int)(y - heading) * (v == 0) + cell->heading.height * (v > 0);
+                if (v > 0)
+                    continue;
+                bool last = cell->column + 1 == f->columns; /* to the border of the page */
+                int width = last ? f->page.width - (int)plan->margin - cell->heading.x : cell->heading.width;
+                cell->trust =
+                    (struct bead_rect){cell->heading.x, (int)(y - plan->trust), width, (int)round(trust_share * plan->trust)};
+                cell->heading.height = (int)(y - heading - plan->trust);
             }
             *bottom = (int)y + plan->height[v];
             y += plan->height[v] + ceil(reach->bottom);

@@ -27,6 +27,8 @@ struct bead_cell {
     size_t column, row;
     struct bead_panel panel[FIGURE_VIEWS];
     struct bead_rect heading;     /* height 0: none */
+    struct bead_rect trust;       /* line of text about the horizon; height 0: none */
+    double horizon;               /* s; INFINITY: none */
     struct bead_sample moment[2]; /* samples about the time of the still, the later one last; their arrays are the cell's */
     size_t moments;
 };

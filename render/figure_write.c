@@ -56,6 +56,22 @@ static void set_ranges(struct bead_figure *f)
     }
 }
 
+/* The earliest horizon of each cell's views. */
+static void find_horizons(struct bead_figure *f)
+{
+    for (size_t c = 0; c < f->cell_count; c++) {
+        struct bead_cell *cell = &f->cells[c];
+        cell->horizon = INFINITY;
+        for (size_t v = 0; f->output->trust && v < f->view_count; v++) {
+            struct bead_panel *panel = &cell->panel[v];
+            if (panel->type->kind == BEAD_VIEW_SPACETIME)
+                cell->horizon = fmin(cell->horizon, bead_spacetime_horizon(panel->view));
+            else if (panel->type->kind == BEAD_VIEW_SENSORS)
+                cell->horizon = fmin(cell->horizon, bead_sensors_horizon(panel->view));
+        }
+    }
+}
+
 static enum bead_error feed_moments(struct bead_figure *f, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
@@ -170,6 +186,7 @@ enum bead_error bead_figure_write(struct bead_figure *f, const char *path, uint6
     struct bead_picture_notes notes;
     char description[512];
     set_ranges(f);
+    find_horizons(f);
     bead_page_notes(&f->page, f->output, f->stage.scene, description, sizeof description, &notes);
     enum bead_error err = needs_canvas(f) ? bead_canvas_create(NULL, f->page.width, f->page.height, &canvas, msg) : BEAD_OK;
     if (!err)

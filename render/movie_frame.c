@@ -10,7 +10,10 @@
 #include "render/magnify.h"
 #include "render/movie_layout.h"
 #include "render/movie_words.h"
+#include "render/trust_words.h"
 #include "render/view_beads.h"
+#include "render/view_sensors.h"
+#include "render/view_spacetime.h"
 
 struct bead_composer {
     struct bead_composer_setup setup;
@@ -28,6 +31,7 @@ struct bead_composer {
     cairo_t *cr;
     char time_text[256]; /* as shown now */
     bool started;
+    bool trust_said;
     bool over, under, bar_over, bar_under; /* values beyond the colours' range: seen; as the bar shows it */
 };
 
@@ -38,6 +42,16 @@ unsigned bead_composer_fields(const struct bead_output *output)
     for (size_t i = 0; i < output->view_count; i++) {
         const struct bead_view_type *type = bead_view_find(output->views[i]);
         fields |= type ? type->fields(&setup) : 0;
+    }
+    return fields;
+}
+
+unsigned bead_composer_twin(const struct bead_output *output)
+{
+    unsigned fields = 0;
+    for (size_t i = 0; output->trust && i < output->view_count; i++) {
+        fields |= output->views[i] == BEAD_VIEW_SPACETIME ? BEAD_FIELD_BIT(output->field) : 0;
+        fields |= output->views[i] == BEAD_VIEW_SENSORS ? BEAD_FIELD_BIT(BEAD_FIELD_FORCE) : 0;
     }
     return fields;
 }
@@ -115,7 +129,8 @@ static enum bead_error fill_wants(struct bead_composer *c, struct bead_message *
                                    .look = &c->look,
                                    .chain_count = c->setup.chain_count,
                                    .axes = output->axes,
-                                   .title = c->setup.title && c->setup.title[0]};
+                                   .title = c->setup.title && c->setup.title[0],
+                                   .trust = output->trust};
     for (size_t i = 0; i < output->view_count && i < BEAD_MOVIE_VIEWS; i++) {
         const struct bead_view_type *type = bead_view_find(output->views[i]);
         if (!type)
@@ -152,7 +167,8 @@ static enum bead_error create_views(struct bead_composer *c, struct bead_message
                                         .time_down = true,
                                         .time_shared = sensors && !labels,
                                         .fill = true,
-                                        .magnify = c->magnify};
+                                        .magnify = c->magnify,
+                                        .trust = output->trust};
         err = c->wants.views[view]->create(&setup, view_at(c, chain, view), msg);
     }
     return err;
@@ -360,6 +376,44 @@ static void draw_time(struct bead_composer *c, double time, struct bead_changes 
     bead_changes_add(changes, rect);
 }
 
+/* Whose horizon is the earliest, of what has been drawn. */
+static struct bead_trust find_trust(const struct bead_composer *c)
+{
+    struct bead_trust trust = bead_trust_make(c->setup.scene, c->setup.twin);
+    trust.from = c->setup.time[0];
+    trust.bold = true;
+    for (size_t i = 0; i < c->wants.chain_count * c->wants.view_count; i++) {
+        enum bead_view_kind kind = c->wants.views[i % c->wants.view_count]->kind;
+        double horizon = kind == BEAD_VIEW_SPACETIME ? bead_spacetime_horizon(c->views[i])
+                         : kind == BEAD_VIEW_SENSORS ? bead_sensors_horizon(c->views[i])
+                                                     : INFINITY;
+        if (horizon < trust.until) {
+            trust.until = horizon;
+            trust.chain = c->wants.chain_count > 1 ? bead_chain_name(c->setup.chains[i / c->wants.view_count]) : "";
+        }
+    }
+    return trust;
+}
+
+/* The line about the horizon: from when it is reached, or at the end where it is not. */
+static void draw_trust(struct bead_composer *c, double time, struct bead_changes *changes)
+{
+    struct bead_rect rect = c->layout.trust;
+    if (c->trust_said || rect.width == 0)
+        return;
+    struct bead_trust trust = find_trust(c);
+    if (!isfinite(trust.until) && time < c->setup.time[1])
+        return;
+    cairo_save(c->cr);
+    cairo_rectangle(c->cr, rect.x, rect.y, rect.width, rect.height);
+    cairo_clip(c->cr);
+    bead_trust_draw(c->cr, &c->look, &trust, rect, rect.x > c->layout.time.x);
+    cairo_restore(c->cr);
+    cairo_surface_flush(c->surface);
+    bead_changes_add(changes, rect);
+    c->trust_said = true;
+}
+
 enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct bead_changes *changes, struct bead_message *msg)
 {
     struct bead_rect all = {0, 0, c->frame.width, c->frame.height};
@@ -375,6 +429,7 @@ enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct 
         return err;
     cairo_surface_mark_dirty(c->surface); /* the views wrote its pixels */
     draw_time(c, time, changes);
+    draw_trust(c, time, changes);
     update_bar(c, changes);
     return BEAD_OK;
 }

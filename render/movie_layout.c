@@ -40,7 +40,7 @@ static struct measures measure(const struct bead_movie_wants *w, enum level leve
         m.line_height = whole(1.4 * look->label);
         m.stacked = w->width < w->time_width + 22 * look->label;
     }
-    int lines = level == EVERYTHING && m.time_height ? 1 + w->title : 0;
+    int lines = m.time_height ? (level == EVERYTHING ? 1 + w->title : 0) + w->trust : 0;
     int words = lines * m.line_height;
     int header = m.stacked ? m.time_height + words : words > m.time_height ? words : m.time_height;
     m.top = m.time_height > 0 ? m.margin + header : 0;
@@ -158,15 +158,21 @@ static void place_header(const struct bead_movie_wants *w, const struct measures
         return;
     int time_width = whole(w->time_width) < m->width ? whole(w->time_width) : m->width;
     layout->time = (struct bead_rect){m->left, top, time_width, m->time_height};
-    if (m->level > EVERYTHING)
-        return;
     int x = m->stacked ? m->left : m->left + time_width + 2 * gap;
     int y = m->stacked ? top + m->time_height : top;
     if (right <= x)
         return;
-    if (w->title)
-        layout->title = (struct bead_rect){x, y, right - x, m->line_height};
-    layout->facts = (struct bead_rect){x, y + (w->title ? m->line_height : 0), right - x, m->line_height};
+    struct bead_rect line = {x, y, right - x, m->line_height};
+    if (w->title && m->level == EVERYTHING) {
+        layout->title = line;
+        line.y += line.height;
+    }
+    if (m->level == EVERYTHING) {
+        layout->facts = line;
+        line.y += line.height;
+    }
+    if (w->trust)
+        layout->trust = line;
 }
 
 static bool place_chains(const struct bead_movie_wants *w, const struct measures *m, struct bead_movie_layout *layout)

@@ -23,6 +23,7 @@ struct bead_movie_wants {
     size_t view_count;
     bool axes; /* false: nothing but the views */
     bool title, headings;
+    bool trust;                                /* a line about the horizon: is left out after the other words */
     bool same_beads;                           /* all chains have the same bead axis: only the lowest is labelled */
     double time_width;                         /* of the widest time that is shown */
     double left, below_beads, below_time, bar; /* how far the axes reach out of plots, and the bar's out of the bar */
@@ -36,7 +37,7 @@ struct bead_movie_chain {
 
 struct bead_movie_layout {
     bool axes;
-    struct bead_rect time, title, facts, bar;
+    struct bead_rect time, title, facts, trust, bar;
     struct bead_movie_chain *chains; /* of the layout */
     size_t chain_count;
 };

@@ -21,7 +21,7 @@ static const double most_frames = 1e7, most_samples = 1e9;
 
 /* A sample on its way to the drawing thread; its numbers follow behind it, field by field. */
 struct snapshot {
-    size_t chain, index, active;
+    size_t chain, index, active, twin_active;
     double time;
     size_t filled; /* values from here on are those at rest; 0: never used */
     size_t owner;  /* chain of the numbers in here, + 1 */
@@ -42,7 +42,7 @@ struct bead_sink {
     double time[2], step; /* s: first and last frame, and between frames */
     size_t frames;
     struct bead_grid grid;
-    unsigned fields;
+    unsigned fields, twin;
     size_t last_bead; /* of the longest chain, as far as asked for */
 
     struct bead_composer *composer;
@@ -168,6 +168,7 @@ static enum bead_error prepare(struct bead_sink *s, struct bead_message *msg)
     settings = settings_of(s);
     err = bead_movie_check(s->output->path, &settings, msg);
     s->fields = bead_composer_fields(s->output);
+    s->twin = bead_composer_twin(s->output);
     for (size_t c = 0; c < s->stage.chain_count; c++) {
         size_t last = bead_chain_beads(s->stage.chains[c]) - 1;
         s->last_bead = last > s->last_bead ? last : s->last_bead;
@@ -203,6 +204,7 @@ static void movie_needs(const struct bead_sink *s, struct bead_needs *needs)
                                  .grid = s->grid,
                                  .range = isnan(s->output->range[0]) || isnan(s->output->range[1]),
                                  .range_field = s->output->field,
+                                 .twin = s->twin,
                                  .until = s->time[1],
                                  .why = s->why};
 }
@@ -273,13 +275,22 @@ static enum bead_error draw_frames(struct bead_sink *s, double until, struct bea
 
 static enum bead_error take_snapshot(struct bead_sink *s, struct snapshot *snapshot, struct bead_message *msg)
 {
-    struct bead_sample sample = {
-        .chain = snapshot->chain, .index = snapshot->index, .time = snapshot->time, .active = snapshot->active};
+    struct bead_sample sample = {.chain = snapshot->chain,
+                                 .index = snapshot->index,
+                                 .time = snapshot->time,
+                                 .active = snapshot->active,
+                                 .twin_active = snapshot->twin_active};
     const double *data = numbers(snapshot);
     for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++) {
         if (!(s->fields & BEAD_FIELD_BIT(f)))
             continue;
         sample.field[f] = data;
+        data += field_room(s);
+    }
+    for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++) {
+        if (!(s->twin & BEAD_FIELD_BIT(f)))
+            continue;
+        sample.twin[f] = data;
         data += field_room(s);
     }
     enum bead_error err = bead_composer_feed(s->composer, &sample, msg);
@@ -308,7 +319,7 @@ static enum bead_error draw(void *context, void *slot, int last, struct bead_mes
 
 static enum bead_error create_pipes(struct bead_sink *s, struct bead_message *msg)
 {
-    size_t numbers_bytes = field_count(s->fields) * field_room(s) * sizeof(double);
+    size_t numbers_bytes = (field_count(s->fields) + field_count(s->twin)) * field_room(s) * sizeof(double);
     size_t bytes = sizeof(struct snapshot) + numbers_bytes, chains = s->stage.chain_count;
     size_t slots = sample_bytes / bytes;
     slots = slots < LEAST_SAMPLES ? LEAST_SAMPLES : slots > MOST_SAMPLES ? MOST_SAMPLES : slots;
@@ -326,7 +337,9 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
                                         .width = s->width,
                                         .height = s->height,
                                         .time = {s->time[0], s->time[1]},
-                                        .step = s->step};
+                                        .step = s->step,
+                                        .scene = s->stage.scene,
+                                        .twin = s->stage.twin};
     struct bead_colour_range colours = bead_colour_range_find(s->output, range.low, range.high);
     setup.range[0] = colours.low;
     setup.range[1] = colours.high;
@@ -345,10 +358,13 @@ static void fill(const struct bead_sink *s, const struct bead_sample *sample, st
 {
     size_t first = s->output->beads.first, room = field_room(s);
     bool fresh = snapshot->owner != sample->chain + 1;
-    size_t moving = sample->active + 1, filled = fresh ? SIZE_MAX : snapshot->filled;
+    size_t last = s->twin && sample->twin_active > sample->active ? sample->twin_active : sample->active;
+    size_t moving = last + 1, filled = fresh ? SIZE_MAX : snapshot->filled;
     double *data = numbers(snapshot);
-    for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++) {
-        if (!(s->fields & BEAD_FIELD_BIT(f)))
+    for (unsigned i = 0; i < 2 * BEAD_FIELD_COUNT; i++) {
+        unsigned f = i % BEAD_FIELD_COUNT;
+        const double *values = i < BEAD_FIELD_COUNT ? sample->field[f] : sample->twin[f];
+        if (!((i < BEAD_FIELD_COUNT ? s->fields : s->twin) & BEAD_FIELD_BIT(f)))
             continue;
         const struct bead_chain *chain = s->stage.chains[sample->chain];
         size_t count = bead_field_info((enum bead_field)f)->of_contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain);
@@ -356,12 +372,13 @@ static void fill(const struct bead_sink *s, const struct bead_sample *sample, st
         end = end < count ? end : count;
         end = end < room ? end : room;
         if (end > first)
-            memcpy(data + first, sample->field[f] + first, (end - first) * sizeof *data);
+            memcpy(data + first, values + first, (end - first) * sizeof *data);
         data += room;
     }
     *snapshot = (struct snapshot){.chain = sample->chain,
                                   .index = sample->index,
                                   .active = sample->active,
+                                  .twin_active = sample->twin_active,
                                   .time = sample->time,
                                   .filled = moving,
                                   .owner = sample->chain + 1};

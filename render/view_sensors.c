@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/horizon.h"
 #include "render/sensor_curves.h"
 #include "render/views.h"
 
@@ -19,7 +20,8 @@ struct bead_view {
     size_t count;
     double *values; /* of one time */
     struct bead_curves curves;
-    double low, high; /* N: what the curves may reach; the axis leaves a strip for names above */
+    struct bead_curves differences; /* from the twin's, where asked for */
+    double low, high;               /* N: what the curves may reach; the axis leaves a strip for names above */
     struct bead_axis force;
     double shown; /* s: drawn until here */
     bool drawn;
@@ -36,6 +38,7 @@ static void destroy(struct bead_view *v)
     if (!v)
         return;
     bead_curves_free(&v->curves);
+    bead_curves_free(&v->differences);
     free(v->values);
     free(v);
 }
@@ -64,6 +67,7 @@ static enum bead_error create(const struct bead_view_setup *setup, struct bead_v
     v->sensors = sensors;
     v->count = count;
     bead_curves_init(&v->curves, count, setup->time);
+    bead_curves_init(&v->differences, count, setup->time);
     bead_sensors_set_range(v, fmin(0, setup->colours.low), setup->colours.high);
     *view = v;
     return BEAD_OK;
@@ -89,6 +93,19 @@ static enum bead_error place(struct bead_view *v, struct bead_rect plot, struct 
     return BEAD_OK;
 }
 
+static enum bead_error feed_twin(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
+{
+    const double *force = sample->field[BEAD_FIELD_FORCE], *twin = sample->twin[BEAD_FIELD_FORCE];
+    if (!twin)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no twin to compare with");
+    enum bead_error err = bead_curves_reserve(&v->differences, msg);
+    for (size_t k = 0; !err && k < v->count; k++)
+        v->values[k] = force[v->sensors[k].bead] - twin[v->sensors[k].bead];
+    if (!err)
+        bead_curves_add(&v->differences, sample->time, v->values);
+    return err;
+}
+
 static enum bead_error feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
 {
     const double *force = sample->field[BEAD_FIELD_FORCE];
@@ -99,7 +116,7 @@ static enum bead_error feed(struct bead_view *v, const struct bead_sample *sampl
         v->values[k] = force[v->sensors[k].bead];
     if (!err)
         bead_curves_add(&v->curves, sample->time, v->values);
-    return err;
+    return !err && v->setup.trust ? feed_twin(v, sample, msg) : err;
 }
 
 /* Colours that stay apart in print and with colour-blindness: first row on light, second on dark. */
@@ -107,6 +124,18 @@ static const struct bead_rgb inks[2][6] = {
     {{0.10, 0.32, 0.60}, {0.80, 0.33, 0.07}, {0.08, 0.49, 0.36}, {0.55, 0.27, 0.60}, {0.70, 0.52, 0.00}, {0.35, 0.37, 0.41}},
     {{0.45, 0.72, 0.98}, {0.98, 0.58, 0.30}, {0.35, 0.82, 0.62}, {0.84, 0.58, 0.90}, {0.96, 0.80, 0.31}, {0.74, 0.77, 0.81}},
 };
+double bead_sensors_horizon(const struct bead_view *v)
+{
+    double threshold = BEAD_HORIZON_PART * (v->high - v->low);
+    for (size_t s = 0; s < v->differences.count; s++) {
+        const struct bead_stretch *stretch = v->differences.stretch + s * v->count;
+        for (size_t k = 0; k < v->count; k++) {
+            if (fmax(-stretch[k].low.value, stretch[k].high.value) > threshold)
+                return stretch[k].first.time;
+        }
+    }
+    return INFINITY;
+}
 
 static struct bead_rgb ink(const struct bead_view *v, size_t k)
 {
@@ -248,6 +277,19 @@ static void paint_curves(const struct bead_view *v, cairo_t *cr, double from, do
     }
 }
 
+/* A line where the curves stop to be predictable; under them. */
+static void paint_horizon(const struct bead_view *v, cairo_t *cr)
+{
+    double time = v->setup.trust ? bead_sensors_horizon(v) : INFINITY;
+    if (!(time <= v->setup.time[1]))
+        return;
+    cairo_new_path(cr);
+    double line = v->look.line; /* covers whole pixels */
+    cairo_move_to(cr, round(x_of(v, time) - line / 2) + line / 2, v->plot.y);
+    cairo_rel_line_to(cr, 0, v->plot.height);
+    bead_horizon_stroke(cr, &v->look);
+}
+
 static void clip(cairo_t *cr, struct bead_rect rect)
 {
     cairo_rectangle(cr, rect.x, rect.y, rect.width, rect.height);
@@ -282,6 +324,7 @@ static enum bead_error draw(struct bead_view *v, double time, struct bead_frame 
         cairo_image_surface_create_for_data(frame->pixels, CAIRO_FORMAT_RGB24, frame->width, frame->height, (int)frame->stride);
     cairo_t *cr = cairo_create(surface);
     clip(cr, rect);
+    paint_horizon(v, cr);
     double margin = (v->setup.time[1] - v->setup.time[0]) * (4 * curve_width * v->look.line + 4) / v->plot.width;
     paint_curves(v, cr, from - margin, until(v, time));
     cairo_status_t status = cairo_status(cr);
@@ -298,6 +341,7 @@ static enum bead_error vector(struct bead_view *v, double time, cairo_t *cr, str
     (void)msg;
     cairo_save(cr);
     clip(cr, v->plot);
+    paint_horizon(v, cr);
     paint_curves(v, cr, -INFINITY, until(v, time));
     cairo_restore(cr);
     return BEAD_OK;

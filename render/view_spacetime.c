@@ -4,11 +4,13 @@
  * go to the right, below the beads themselves. With `fill` only what has passed is shown, with a line at the present. */
 #include "render/view_spacetime.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "render/area.h"
+#include "render/horizon.h"
 #include "render/views.h"
 
 struct bead_view {
@@ -16,10 +18,11 @@ struct bead_view {
     struct bead_look look;
     struct bead_rect plot;
     struct bead_area *area;
-    int along, across; /* pixels along time, along the chain */
-    uint8_t *indices;  /* [plot.height][plot.width], colours of the columns (or rows) done */
-    int first, done;   /* time columns first <= c < done have their final colours */
-    int shown;         /* columns up to here are in the frame */
+    struct bead_horizon *horizon; /* NULL: not asked for */
+    int along, across;            /* pixels along time, along the chain */
+    uint8_t *indices;             /* [plot.height][plot.width], colours of the columns (or rows) done */
+    int first, done;              /* time columns first <= c < done have their final colours */
+    int shown;                    /* columns up to here are in the frame */
     bool drawn, finished;
     uint32_t colour[256]; /* as in frames */
 };
@@ -66,8 +69,12 @@ static enum bead_error place(struct bead_view *v, struct bead_rect plot, struct 
 /* Sums and indices are taken when the first sample comes: a view that only decorates needs none. */
 static enum bead_error prepare(struct bead_view *v, struct bead_message *msg)
 {
-    struct bead_area_setup setup = {v->setup.beads, {v->setup.time[0], v->setup.time[1]}, v->across, v->along, v->setup.sampling};
-    enum bead_error err = bead_area_create(&setup, &v->area, msg);
+    struct bead_area_setup setup = {v->setup.beads, {v->setup.time[0], v->setup.time[1]}, v->across, v->along, BEAD_SAMPLING_AREA};
+    struct bead_area_setup sampled = setup; /* the horizon is always of means */
+    sampled.sampling = v->setup.sampling;
+    enum bead_error err = bead_area_create(&sampled, &v->area, msg);
+    if (!err && v->setup.trust)
+        err = bead_horizon_create(&setup, &v->horizon, msg);
     if (err)
         return err;
     v->indices = malloc((size_t)v->plot.width * (size_t)v->plot.height);
@@ -106,9 +113,15 @@ static enum bead_error feed(struct bead_view *v, const struct bead_sample *sampl
 {
     if (!sample->field[v->setup.field])
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no %s", bead_field_info(v->setup.field)->title);
+    const double *values = sample->field[v->setup.field], *twin = sample->twin[v->setup.field];
+    if (v->setup.trust && !twin)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no twin to compare with");
     enum bead_error err = v->area ? BEAD_OK : prepare(v, msg);
     if (!err)
-        bead_area_feed(v->area, sample->time, sample->field[v->setup.field], sample->active);
+        bead_area_feed(v->area, sample->time, values, sample->active);
+    if (!err && v->horizon)
+        bead_horizon_feed(v->horizon, sample->time, values, twin,
+                          sample->active > sample->twin_active ? sample->active : sample->twin_active);
     return err;
 }
 
@@ -191,6 +204,38 @@ static void draw_cursor(const struct bead_view *v, int at, int thickness, struct
     }
 }
 
+/* The twin's columns up to `to` are looked at; returns the first one where the line is new. */
+static int find_horizon(struct bead_view *v, int to)
+{
+    double range = v->setup.colours.high - v->setup.colours.low;
+    return v->horizon ? bead_horizon_find(v->horizon, BEAD_HORIZON_PART * range, to) : INT_MAX;
+}
+
+double bead_spacetime_horizon(struct bead_view *view)
+{
+    if (!view->setup.fill)
+        find_horizon(view, view->along);
+    return view->horizon ? bead_horizon_time(view->horizon) : INFINITY;
+}
+
+/* The horizon over a part of the frame. */
+static enum bead_error draw_horizon(const struct bead_view *v, struct bead_rect part, struct bead_frame *frame,
+                                    struct bead_message *msg)
+{
+    if (!v->horizon || part.width < 1 || part.height < 1)
+        return BEAD_OK;
+    cairo_surface_t *surface =
+        cairo_image_surface_create_for_data(frame->pixels, CAIRO_FORMAT_RGB24, frame->width, frame->height, (int)frame->stride);
+    cairo_t *cr = cairo_create(surface);
+    cairo_rectangle(cr, part.x, part.y, part.width, part.height);
+    cairo_clip(cr);
+    bead_horizon_draw(v->horizon, cr, &v->look, v->plot, v->setup.time_down, !v->setup.fill);
+    cairo_status_t status = cairo_status(cr);
+    cairo_destroy(cr);
+    cairo_surface_destroy(surface);
+    return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "horizon: %s", cairo_status_to_string(status)) : BEAD_OK;
+}
+
 /* Time columns that have passed at `time`, so that their means are final: all of them in stills. */
 static int columns_until(const struct bead_view *v, double time)
 {
@@ -222,13 +267,17 @@ static enum bead_error draw(struct bead_view *v, double time, struct bead_frame 
     enum bead_error err = v->area ? colour_columns(v, until, msg) : BEAD_OK;
     if (err)
         return err;
-    /* From where the line stood. */
-    int from = v->drawn ? smaller(v->shown, last) : 0, end = until;
+    /* From where the cursor stood, or where the horizon has changed. */
+    double reach = ceil(bead_horizon_reach(&v->look)) + 1;
+    int from = v->drawn ? smaller(v->shown, last) : 0, end = until, line = find_horizon(v, until);
+    if (line < INT_MAX)
+        from = smaller(from, line > (int)reach ? line - (int)reach : 0);
     if (v->setup.fill && background)
         bead_frame_copy(frame, background, columns_rect(v, from, until));
     int first = from < v->first ? v->first : from, to = smaller(v->done, until);
     if (v->area && to > first)
         show_columns(v, first, to, frame);
+    err = draw_horizon(v, columns_rect(v, first, to), frame, msg);
     if (cursor) {
         int at = smaller(until, last);
         draw_cursor(v, at, thickness, frame);
@@ -238,7 +287,7 @@ static enum bead_error draw(struct bead_view *v, double time, struct bead_frame 
     v->shown = until;
     v->drawn = true;
     v->finished = !cursor;
-    return BEAD_OK;
+    return err;
 }
 
 void bead_spacetime_extremes(const struct bead_view *view, double *low, double *high)
@@ -277,6 +326,11 @@ static enum bead_error vector(struct bead_view *v, double time, cairo_t *cr, str
         status = cairo_status(cr);
     }
     cairo_surface_destroy(image);
+    find_horizon(v, until);
+    if (v->horizon && !status) {
+        bead_horizon_draw(v->horizon, cr, &v->look, v->plot, down, !v->setup.fill);
+        status = cairo_status(cr);
+    }
     return status ? bead_fail(msg, BEAD_ERROR_MEMORY, "space-time image: %s", cairo_status_to_string(status)) : BEAD_OK;
 }
 
@@ -285,6 +339,7 @@ static void destroy(struct bead_view *v)
     if (!v)
         return;
     bead_area_destroy(v->area);
+    bead_horizon_destroy(v->horizon);
     free(v->indices);
     free(v);
 }

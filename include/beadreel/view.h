@@ -35,6 +35,7 @@ struct bead_view_setup {
     bool fill;        /* spacetime: show only what has passed, with a cursor at the present (movies) */
     enum bead_sampling sampling; /* spacetime */
     double magnify;              /* beads: factor on displacements, > 0 */
+    bool trust;                  /* spacetime, sensors: samples have a twin's values; mark where the two differ */
 };
 
 struct bead_view; /* each type's own */
