@@ -50,27 +50,19 @@ static double circles(const struct bead_stepper *s, size_t n, double ahead, bool
     return worst;
 }
 
-static inline double hertz_expected(const struct bead_stepper *s, size_t k, double ahead)
-{
-    const double *u = s->end.u, *v = s->end.v;
-    double rate = v[k] - v[k + 1], d = s->table.static_compression[k] + (u[k] - u[k + 1]) + (rate > 0 ? ahead * rate : 0);
-    return 1.5 * s->table.stiffness[k] * sqrt(d > 0 ? d : 0);
-}
-
-/* The same for Hertz's law: no branches, which behind the front would be guessed wrong, and no calls. */
+/* The same for Hertz's law, with vectors; works in stepper->w[0], which Nystrom methods leave alone. */
 static double hertz_circles(const struct bead_stepper *s, size_t n, double ahead)
 {
     const double *w = s->chain->inverse_mass;
-    const size_t contacts = s->chain->contacts, inner = n < contacts ? n : contacts - 1;
-    double worst = 0, before = 0, here = hertz_expected(s, 0, ahead);
-    for (size_t k = 0; k < inner; k++) {
-        double after = hertz_expected(s, k + 1, ahead), row = here * (w[k] + w[k + 1]) + before * w[k] + after * w[k + 1];
-        worst = row > worst ? row : worst;
-        before = here;
-        here = after;
-    }
-    double right = contacts < s->beads ? w[contacts] : 0, row = here * (w[inner] + right) + before * w[inner];
-    return n == contacts && row > worst ? row : worst;
+    const size_t contacts = s->chain->contacts, known = n < contacts ? n + 1 : contacts, inner = n < s->beads ? n : s->beads - 1;
+    double *k = s->w[0];
+    s->kernels->hertz_stiffness(known, &s->table, s->end.u, s->end.v, ahead, k);
+    k[known] = 0;
+    double worst = s->kernels->circles(inner, k, w);
+    if (inner == n)
+        return worst;
+    /* The wall's contact. */
+    return fmax(worst, k[inner] * w[inner] + k[inner - 1] * w[inner]);
 }
 
 struct bead_control bead_control_start(const struct bead_stepper *s, double theta, double omega)

@@ -42,6 +42,11 @@ struct bead_kernels {
     const char *name, *description;
     bead_force_kernel hertz;        /* A d^{3/2} without static part */
     bead_force_kernel hertz_static; /* with */
+    /* dA d^{3/2}/dd = 3/2 A d^{1/2} of the compressions now, or of those that the velocities lead to within `ahead` seconds. */
+    void (*hertz_stiffness)(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double ahead,
+                            double *stiffness);
+    /* The largest of k_j (w_j + w_{j+1}) + k_{j-1} w_j + k_{j+1} w_{j+1} for j < n, and 0. */
+    double (*circles)(size_t n, const double *k, const double *w);
     /* a_j = (f_{j-1} - f_j) / m_j */
     bead_acceleration_kernel accelerations;
     /* y = base + (h k_0 + 2 h k_1 + 2 h k_2 + h k_3) / 6, in the order the thesis's program adds them. */

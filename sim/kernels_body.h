@@ -42,6 +42,48 @@ static void hertz_static(size_t n, const struct bead_contact_table *table, const
     }
 }
 
+static inline lanes expected_stiffness(const struct bead_contact_table *table, const double *u, const double *v, double ahead,
+                                       size_t k)
+{
+    lanes d = load_lanes(table->static_compression + k) + (load_lanes(u + k) - load_lanes(u + k + 1));
+    d += ahead * positive_part(load_lanes(v + k) - load_lanes(v + k + 1));
+    return 1.5 * load_lanes(table->stiffness + k) * root_of(positive_part(d));
+}
+
+static void hertz_stiffness(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double ahead,
+                            double *stiffness)
+{
+    for (size_t k = 0; n < LANES && k < n; k++) {
+        double rate = v[k] - v[k + 1], d = table->static_compression[k] + (u[k] - u[k + 1]) + ahead * (rate > 0 ? rate : 0);
+        stiffness[k] = 1.5 * table->stiffness[k] * sqrt(d > 0 ? d : 0);
+    }
+    for (size_t i = 0; n >= LANES && i < n; i += LANES) {
+        const size_t k = vector_at(i, n);
+        store_lanes(stiffness + k, expected_stiffness(table, u, v, ahead, k));
+    }
+}
+
+static double circles(size_t n, const double *k, const double *w)
+{
+    double lane[8] = {0}, worst = 0;
+    size_t j = 0;
+    for (; j + 8 <= n; j += 8) {
+        for (size_t i = 0; i < 8; i++) {
+            const double *at = k + j + i;
+            const double left = w[j + i], right = w[j + i + 1];
+            double row = at[0] * (left + right) + at[-1] * left + at[1] * right;
+            lane[i] = row > lane[i] ? row : lane[i];
+        }
+    }
+    for (; j < n; j++) {
+        double row = k[j] * (w[j] + w[j + 1]) + k[(ptrdiff_t)j - 1] * w[j] + k[j + 1] * w[j + 1];
+        worst = row > worst ? row : worst;
+    }
+    for (size_t i = 0; i < 8; i++)
+        worst = lane[i] > worst ? lane[i] : worst;
+    return worst;
+}
+
 static void accelerations(size_t n, const double *f, const double *inverse_mass, double *a)
 {
     const double *restrict right = f, *restrict left = f - 1, *restrict w = inverse_mass;
@@ -153,6 +195,6 @@ static bool turns(size_t n, double h, const double *v0, const double *a0, const 
 
 #include "sim/events_body.h"
 
-const struct bead_kernels KERNELS_TABLE = {
-    KERNELS_NAME, KERNELS_DESCRIPTION, hertz,      hertz_static,   accelerations, rk4_sum, combine, largest,
-    turns,        mark_events,         load_patch, integrate_piece};
+const struct bead_kernels KERNELS_TABLE = {KERNELS_NAME, KERNELS_DESCRIPTION, hertz,      hertz_static,   hertz_stiffness,
+                                           circles,      accelerations,       rk4_sum,    combine,        largest,
+                                           turns,        mark_events,         load_patch, integrate_piece};
