@@ -19,6 +19,8 @@ struct bead_control {
 double bead_control_theta(const struct bead_method_info *method, double accuracy);
 /* For a chain whose energy bounds its frequencies by omega. */
 struct bead_control bead_control_start(const struct bead_stepper *stepper, double theta, double omega);
+/* From now on take shorter steps: the energy drifts. */
+void bead_control_shorten(struct bead_control *control);
 /* Length of the next step, s. */
 double bead_control_next(struct bead_control *control, const struct bead_stepper *stepper);
 

@@ -18,6 +18,9 @@ static const double event_part = 0.25;
  * that was put in. */
 enum { CHECK_EVERY = 64, CHECK_SAMPLES = 8 };
 static const double energy_limit = 1e-2;
+/* Small steps in a stiff spring lose a little energy each; in units of the accuracy asked, so much may go before steps become
+ * shorter, and twice what has gone before they do again. */
+static const double drift_part = 2;
 /* A step ends at the end of the run where it would miss it by this part of itself only. */
 static const double last_sliver = 1e-6;
 
@@ -32,7 +35,8 @@ struct bead_run {
     struct bead_peaks *contact_peaks, *bead_peaks;
     double *state_memory, *u, *v, *f; /* samples: state between steps */
     double *field[BEAD_FIELD_COUNT];
-    uint64_t checked; /* step that energy was looked at last */
+    double drift_bound; /* of the energy's error: where it is passed steps become shorter */
+    uint64_t checked;   /* step that energy was looked at last */
     uint64_t hash;
 };
 
@@ -130,6 +134,7 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
         r->stepper->event_tolerance =
             event_part * looser * settings->chain->scene->simulate.accuracy * fabs(settings->chain->spec->striker_velocity);
     r->control = bead_control_start(r->stepper, r->stepping.theta, r->stepping.omega);
+    r->drift_bound = drift_part * settings->chain->scene->simulate.accuracy;
     r->energy_start = bead_stepper_energy(r->stepper, &r->stepper->end);
     r->momentum_start = bead_stepper_momentum(r->stepper, &r->stepper->end);
     r->input = bead_chain_energy(settings->chain);
@@ -222,6 +227,10 @@ static enum bead_error note_errors(struct bead_run *run, struct bead_message *ms
 {
     double error = energy_off(run);
     run->energy_error = fmax(run->energy_error, error);
+    if (run->stepping.variable && error > run->drift_bound) {
+        bead_control_shorten(&run->control);
+        run->drift_bound = 2 * error;
+    }
     run->embedded_error = fmax(run->embedded_error, bead_estimate_embedded(run->stepper));
     return check_energy(run, error, msg);
 }
