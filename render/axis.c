@@ -125,6 +125,15 @@ static void keep_if_room(struct bead_axis *axis, const struct room *room)
     axis->count++;
 }
 
+/* Logarithmic axes wider than this are labelled at 1, 2 ... 9 times powers of ten only. */
+static const double wide = 5;
+
+static bool has_one_digit(double number)
+{
+    double mantissa = number / bead_power_of_ten((int)floor(log10(number) + 1e-9));
+    return fabs(mantissa - round(mantissa)) < 1e-6;
+}
+
 /* On uneven scales: the roundest numbers first, as long as there is room between those taken. */
 static void roundest_first(struct bead_axis *axis, const struct room *room)
 {
@@ -137,7 +146,7 @@ static void roundest_first(struct bead_axis *axis, const struct room *room)
             return;
         for (double k = ceil((low - slack) / step); k <= floor((high + slack) / step) && axis->count < ENOUGH_UNEVEN; k++) {
             double shown = multiple(k, mantissa, exponent);
-            if (axis->scale == BEAD_SCALE_LOG && !(shown > 0))
+            if (axis->scale == BEAD_SCALE_LOG && (!(shown > 0) || (high / low > wide && !has_one_digit(shown))))
                 continue;
             add(axis, shown, decimals_of(shown, exponent));
             keep_if_room(axis, room);
@@ -156,6 +165,25 @@ static void power_label(struct bead_tick *tick, int exponent, bool plain)
     snprintf(tick->label, sizeof tick->label, "10<sup>%.10s</sup>", number);
 }
 
+/* Places of 2, 3 ... 9 times each power of ten where these are labelled and have room, else of the powers between. */
+static void minor_ticks(struct bead_axis *axis, int every, double decade)
+{
+    static const double least_decade = 22; /* px: the narrowest gap, from 9 to 10, is 1/22 of a decade */
+    enum { MOST = sizeof axis->minor / sizeof axis->minor[0] };
+    double low = axis->low * axis->factor, high = axis->high * axis->factor;
+    bool within = every == 1 && decade >= 1.5 * least_decade;
+    int first = within ? 2 : 1, last = within ? 9 : 1;
+    if (every == 1 && !within)
+        return;
+    for (int e = (int)floor(log10(low)); e <= (int)ceil(log10(high)); e++) {
+        for (int m = first; m <= last; m++) {
+            double value = multiple(1, m, e) / axis->factor;
+            if (value >= axis->low && value <= axis->high && axis->minor_count < MOST)
+                axis->minor[axis->minor_count++] = bead_axis_place(axis, value);
+        }
+    }
+}
+
 /* Powers of ten, every n-th where they are many. */
 static void decades(struct bead_axis *axis, const struct room *room)
 {
@@ -166,6 +194,7 @@ static void decades(struct bead_axis *axis, const struct room *room)
     int every = (int)fmax(1, ceil(needed(room, width) / apart));
     while ((to - from) / every + 1 > MOST_TICKS)
         every++;
+    minor_ticks(axis, every, apart);
     from += (to - from) % every; /* with the highest among them */
     for (int e = from; e <= to; e += every) {
         add(axis, bead_power_of_ten(e), 0);
@@ -187,7 +216,7 @@ void bead_axis_make(struct bead_axis *axis, double low, double high, const char 
     if (*si_unit)
         snprintf(axis->unit, sizeof axis->unit, "%s%s", bead_prefix_sign(exponent), si_unit);
     bool sensible = isfinite(low) && isfinite(high) && high - low > 1e-12 * largest && length > 0 && em > 0;
-    if (!sensible || (scale == BEAD_SCALE_LOG && !(low > 0)))
+    if (!sensible || (scale == BEAD_SCALE_LOG && (!(low > 0) || !isfinite(high / low))))
         return;
     struct room room = {length, em, horizontal, false};
     if (scale == BEAD_SCALE_LINEAR)
@@ -196,4 +225,6 @@ void bead_axis_make(struct bead_axis *axis, double low, double high, const char 
         decades(axis, &room);
     else
         roundest_first(axis, &room);
+    if (scale == BEAD_SCALE_LOG && high / low > wide && high / low <= 30)
+        minor_ticks(axis, 1, length / log10(high / low));
 }

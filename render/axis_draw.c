@@ -4,7 +4,8 @@
 #include "beadreel/look.h"
 
 /* In units of the ticks' font size. */
-static const double tick_length = 0.38, label_gap = 0.3, digit_height = 0.7, title_gap = 0.45, smallest_title = 0.72;
+static const double tick_length = 0.38, minor_length = 0.55 /* of a tick */, label_gap = 0.3, digit_height = 0.7, title_gap = 0.45,
+                    smallest_title = 0.72;
 
 void bead_box_draw(cairo_t *cr, const struct bead_look *look, struct bead_rect plot)
 {
@@ -39,21 +40,26 @@ static double along(const struct drawing *d, double place)
     return d->downwards ? d->plot.y + place * d->plot.height : d->plot.y + (1 - place) * d->plot.height;
 }
 
+static void draw_tick(const struct drawing *d, double place, double length)
+{
+    double at = crisp(along(d, place), d->look->line);
+    if (d->side == BEAD_SIDE_BOTTOM) {
+        cairo_move_to(d->cr, at, d->edge);
+        cairo_rel_line_to(d->cr, 0, length);
+    } else {
+        cairo_move_to(d->cr, d->edge, at);
+        cairo_rel_line_to(d->cr, d->side == BEAD_SIDE_LEFT ? -length : length, 0);
+    }
+}
+
 static void draw_ticks(const struct drawing *d)
 {
-    double line = d->look->line;
     cairo_set_source_rgb(d->cr, d->look->axis.r, d->look->axis.g, d->look->axis.b);
-    cairo_set_line_width(d->cr, line);
-    for (size_t i = 0; i < d->axis->count; i++) {
-        double at = crisp(along(d, d->axis->ticks[i].place), line);
-        if (d->side == BEAD_SIDE_BOTTOM) {
-            cairo_move_to(d->cr, at, d->edge);
-            cairo_rel_line_to(d->cr, 0, d->length);
-        } else {
-            cairo_move_to(d->cr, d->edge, at);
-            cairo_rel_line_to(d->cr, d->side == BEAD_SIDE_LEFT ? -d->length : d->length, 0);
-        }
-    }
+    cairo_set_line_width(d->cr, d->look->line);
+    for (size_t i = 0; i < d->axis->count; i++)
+        draw_tick(d, d->axis->ticks[i].place, d->length);
+    for (size_t i = 0; i < d->axis->minor_count; i++)
+        draw_tick(d, d->axis->minor[i], round(minor_length * d->length));
     cairo_stroke(d->cr);
 }
 

@@ -64,7 +64,9 @@ void bead_page_notes(const struct bead_page *page, const struct bead_output *out
                      char *description, size_t size, struct bead_picture_notes *notes)
 {
     bool sensors = output->kind == BEAD_OUTPUT_PLOT;
-    snprintf(description, size, "%s in %zu chain%s of beads", sensors ? "force of sensors" : bead_field_info(output->field)->title,
+    snprintf(description, size, "%s in %zu chain%s of beads",
+             sensors ? (output->show == BEAD_SHOW_PEAKS ? "peak force of contacts" : "force of sensors")
+                     : bead_field_info(output->field)->title,
              scene->chain_count, scene->chain_count == 1 ? "" : "s");
     *notes = (struct bead_picture_notes){.dpi = page->dpi,
                                          .title = scene->title,

@@ -119,11 +119,6 @@ static enum bead_error feed(struct bead_view *v, const struct bead_sample *sampl
     return !err && v->setup.trust ? feed_twin(v, sample, msg) : err;
 }
 
-/* Colours that stay apart in print and with colour-blindness: first row on light, second on dark. */
-static const struct bead_rgb inks[2][6] = {
-    {{0.10, 0.32, 0.60}, {0.80, 0.33, 0.07}, {0.08, 0.49, 0.36}, {0.55, 0.27, 0.60}, {0.70, 0.52, 0.00}, {0.35, 0.37, 0.41}},
-    {{0.45, 0.72, 0.98}, {0.98, 0.58, 0.30}, {0.35, 0.82, 0.62}, {0.84, 0.58, 0.90}, {0.96, 0.80, 0.31}, {0.74, 0.77, 0.81}},
-};
 double bead_sensors_horizon(const struct bead_view *v)
 {
     double threshold = BEAD_HORIZON_PART * (v->high - v->low);
@@ -139,7 +134,7 @@ double bead_sensors_horizon(const struct bead_view *v)
 
 static struct bead_rgb ink(const struct bead_view *v, size_t k)
 {
-    return inks[v->look.dark][k % 6];
+    return bead_look_curve(&v->look, k);
 }
 
 /* ---- names ---- */

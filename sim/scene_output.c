@@ -90,6 +90,9 @@ static enum bead_error check_shown(const struct bead_reader *reader, const struc
         return BEAD_OK;
     if (output->show == BEAD_SHOW_SENSORS && !bead_scene_has_sensors(reader->scene))
         return bead_wrong(reader, &where, "shows sensors, but no bead of the chain has a `sensor`");
+    where = bead_at_key(at, "scale");
+    if (output->show == BEAD_SHOW_SENSORS && output->scale != BEAD_SCALE_LINEAR)
+        return bead_wrong(reader, &where, "belongs to `show: peaks`; the axis of sensors is linear");
     for (size_t i = 0; i < 2 && output->show != BEAD_SHOW_SENSORS; i++) {
         where = bead_at_key(at, of_samples[i]);
         if (where.node != at->node)
@@ -119,6 +122,10 @@ static enum bead_error check_trust(const struct bead_reader *reader, const struc
         shows = shows || output->views[i] == BEAD_VIEW_SPACETIME || output->views[i] == BEAD_VIEW_SENSORS;
     if (!output->trust)
         return BEAD_OK;
+    if (output->kind == BEAD_OUTPUT_PLOT && output->show != BEAD_SHOW_SENSORS)
+        return bead_wrong(reader, &where,
+                          "is set, but peaks of the first passage do not tell times apart; it belongs to "
+                          "`show: sensors`");
     if (output->kind != BEAD_OUTPUT_PLOT && !output->axes)
         return bead_wrong(reader, &where, "is set, but `axes: false` leaves pixels bare and no room for its line of text");
     return shows ? BEAD_OK : bead_wrong(reader, &where, "is set, but no view shows all times: add spacetime or sensors to `views`");

@@ -19,7 +19,7 @@ enum {
 };
 
 static const char *const form_names[] = {"trajectory", "image", "movie", "plot", "table", NULL};
-static const char *const plot_shows[] = {"sensors", NULL};
+static const char *const plot_shows[] = {"sensors", "peaks", NULL};
 static const char *const table_shows[] = {"sensors", "peaks", "bead-peaks", NULL};
 static const char *const scales[] = {"linear", "sqrt", "log", NULL};
 static const char *const samplings[] = {"area", "max", NULL};
@@ -48,14 +48,14 @@ static const struct bead_option rows[] = {
     KIND("trajectory", TRAJECTORY, "FILE.h5", "samples of fields in an H5MD file"),
     KIND("image", IMAGE, "FILE.png, .pdf or .svg", "a picture of a field in space and time, or a still"),
     KIND("movie", MOVIE, "FILE.mp4, .mkv, .webm, .gif, .png or .apng", "a movie; a .png is an animated one"),
-    KIND("plot", PLOT, "FILE.png, .pdf or .svg", "curves against time"),
+    KIND("plot", PLOT, "FILE.png, .pdf or .svg", "curves of sensors against time, or of peaks along the chain"),
     KIND("table", TABLE, "FILE.csv", "numbers"),
     {.key = "show",
      .type = BEAD_OPTION_CHOICE,
      .offset = OUTPUT(show),
      .initial = "sensors",
      .choices = plot_shows,
-     .help = "what to plot: the force at every sensor",
+     .help = "what to plot: the force at every sensor against time, or the peak force of every contact, chains in one plot",
      .forms = PLOT},
     {.key = "show",
      .type = BEAD_OPTION_CHOICE,
@@ -167,6 +167,13 @@ static const struct bead_option rows[] = {
      .choices = scales,
      .help = "from values to colours",
      .forms = MOVIE},
+    {.key = "scale",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(scale),
+     .initial = "linear",
+     .choices = scales,
+     .help = "axis of the peaks",
+     .forms = PLOT},
     {.key = "sample",
      .type = BEAD_OPTION_CHOICE,
      .offset = OUTPUT(sampling),

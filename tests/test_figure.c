@@ -15,6 +15,7 @@
 #include "beadreel/render.h"
 #include "render/area.h"
 #include "render/page.h"
+#include "render/sinks.h"
 #include "tests/pictures.h"
 
 /* ---- presets ---- */
@@ -147,6 +148,132 @@ static void test_largest_values_of_chains_under_load(void **state)
     bead_area_destroy(area);
 }
 
+/* ---- peaks ---- */
+
+enum { CONTACTS = 10 };
+
+/* Draws peaks of the chain of ten beads as the sink would at the end of a run. */
+static struct png_file draw_peaks(const char *output, const double values[CONTACTS], size_t open)
+{
+    struct built built = build_chain(output);
+    struct bead_stage stage = make_stage(&built);
+    struct bead_peak peaks[CONTACTS];
+    struct bead_outcome outcome = {.contact_peaks = peaks};
+    struct bead_sink *sink;
+    struct bead_needs needs;
+    struct bead_message msg = {""};
+    char path[512];
+    assert_int_equal(bead_chain_contacts(built.chain), CONTACTS);
+    for (size_t i = 0; i < CONTACTS; i++)
+        peaks[i] = (struct bead_peak){values[i], values[i] > 0 ? 1e-4 * (double)i : NAN, i == open};
+    assert_int_equal(bead_plot_sink.create(&built.scene->outputs[0], &stage, &sink, &msg), BEAD_OK);
+    bead_plot_sink.needs(sink, &needs);
+    assert_true(needs.contact_peaks && needs.fields == 0);
+    if (bead_plot_sink.end(sink, &outcome, &msg))
+        fail_msg("%s", msg.text);
+    bead_plot_sink.destroy(sink);
+    release_chain(&built);
+    in_directory("peaks.png", path, sizeof path);
+    return read_png(path);
+}
+
+/* Pixels in the full colour of the first curve, in the picture's columns and rows from..to. */
+static int count_ink(const struct png_file *png, int left, int right, int top, int bottom)
+{
+    struct bead_look look;
+    bead_look_screen(&look, png->width, png->height, false);
+    struct bead_rgb ink = bead_look_curve(&look, 0);
+    int count = 0;
+    for (int y = top; y < bottom; y++) {
+        for (int x = left; x < right; x++) {
+            const uint8_t *rgb = png->rgb + 3 * ((size_t)y * (size_t)png->width + (size_t)x);
+            count += fabs(rgb[0] - 255 * ink.r) < 2 && fabs(rgb[1] - 255 * ink.g) < 2 && fabs(rgb[2] - 255 * ink.b) < 2;
+        }
+    }
+    return count;
+}
+
+static void test_peaks_stand_at_their_height(void **state)
+{
+    (void)state;
+    static const double values[CONTACTS] = {10, 10, 10, 10, 10, 10, 10, 10, 10, 0}; /* the last one was never loaded */
+    struct png_file png = draw_peaks("plot: peaks.png, show: peaks, size: [640, 400]", values, 99);
+    int rows = 0, first = png.height, last = 0;
+    for (int y = 0; y < png.height; y++) {
+        if (count_ink(&png, 0, png.width, y, y + 1) > 0) {
+            rows++;
+            first = y < first ? y : first;
+            last = y;
+        }
+    }
+    assert_true(rows >= 3 && rows == last - first + 1 && rows < 14); /* one line of markers */
+    assert_true(last < png.height / 4);                              /* near the top of the axis from 0 */
+    int all = count_ink(&png, 0, png.width, 0, png.height), right = count_ink(&png, 600, png.width, 0, png.height);
+    assert_true(all > 9 * 8 && right == 0);
+    free(png.rgb);
+}
+
+static void test_peaks_below_a_logarithmic_axis_are_marked(void **state)
+{
+    (void)state;
+    static const double values[CONTACTS] = {100, 50, 20, 10, 5, 2, 1, 0.5, 0.2, 1e-9};
+    static const char output[] = "plot: peaks.png, show: peaks, scale: log, size: [640, 400]";
+    struct png_file png = draw_peaks(output, values, 99);
+    int below = count_ink(&png, 560, png.width, 320, png.height);
+    assert_true(below > 0);
+    free(png.rgb);
+    png = draw_peaks(output, values, 0); /* hollow: less ink for the first */
+    struct png_file closed = draw_peaks(output, values, 99);
+    assert_true(count_ink(&png, 0, 120, 0, 200) < count_ink(&closed, 0, 120, 0, 200));
+    free(png.rgb);
+    free(closed.rgb);
+}
+
+/* Nothing reaches over the border, at any size and in any style. */
+static void test_peaks_are_not_cut(void **state)
+{
+    (void)state;
+    static const double values[CONTACTS] = {888, 50, 20, 10, 5, 2, 1, 0.5, 0.2, 0.1};
+    static const char *const settings[] = {"size: [300, 200]", "size: [1200, 240], scale: log", "style: paper, dpi: 150",
+                                           "style: slide, scale: sqrt", "size: [200, 500], scale: log"};
+    for (size_t s = 0; s < sizeof settings / sizeof settings[0]; s++) {
+        char output[256];
+        snprintf(output, sizeof output, "plot: peaks.png, show: peaks, %s", settings[s]);
+        struct png_file png = draw_peaks(output, values, 3);
+        for (int i = 0; i < png.width * png.height; i++) {
+            int x = i % png.width, y = i / png.width;
+            bool border = x == 0 || y == 0 || x == png.width - 1 || y == png.height - 1;
+            if (border && (png.rgb[3 * i] != 255 || png.rgb[3 * i + 1] != 255 || png.rgb[3 * i + 2] != 255))
+                fail_msg("%s: pixel %d, %d of the border is drawn on", output, x, y);
+        }
+        free(png.rgb);
+    }
+}
+
+static void assert_refused(const char *output, const char *says)
+{
+    char text[512];
+    struct bead_scene *scene;
+    struct bead_message msg = {""};
+    snprintf(text, sizeof text,
+             "chain: {beads: [{bead: large-steel, count: 9}, {bead: large-steel, sensor: s}], wall: brass}\noutputs: [{%s}]\n",
+             output);
+    if (bead_scene_parse("test", text, strlen(text), NULL, 0, &scene, &msg) != BEAD_ERROR_SCENE)
+        fail_msg("%s is accepted", output);
+    if (!strstr(msg.text, says))
+        fail_msg("'%s' does not say '%s'", msg.text, says);
+}
+
+static void test_settings_that_do_not_fit_are_refused(void **state)
+{
+    (void)state;
+    assert_refused("plot: a.png, show: sensors, scale: log", "show: peaks");
+    assert_refused("plot: a.png, show: peaks, trust: true", "show: sensors");
+    assert_refused("plot: a.png, show: peaks, time: [0, 1 ms]", "show: sensors");
+    assert_refused("plot: a.png, show: peaks, sample: max", "sample");
+    assert_refused("movie: a.mp4, style: slide", "style");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -155,6 +282,10 @@ int main(void)
         cmocka_unit_test(test_movie_style_is_that_of_movies),
         cmocka_unit_test(test_a_pulse_of_one_sample_shows),
         cmocka_unit_test(test_largest_values_of_chains_under_load),
+        cmocka_unit_test(test_peaks_stand_at_their_height),
+        cmocka_unit_test(test_peaks_below_a_logarithmic_axis_are_marked),
+        cmocka_unit_test(test_peaks_are_not_cut),
+        cmocka_unit_test(test_settings_that_do_not_fit_are_refused),
     };
     return cmocka_run_group_tests_name("figures", tests, make_directory, remove_directory);
 }

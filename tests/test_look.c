@@ -133,6 +133,31 @@ static void test_uneven_ticks(void **state)
     }
 }
 
+/* Between powers of ten: 2 to 9 times the lower one, or the powers that have no label. */
+static void test_logarithmic_axes_have_minor_ticks(void **state)
+{
+    (void)state;
+    struct bead_axis axis;
+    bead_axis_make(&axis, 0.5, 200, "N", BEAD_SCALE_LOG, 600, 15, false);
+    assert_int_equal(axis.count, 3); /* 1, 10, 100 */
+    assert_int_equal(axis.minor_count, 5 + 8 + 8 + 1);
+    for (size_t i = 0; i < axis.minor_count; i++) {
+        double value = axis.low * pow(axis.high / axis.low, axis.minor[i]), mantissa = value / pow(10, floor(log10(value) + 1e-9));
+        assert_true(fabs(mantissa - round(mantissa)) < 1e-9 && mantissa > 1.5 && mantissa < 9.5);
+        assert_true(axis.minor[i] >= 0 && axis.minor[i] <= 1 && (i == 0 || axis.minor[i] > axis.minor[i - 1]));
+    }
+    bead_axis_make(&axis, 8, 115, "N", BEAD_SCALE_LOG, 900, 30, false);
+    for (size_t i = 0; i < axis.count; i++)
+        assert_true(strspn(axis.ticks[i].label + 1, "0") == strlen(axis.ticks[i].label + 1)); /* 20, 50, never 71 */
+    assert_true(axis.count >= 4 && axis.minor_count == 10);
+    bead_axis_make(&axis, 1e-30, 1, "N", BEAD_SCALE_LOG, 200, 15, false);
+    assert_true(axis.count >= 2 && axis.minor_count > axis.count);
+    bead_axis_make(&axis, 1e-100, 1e100, "", BEAD_SCALE_LOG, 1e4, 1, false);
+    assert_true(axis.minor_count <= sizeof axis.minor / sizeof axis.minor[0]);
+    bead_axis_make(&axis, 0, 200, "N", BEAD_SCALE_LINEAR, 600, 15, false);
+    assert_int_equal(axis.minor_count, 0);
+}
+
 static void test_axes_of_beads_count(void **state)
 {
     (void)state;
@@ -319,6 +344,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_linear_ticks),
         cmocka_unit_test(test_uneven_ticks),
+        cmocka_unit_test(test_logarithmic_axes_have_minor_ticks),
         cmocka_unit_test(test_axes_of_beads_count),
         cmocka_unit_test(test_axes_that_make_no_sense_have_no_ticks),
         cmocka_unit_test(test_quantities),

@@ -31,6 +31,9 @@ BEAD_API void bead_look_screen(struct bead_look *look, int width, int height, bo
 /* Screen look for a projector: larger type, thicker lines. */
 BEAD_API void bead_look_slide(struct bead_look *look, int width, int height, bool dark);
 
+/* Colour of the curve of this number, from 0; six, then again. */
+BEAD_API struct bead_rgb bead_look_curve(const struct bead_look *look, size_t index);
+
 enum bead_align { BEAD_ALIGN_START, BEAD_ALIGN_MIDDLE, BEAD_ALIGN_END, BEAD_ALIGN_BASELINE };
 
 struct bead_text_style {
@@ -63,6 +66,8 @@ struct bead_axis {
         double place;   /* 0..1 from low to high */
         char label[24]; /* markup, with a proper minus sign */
     } ticks[24];
+    size_t minor_count;
+    double minor[96]; /* places of shorter ticks without labels between those: of logarithmic scales */
 };
 /* `em`: the ticks' font size; as many ticks as have room for their labels, set beside each other (`horizontal`) or above each
  * other. An axis without unit ("") counts: its ticks are whole numbers. A range that makes no sense gets no ticks. */
