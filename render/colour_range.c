@@ -59,13 +59,13 @@ enum bead_error bead_colour_range_check(const struct bead_output *output, const 
     return BEAD_OK;
 }
 
-enum bead_error bead_colour_range_map(const struct bead_output *output, const char *file, struct bead_colormap *map,
-                                      struct bead_message *msg)
+enum bead_error bead_colour_range_map(const struct bead_output *output, const char *file, const char *plain,
+                                      struct bead_colormap *map, struct bead_message *msg)
 {
     bool signs = output->field == BEAD_FIELD_VELOCITY || output->field == BEAD_FIELD_DISPLACEMENT;
     bool automatic_map = !output->colormap || strcmp(output->colormap, "auto") == 0;
     struct bead_message why = {""};
-    enum bead_error err = bead_colormap_load(!automatic_map ? output->colormap : signs ? "vik" : "viridis", map, &why);
+    enum bead_error err = bead_colormap_load(!automatic_map ? output->colormap : signs ? "vik" : plain, map, &why);
     if (err == BEAD_ERROR_SCENE)
         return bead_fail(msg, err, "%s:%zu:%zu: colormap: %.500s", file, output->place.line, output->place.column, why.text);
     return err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;

@@ -17,9 +17,9 @@ struct bead_colour_range bead_colour_range_find(const struct bead_output *output
 /* A range that makes no sense as asked. `file` for the message. Errors: SCENE (with the output's place). */
 BEAD_CHECK enum bead_error bead_colour_range_check(const struct bead_output *output, const char *file, struct bead_message *msg);
 
-/* The colour map asked for; "auto" (or NULL) is viridis, and vik for fields of both signs. Errors: SCENE (with the output's place),
+/* The colour map asked for; "auto" (or NULL) is `plain`, and vik for fields of both signs. Errors: SCENE (with the output's place),
  * IO, FORMAT, MEMORY. */
-BEAD_CHECK enum bead_error bead_colour_range_map(const struct bead_output *output, const char *file, struct bead_colormap *map,
-                                                 struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_colour_range_map(const struct bead_output *output, const char *file, const char *plain,
+                                                 struct bead_colormap *map, struct bead_message *msg);
 
 #endif

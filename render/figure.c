@@ -189,7 +189,7 @@ static enum bead_error prepare(struct bead_figure *f, const enum bead_view_kind 
     if (!err)
         err = find_times(f, msg);
     if (!err)
-        err = bead_colour_range_map(output, f->stage.scene->file, &f->map, msg);
+        err = bead_colour_range_map(output, f->stage.scene->file, "viridis", &f->map, msg);
     if (err)
         return err;
     bead_page_look(&f->page, output, &f->look);

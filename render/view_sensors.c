@@ -27,10 +27,15 @@ struct bead_view {
     bool drawn;
 };
 
+/* What a sensor measures is the bead force; beside other views of a movie, whose range it shares, it shows what they show. */
+static enum bead_field shown_field(const struct bead_view_setup *setup)
+{
+    return setup->fill && !bead_field_info(setup->field)->of_contacts ? setup->field : BEAD_FIELD_FORCE;
+}
+
 static unsigned fields(const struct bead_view_setup *setup)
 {
-    (void)setup;
-    return BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
+    return BEAD_FIELD_BIT(shown_field(setup));
 }
 
 static void destroy(struct bead_view *v)
@@ -95,7 +100,8 @@ static enum bead_error place(struct bead_view *v, struct bead_rect plot, struct 
 
 static enum bead_error feed_twin(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
 {
-    const double *force = sample->field[BEAD_FIELD_FORCE], *twin = sample->twin[BEAD_FIELD_FORCE];
+    const enum bead_field field = shown_field(&v->setup);
+    const double *force = sample->field[field], *twin = sample->twin[field];
     if (!twin)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no twin to compare with");
     enum bead_error err = bead_curves_reserve(&v->differences, msg);
@@ -108,7 +114,7 @@ static enum bead_error feed_twin(struct bead_view *v, const struct bead_sample *
 
 static enum bead_error feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
 {
-    const double *force = sample->field[BEAD_FIELD_FORCE];
+    const double *force = sample->field[shown_field(&v->setup)];
     if (!force)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "sensors need the field force");
     enum bead_error err = bead_curves_reserve(&v->curves, msg);
@@ -203,7 +209,8 @@ static void make_force_axis(struct bead_view *v, int rows)
 {
     double taken = fmin((rows + 0.15) * strip * v->look.label / v->plot.height, 0.5);
     double high = v->low + (v->high - v->low) * 1.03 / (1 - taken);
-    bead_axis_make(&v->force, v->low, high, "N", BEAD_SCALE_LINEAR, v->plot.height, v->look.tick, false);
+    bead_axis_make(&v->force, v->low, high, bead_field_info(shown_field(&v->setup))->unit, BEAD_SCALE_LINEAR, v->plot.height,
+                   v->look.tick, false);
 }
 
 static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
@@ -226,7 +233,7 @@ static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_me
     bead_axis_make(&time, v->setup.time[0], v->setup.time[1], "s", BEAD_SCALE_LINEAR, v->plot.width, v->look.tick, true);
     if (!v->look.dark)
         bead_box_draw(cr, &v->look, v->plot);
-    bead_axis_draw(cr, &v->look, &v->force, v->plot, BEAD_SIDE_LEFT, false, true, "bead force");
+    bead_axis_draw(cr, &v->look, &v->force, v->plot, BEAD_SIDE_LEFT, false, true, bead_field_info(shown_field(&v->setup))->title);
     bead_axis_draw(cr, &v->look, &time, v->plot, BEAD_SIDE_BOTTOM, false, !v->setup.time_shared, "time");
     return BEAD_OK;
 }

@@ -128,7 +128,7 @@ static void outputs_have_the_defaults_of_their_kind(void **state)
     assert_int_equal(o[1].view_count, 1);
     assert_int_equal(o[1].views[0], BEAD_VIEW_SPACETIME);
     assert_true(o[2].size[0] == 0.178 && o[2].size[1] == 0.12 && o[2].size_is_length && o[2].dpi == 600);
-    assert_string_equal(o[3].colormap, "inferno");
+    assert_string_equal(o[3].colormap, "auto");
     assert_int_equal(o[3].scale, BEAD_SCALE_SQRT);
     assert_true(o[3].fps == 60 && o[3].duration == 10 && o[3].size[0] == 1920);
     assert_int_equal(o[3].quality, BEAD_QUALITY_STANDARD);
