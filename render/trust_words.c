@@ -26,23 +26,25 @@ static void time_words(double time, char *text, size_t size)
     bead_quantity(time > 0 ? floor(shown / digit * (1 + 1e-12)) * digit * (time / shown) : 0, "s", 3, text, size);
 }
 
-/* "accuracy 1e-6 and 1e-5" */
+/* "1e-5" */
+static void accuracy_words(double accuracy, char *text, size_t size)
+{
+    double exponent = floor(log10(accuracy) + 1e-9);
+    snprintf(text, size, "%.2ge%.0f", accuracy / pow(10, exponent), exponent);
+}
+
+/* "of accuracy 1e-6 and 1e-5" */
 static void runs_words(const struct bead_trust *trust, char *text, size_t size)
 {
-    char first[64], second[64];
+    char first[64] = "", second[64] = "";
     if (trust->steps) {
         bead_quantity(trust->first, "s", 3, first, sizeof first);
         bead_quantity(trust->second, "s", 3, second, sizeof second);
-        snprintf(text, size, "with steps of %s and %s", first, second);
-        return;
+    } else {
+        accuracy_words(trust->first, first, sizeof first);
+        accuracy_words(trust->second, second, sizeof second);
     }
-    double values[2] = {trust->first, trust->second};
-    char *texts[2] = {first, second};
-    for (int i = 0; i < 2; i++) {
-        double exponent = floor(log10(values[i]) + 1e-9), digits = values[i] / pow(10, exponent);
-        snprintf(texts[i], sizeof first, "%.2ge%.0f", digits, exponent);
-    }
-    snprintf(text, size, "of accuracy %s and %s", first, second);
+    snprintf(text, size, "%s %s and %s", trust->steps ? "with steps of" : "of accuracy", first, second);
 }
 
 enum { SHORTER = 4 };
