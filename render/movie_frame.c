@@ -179,7 +179,7 @@ static enum bead_error fill(struct bead_composer *c, struct bead_message *msg)
 {
     const struct bead_output *output = c->setup.output;
     bead_look_screen(&c->look, c->setup.width, c->setup.height, output->theme != BEAD_THEME_LIGHT);
-    enum bead_error err = bead_colour_range_map(output, c->setup.scene->file, "inferno", &c->map, msg);
+    enum bead_error err = bead_colour_range_map(output, bead_chain_scene(c->setup.chains[0])->file, "inferno", &c->map, msg);
     if (err)
         return err;
     c->colours = (struct bead_colours){&c->map, output->scale, c->setup.range[0], c->setup.range[1]};

@@ -52,8 +52,8 @@ BEAD_API const struct bead_sensor *bead_chain_sensors(const struct bead_chain *c
  * every compression d_k is bounded by A_k d^{5/2} 2/5 <= E, every stiffness by that, omega by
  * Gershgorin's circles. `energy` in J above the static state; pass bead_chain_energy(). */
 BEAD_API double bead_chain_omega(const struct bead_chain *chain, double energy);
-/* About how long a wave of this energy takes from end to end, s: the sum of sqrt(m/K) over the contacts, m the heavier bead's mass, K the
- * largest stiffness that the energy allows. Within a factor of a few. */
+/* About how long a wave of this energy takes from end to end, s: the sum of sqrt(m/K) over the contacts, m the mass of the heavier
+ * bead, K the largest stiffness that the energy allows. Within a factor of a few. */
 BEAD_API double bead_chain_passage(const struct bead_chain *chain, double energy);
 /* Energy put in by the striker, J. */
 BEAD_API double bead_chain_energy(const struct bead_chain *chain);
