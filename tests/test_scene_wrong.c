@@ -1,0 +1,219 @@
+/* Scenes that are wrong, settings, and anything at all: one message with its place, and no crash. */
+#include "scenes.h"
+
+/* ---- wrong scenes ---- */
+
+/* First line of a file behind `# expect: `. */
+static void read_expected(const char *path, char *expected, size_t size)
+{
+    static const char mark[] = "# expect: ";
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    assert_non_null(fgets(expected, (int)size, file));
+    fclose(file);
+    assert_int_equal(strncmp(expected, mark, strlen(mark)), 0);
+    memmove(expected, expected + strlen(mark), strlen(expected + strlen(mark)) + 1);
+    expected[strcspn(expected, "\n")] = 0;
+}
+
+static void every_malformed_file_gets_its_message(void **state)
+{
+    (void)state;
+    struct dirent **entries;
+    int count = scandir("tests/bad", &entries, NULL, alphasort), tried = 0;
+    assert_true(count > 0);
+    for (int i = 0; i < count; i++) {
+        char path[512], expected[1024];
+        struct bead_message msg = {""};
+        struct bead_scene *scene = NULL;
+        const char *dot = strrchr(entries[i]->d_name, '.');
+        snprintf(path, sizeof path, "tests/bad/%s", entries[i]->d_name);
+        if (dot && strcmp(dot, ".yaml") == 0) {
+            read_expected(path, expected, sizeof expected);
+            assert_int_equal(bead_scene_load(path, NULL, 0, &scene, &msg), BEAD_ERROR_SCENE);
+            if (!strstr(msg.text, expected) || strncmp(msg.text, path, strlen(path)) != 0)
+                fail_msg("%s: '%s' is not in '%s'", path, expected, msg.text);
+            tried++;
+        }
+        free(entries[i]);
+    }
+    free(entries);
+    assert_true(tried >= 30);
+}
+
+static void near_misses_are_suggested(void **state)
+{
+    (void)state;
+    refuse("chain: {sriker: {}, beads: [{bead: ptfe}]}\n" OUTPUTS, "chain.sriker: unknown key; did you mean `striker`?");
+    refuse("chain: {beads: [{baed: ptfe}]}\n" OUTPUTS, "test:1:18: chain.beads.0.baed: unknown key; did you mean `bead`?");
+    refuse(BEADS "output: [{table: a.csv}]\n", "output: unknown key; did you mean `outputs`?");
+    refuse("chain: {beads: [{bead: aluminum}]}\n" OUTPUTS, "did you mean `aluminium`?");
+    refuse(BEADS "outputs: [{movie: a.mp4, views: [bead]}]\n", "did you mean `beads`?");
+    refuse("simulate: {methd: rk4}\n" BEADS OUTPUTS, "did you mean `method`?");
+}
+
+static void files_that_cannot_be_read(void **state)
+{
+    (void)state;
+    struct bead_scene *scene = NULL;
+    struct bead_message msg = {""};
+    assert_int_equal(bead_scene_load("tests/none.yaml", NULL, 0, &scene, &msg), BEAD_ERROR_IO);
+    assert_non_null(strstr(msg.text, "tests/none.yaml"));
+    assert_int_equal(bead_scene_load("tests", NULL, 0, &scene, &msg), BEAD_ERROR_IO);
+    assert_int_equal(bead_scene_load("/dev/zero", NULL, 0, &scene, &msg), BEAD_ERROR_SCENE);
+    assert_null(scene);
+}
+
+/* ---- settings ---- */
+
+static void settings_change_the_scene(void **state)
+{
+    (void)state;
+    static const char text[] = "chain:\n  beads: [{bead: large-steel, count: 10}]\n"
+                               "outputs:\n  - {image: pictures/a.b.png, size: [1, 1]}\n  - {table: peaks.csv}\n";
+    const char *const settings[] = {"simulate.step=0.1 us",
+                                    "chain.striker.velocity=1 m/s",
+                                    "outputs.0.size=[640, 360]",
+                                    "outputs.pictures/a.b.png.scale=sqrt",
+                                    "outputs.peaks.csv.show=bead-peaks",
+                                    "chain.beads.0.count=20",
+                                    "materials.x={mass: 1 g, radius: 1 mm, modulus: 1 GPa, poisson: 0.3}",
+                                    "materials.x.colour=#0000ff",
+                                    "chain.beads.+={bead: x, sensor: s}",
+                                    "chain.wall=rigid",
+                                    "title=\"#1: a, b\"",
+                                    "chain.beads.s.sensor=t"};
+    size_t count = sizeof settings / sizeof *settings;
+    struct bead_scene *scene = parse_with(text, settings, count);
+    assert_true(scene->simulate.step == 1e-7 && scene->chains[0].striker_velocity == 1);
+    assert_true(scene->outputs[0].size[0] == 640 && scene->outputs[0].size[1] == 360);
+    assert_int_equal(scene->outputs[0].scale, BEAD_SCALE_SQRT);
+    assert_int_equal(scene->outputs[1].show, BEAD_SHOW_BEAD_PEAKS);
+    assert_int_equal(scene->chains[0].segments[0].count, 20);
+    assert_string_equal(scene->chains[0].segments[1].sensor, "t");
+    assert_int_equal(scene->chains[0].wall, BEAD_WALL_RIGID);
+    assert_string_equal(scene->title, "#1: a, b");
+    assert_true(material_of(scene, "x")->colour[2] == 1);
+    /* Its text is the whole scene as run. */
+    struct bead_scene *again = parse(scene->text);
+    assert_true(again->simulate.step == 1e-7 && again->chains[0].striker_velocity == 1 && again->outputs[0].size[0] == 640);
+    assert_int_equal(again->chains[0].segment_count, 2);
+    assert_string_equal(again->title, "#1: a, b");
+    /* And a fixed point: nothing changes when it is written once more. */
+    struct bead_scene *third = parse_with(again->text, (const char *const[]){"simulate.step=0.1 us"}, 1);
+    assert_string_equal(third->text, scene->text);
+    bead_scene_free(third);
+    bead_scene_free(again);
+    bead_scene_free(scene);
+}
+
+static void settings_under_an_alias_change_one_place(void **state)
+{
+    (void)state;
+    struct bead_scene *scene =
+        parse_with("chains:\n  - {name: a, beads: &b [{bead: ptfe, count: 3}]}\n  - {name: b.c, beads: *b}\n" OUTPUTS,
+                   (const char *const[]){"chains.b.c.beads.0.count=5"}, 1);
+    assert_int_equal(scene->chains[0].segments[0].count, 3);
+    assert_int_equal(scene->chains[1].segments[0].count, 5);
+    bead_scene_free(scene);
+}
+
+static void wrong_settings_name_their_place(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *setting, *expected;
+    } cases[] = {{"simulate.stepp=1 us", "--set:2:10: simulate.stepp: unknown key; did you mean `step`?"},
+                 {"simulate.step=1 N", "--set:2:15: simulate.step: `1 N` is not in a unit of s"},
+                 {"chain.beads.0.count=0", "--set:2:21: chain.beads.0.count: `0` is out of range"},
+                 {"outputs.7.size=[1, 0]", "--set:2:9: outputs.7.size: there is no element 7"},
+                 {"outputs.a.png.size=1", "--set:2:9: outputs.a.png.size: no element of the list has this name"},
+                 {"chain.wall.x=1", "--set:2:12: chain.wall.x: what stands before this key is a single value"},
+                 {"chain.=1", "--set:2:7: "},
+                 {"=1", "--set:2:1: "},
+                 {"chain", "--set:2:1: `chain` is not of the form key.path=value"},
+                 {"chain.wall=", "--set:2:12: chain.wall: is nothing"},
+                 {"chain.wall=[", "--set:2:"},
+                 {"chain.wall=*a", "--set:2:12: this alias has no anchor before it"},
+                 {"outputs=[{table: b.xls}]", "--set:2:18: outputs.0.table: `b.xls`"},
+                 {"a.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q.r.s.t.u.v.w.x.y.z.a.b.c.d.e.f.g.h.i=1", "nested too deeply"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        refuse_with("chain: {wall: brass, beads: [{bead: ptfe}]}\n" OUTPUTS, (const char *const[]){"title=x", cases[i].setting}, 2,
+                    cases[i].expected);
+}
+
+/* ---- anything at all ---- */
+
+/* Read whatever it is: a scene, or one line of why not. */
+static void survive(const char *text, size_t length)
+{
+    struct bead_message msg = {""};
+    struct bead_scene *scene = NULL;
+    enum bead_error err = bead_scene_parse("test", text, length, NULL, 0, &scene, &msg);
+    assert_true(err ? !scene && msg.text[0] && !strchr(msg.text, '\n') : scene != NULL);
+    bead_scene_free(scene);
+}
+
+static void cut_scenes_are_survived(void **state)
+{
+    (void)state;
+    struct bead_scene *scene = load_ready("imagesc");
+    size_t length = strlen(scene->text);
+    for (size_t i = 0; i < length; i += 7) {
+        char *cut = strndup(scene->text, i); /* no byte more, so that sanitizers see reads beyond */
+        assert_non_null(cut);
+        survive(cut, i);
+        free(cut);
+    }
+    bead_scene_free(scene);
+}
+
+static void changed_scenes_are_survived(void **state)
+{
+    (void)state;
+    static const char strange[] = "{}[]:,-#&*!|>'\"%@`\n\t \\01e.9\x80\xff";
+    struct bead_scene *scene = load_ready("clean-vs-delocalised");
+    size_t length = strlen(scene->text);
+    uint64_t random = 2009;
+    for (int round = 0; round < 300; round++) {
+        char *changed = strdup(scene->text);
+        assert_non_null(changed);
+        for (int i = 0; i < 1 + round % 5; i++) {
+            random = random * 6364136223846793005u + 1442695040888963407u;
+            changed[(random >> 33) % length] = strange[(random >> 13) % (sizeof strange - 1)];
+        }
+        survive(changed, length);
+        free(changed);
+    }
+    bead_scene_free(scene);
+}
+
+static void noise_is_survived(void **state)
+{
+    (void)state;
+    uint64_t random = 7;
+    for (int round = 0; round < 200; round++) {
+        char noise[300];
+        for (size_t i = 0; i < sizeof noise; i++) {
+            random = random * 6364136223846793005u + 1442695040888963407u;
+            noise[i] = round % 2 ? (char)(random >> 56) : " \n:-[]{}ab1,&*"[(random >> 40) % 14];
+        }
+        survive(noise, sizeof noise);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_malformed_file_gets_its_message),
+        cmocka_unit_test(near_misses_are_suggested),
+        cmocka_unit_test(files_that_cannot_be_read),
+        cmocka_unit_test(settings_change_the_scene),
+        cmocka_unit_test(settings_under_an_alias_change_one_place),
+        cmocka_unit_test(wrong_settings_name_their_place),
+        cmocka_unit_test(cut_scenes_are_survived),
+        cmocka_unit_test(changed_scenes_are_survived),
+        cmocka_unit_test(noise_is_survived),
+    };
+    return cmocka_run_group_tests_name("scene_wrong", tests, NULL, NULL);
+}
