@@ -188,11 +188,12 @@ static void end_at_closing(struct bead_stepper *s)
         s->t1 = s->t0 + s->h;
         s->method->step(s, s->h);
     }
-    memcpy(s->was_closed, s->closed, s->beads);
+    memcpy(s->was_closed, s->closed, s->active);
     bead_closings_update(s);
     if (first.at < 1)
         s->closed[first.contact] = other;
-    bead_stepper_evaluate(s, s->end.u, s->end.v, s->end.f, s->end.a);
+    if (memcmp(s->was_closed, s->closed, s->active) != 0) /* else the method's last forces are these */
+        bead_stepper_evaluate(s, s->end.u, s->end.v, s->end.f, s->end.a);
 }
 
 void bead_stepper_advance_by(struct bead_stepper *s, double h, double t1)
