@@ -19,7 +19,7 @@ endif
 
 # Debian 12 packages: to build, to build and run the tests, and what .ci/run uses beyond those.
 BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libosmesa6-dev libpng-dev \
-             libavformat-dev libavcodec-dev libswscale-dev libavutil-dev libcairo2-dev libpango1.0-dev fonts-stix fonts-lato
+             libavformat-dev libavcodec-dev libavutil-dev libcairo2-dev libpango1.0-dev fonts-stix fonts-lato
 TEST_DEPS  = libcmocka-dev binutils hdf5-tools
 CI_DEPS    = clang-format cppcheck shellcheck ffmpeg poppler-utils man-db
 
@@ -28,7 +28,7 @@ once              = $(eval $(1) := $(2))$($(1))
 # Plain `hdf5` may be a build for MPI, where one is installed beside the serial one.
 hdf5              = $(call once,hdf5,$(shell pkg-config --exists hdf5-serial 2>/dev/null && echo hdf5-serial || echo hdf5))
 SIM_PACKAGES      = $(hdf5) yaml-0.1 udunits
-RENDER_PACKAGES   = osmesa libpng libavformat libavcodec libswscale libavutil cairo pangocairo
+RENDER_PACKAGES   = osmesa libpng libavformat libavcodec libavutil cairo pangocairo
 sim_cflags        = $(call once,sim_cflags,$(shell pkg-config --cflags $(SIM_PACKAGES)))
 sim_libs          = $(call once,sim_libs,$(shell pkg-config --libs $(SIM_PACKAGES)) -lhdf5_hl -lm -pthread)
 render_cflags     = $(call once,render_cflags,$(shell pkg-config --cflags $(RENDER_PACKAGES)))
