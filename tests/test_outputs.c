@@ -1,6 +1,8 @@
 /* Scenes with pictures: what they skip, that they are the same for any thread count, and the same again from a trajectory. */
 #include "support.h"
 
+#include "scratch.h"
+
 #include <dirent.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -9,15 +11,6 @@
 #include "beadreel/session.h"
 #include "beadreel/trajectory.h"
 
-static char directory[256];
-
-static int make_directory(void **state)
-{
-    (void)state;
-    snprintf(directory, sizeof directory, "%s/beadreel-outputs-XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
-    return mkdtemp(directory) ? 0 : -1;
-}
-
 static void path_of(const char *part, const char *name, char path[512])
 {
     snprintf(path, 512, "%s/%s%s%s", directory, part, *part && *name ? "/" : "", name);
@@ -25,17 +18,9 @@ static void path_of(const char *part, const char *name, char path[512])
 
 static void empty(const char *part)
 {
-    char path[512], file[1024];
+    char path[512];
     path_of(part, "", path);
-    DIR *dir = opendir(path);
-    for (struct dirent *e; dir && (e = readdir(dir));) {
-        snprintf(file, sizeof file, "%s/%s", path, e->d_name);
-        if (e->d_name[0] != '.')
-            unlink(file);
-    }
-    if (dir)
-        closedir(dir);
-    rmdir(path);
+    remove_files(path);
 }
 
 static int empty_directory(void **state)
@@ -80,12 +65,8 @@ static struct bead_counts play_job(struct bead_job job)
 static struct bead_counts play(const char *text, const char *part, int threads)
 {
     char scene[512], out[512];
-    path_of("", "scene.yaml", scene);
+    write_scene(text, scene);
     path_of(part, "", out);
-    FILE *file = fopen(scene, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    fclose(file);
     return play_job((struct bead_job){.input = scene, .output = out, .threads = threads});
 }
 

@@ -2,36 +2,12 @@
  * computed does not depend on what else was asked for. */
 #include "support.h"
 
-#include <dirent.h>
+#include "scratch.h"
+
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "beadreel/session.h"
 #include "beadreel/trajectory.h"
-
-static char directory[256];
-
-static int make_directory(void **state)
-{
-    (void)state;
-    snprintf(directory, sizeof directory, "%s/beadreel-session-XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
-    return mkdtemp(directory) ? 0 : -1;
-}
-
-static int empty_directory(void **state)
-{
-    (void)state;
-    char path[768];
-    DIR *dir = opendir(directory);
-    for (struct dirent *e; dir && (e = readdir(dir));) {
-        snprintf(path, sizeof path, "%s/%s", directory, e->d_name);
-        if (e->d_name[0] != '.')
-            unlink(path);
-    }
-    if (dir)
-        closedir(dir);
-    return rmdir(directory);
-}
 
 static bool is_there(const char *name)
 {
@@ -47,11 +23,7 @@ static struct bead_counts play(const char *text, struct bead_job job)
     static const struct bead_sink_type *const *lists[2];
     lists[0] = bead_data_sinks();
     char path[512];
-    snprintf(path, sizeof path, "%s/scene.yaml", directory);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    fclose(file);
+    write_scene(text, path);
     struct bead_message msg = {""};
     struct bead_session *session = NULL;
     job.input = path;
@@ -204,5 +176,5 @@ int main(void)
         cmocka_unit_test(bad_names_are_refused),
         cmocka_unit_test(nonsense_is_stopped),
     };
-    return cmocka_run_group_tests_name("session", tests, make_directory, empty_directory);
+    return cmocka_run_group_tests_name("session", tests, make_directory, remove_directory);
 }

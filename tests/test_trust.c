@@ -2,38 +2,13 @@
  * picture is the same but for the line. */
 #include "support.h"
 
-#include <dirent.h>
-#include <unistd.h>
+#include "scratch.h"
 
 #include "beadreel/render.h"
 #include "beadreel/session.h"
 #include "beadreel/view.h"
 #include "render/horizon.h"
 #include "render/view_spacetime.h"
-
-static char directory[256];
-
-static int make_directory(void **state)
-{
-    (void)state;
-    snprintf(directory, sizeof directory, "%s/beadreel-trust-XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
-    return mkdtemp(directory) ? 0 : -1;
-}
-
-static int remove_directory(void **state)
-{
-    (void)state;
-    char path[768];
-    DIR *dir = opendir(directory);
-    for (struct dirent *e; dir && (e = readdir(dir));) {
-        snprintf(path, sizeof path, "%s/%s", directory, e->d_name);
-        if (e->d_name[0] != '.')
-            unlink(path);
-    }
-    if (dir)
-        closedir(dir);
-    return rmdir(directory);
-}
 
 /* ---- two runs ---- */
 
