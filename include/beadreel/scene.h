@@ -59,6 +59,30 @@ struct bead_law_spec {
     double alpha;       /* 1/m, BEAD_LAW_FPU_ALPHA: force k d (1 - alpha d), two-sided */
 };
 
+/* A system that is not a chain of beads: sim/equation.h has the tables. All numbers are those of the equation, without units. */
+enum bead_ends { BEAD_ENDS_FIXED, BEAD_ENDS_PERIODIC };
+enum bead_start_kind { BEAD_START_MODE, BEAD_START_PULSE, BEAD_START_SOLITONS, BEAD_START_COSINE, BEAD_START_SIMPLE_WAVE };
+
+struct bead_soliton {
+    double speed, at; /* its centre at t = 0 */
+};
+
+struct bead_equation_spec {
+    char *name;         /* "fput", "kdv", "shock"; NULL: a chain of beads */
+    size_t points;      /* fput: moving masses; kdv, shock: grid points, 0: chosen from the accuracy */
+    double low, length; /* the domain: low <= x < low + length */
+    enum bead_ends ends;
+    double alpha, beta;                     /* fput: force of a spring stretched by r: r + alpha r^2 + beta r^3 */
+    double drift, nonlinearity, dispersion; /* kdv: u_t + drift u_x + nonlinearity u u_x + dispersion u_xxx = 0 */
+    double speed, epsilon;                  /* shock: u_tt = speed^2 u_xx (1 + epsilon u_x) */
+    enum bead_field variable;               /* kdv: the field that the unknown is shown as */
+    enum bead_start_kind start;
+    size_t mode;                 /* number of the mode or of waves in the domain */
+    double amplitude, width, at; /* of modes, pulses, waves */
+    struct bead_soliton solitons[8];
+    size_t soliton_count;
+};
+
 struct bead_chain_spec {
     char *name;  /* "" for a single unnamed chain */
     char *label; /* a line under the name, or "" */
