@@ -101,6 +101,31 @@ static enum bead_error check_shown(const struct bead_reader *reader, const struc
     return BEAD_OK;
 }
 
+/* Only fields that every chain has. */
+static enum bead_error check_fields(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+{
+    unsigned known = bead_scene_fields(reader->scene), asked = 0;
+    char all[120] = "";
+    struct bead_at where = bead_at_key(at, output->kind == BEAD_OUTPUT_TRAJECTORY ? "fields" : "field");
+    if (output->kind == BEAD_OUTPUT_IMAGE || output->kind == BEAD_OUTPUT_MOVIE)
+        asked = BEAD_FIELD_BIT(output->field);
+    else if (output->kind == BEAD_OUTPUT_TRAJECTORY)
+        asked = output->fields;
+    if (!(asked & ~known))
+        return BEAD_OK;
+    const char *missing = NULL;
+    for (size_t f = 0; f < BEAD_FIELD_COUNT; f++) {
+        const char *name = bead_field_info((enum bead_field)f)->name;
+        size_t used = strlen(all);
+        if (known & BEAD_FIELD_BIT(f))
+            snprintf(all + used, sizeof all - used, "%s%s", used ? ", " : "", name);
+        else if (asked & BEAD_FIELD_BIT(f) && !missing)
+            missing = name;
+    }
+    return bead_wrong(reader, &where, "there is no %s in %s; there is %s", missing,
+                      reader->scene->chain_count > 1 ? "every chain" : "this chain", all);
+}
+
 /* Sizes that belong to a style, where the output asks for none. */
 static void style_size(const struct bead_reader *reader, const struct bead_at *at, struct bead_output *output)
 {
@@ -166,6 +191,8 @@ static enum bead_error read_output(struct bead_reader *reader, const struct bead
         err = bead_options_read(reader, at, &bead_output_options, form, output);
     if (!err)
         style_size(reader, at, output);
+    if (!err)
+        err = check_fields(reader, at, output);
     if (!err)
         err = check_times(reader, at, output);
     if (!err)

@@ -70,7 +70,7 @@ BEAD_OUTPUT_READER(bead_output_read_fields)
     struct bead_output *output = settings;
     unsigned found = 0;
     if (at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, "all") == 0) {
-        output->fields = BEAD_FIELD_BIT(BEAD_FIELD_COUNT) - 1;
+        output->fields = bead_scene_fields(reader->scene);
         return BEAD_OK;
     }
     enum bead_error err = need_list(reader, at, option);

@@ -33,6 +33,8 @@ BEAD_CHECK enum bead_error bead_scene_add_ready_materials(struct bead_reader *re
 
 /* Beads of a chain without its striker. */
 size_t bead_scene_count_beads(const struct bead_chain_spec *chain);
+/* BEAD_FIELD_BITs of the fields that all chains of the scene have. */
+unsigned bead_scene_fields(const struct bead_scene *scene);
 /* Does any chain of the scene have a sensor? */
 bool bead_scene_has_sensors(const struct bead_scene *scene);
 

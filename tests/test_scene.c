@@ -82,7 +82,7 @@ static void outputs_mean_what_they_say(void **state)
         "  - {table: beads.csv, show: bead-peaks}\n"
         "  - {table: sensors.csv, show: sensors, every: 1 \xc2\xb5s}\n");
     const struct bead_output *o = scene->outputs;
-    assert_int_equal(o[0].fields, BEAD_FIELD_BIT(BEAD_FIELD_COUNT) - 1);
+    assert_int_equal(o[0].fields, BEAD_FIELD_BIT(BEAD_FIELD_STRAIN) - 1);
     assert_true(o[0].every == 1e-6 && o[0].beads.first == 7 && o[0].beads.last == 7 && isnan(o[0].time[0]) && o[0].time[1] == 1e-3);
     assert_int_equal(o[1].field, BEAD_FIELD_VELOCITY);
     assert_true(o[1].time[0] == 0 && o[1].time[1] == 1.5e-3 && o[1].beads.first == 20 && o[1].beads.last == 40);

@@ -48,6 +48,19 @@ BEAD_API double bead_chain_magnetism(const struct bead_chain *chain);
 
 BEAD_API const struct bead_sensor *bead_chain_sensors(const struct bead_chain *chain, size_t *count);
 
+/* What a field of this chain's samples means: its title and unit; NULL: it has no such field. */
+BEAD_API const struct bead_field_info *bead_chain_field(const struct bead_chain *chain, enum bead_field field);
+BEAD_API unsigned bead_chain_fields(const struct bead_chain *chain);       /* BEAD_FIELD_BITs of those it has */
+BEAD_API const char *bead_chain_time_unit(const struct bead_chain *chain); /* "s"; "" where times have no unit */
+
+/* The axis along a chain: value i of a field stands at first + i * spacing. */
+struct bead_along {
+    const char *title; /* "bead", "contact", or "x" */
+    const char *unit;  /* as graphs and axes take it: "1" of numbers of beads, "" of coordinates */
+    double first, spacing;
+};
+BEAD_API struct bead_along bead_chain_along(const struct bead_chain *chain, bool of_contacts);
+
 /* Upper bound of the frequency of small vibrations about any state that energy allows, rad/s:
  * every compression d_k is bounded by A_k d^{5/2} 2/5 <= E, every stiffness by that, omega by
  * Gershgorin's circles. `energy` in J above the static state; pass bead_chain_energy(). */

@@ -13,7 +13,8 @@
     X(CONTACT_FORCE, "contact-force", "N", "contact force", CONTACT) \
     X(VELOCITY, "velocity", "m/s", "velocity", BEAD)                 \
     X(DISPLACEMENT, "displacement", "m", "displacement", BEAD)       \
-    X(ENERGY, "energy", "J", "energy", BEAD)
+    X(ENERGY, "energy", "J", "energy", BEAD)                         \
+    X(STRAIN, "strain", "", "strain", BEAD) /* of equations only: see bead_chain_field */
 
 enum bead_field {
 #define BEAD_FIELD_ENUM(id, name, unit, title, place) BEAD_FIELD_##id,
@@ -28,7 +29,7 @@ struct bead_field_info {
     const char *title; /* for axes and colour bars: "contact force" */
     int of_contacts;   /* 1: one value a contact; 0: one a bead */
 };
-/* One row a field, in the order of the enum. */
+/* One row a field, in the order of the enum: what it means for beads. What it means for any chain: bead_chain_field. */
 BEAD_API const struct bead_field_info *bead_field_info(enum bead_field field);
 
 /* Bit of a field in a set of fields. */

@@ -62,6 +62,8 @@ struct bead_law_spec {
 /* A system that is not a chain of beads: sim/equation.h has the tables. All numbers are those of the equation, without units. */
 enum bead_ends { BEAD_ENDS_FIXED, BEAD_ENDS_PERIODIC };
 enum bead_start_kind { BEAD_START_MODE, BEAD_START_PULSE, BEAD_START_SOLITONS, BEAD_START_COSINE, BEAD_START_SIMPLE_WAVE };
+enum bead_moving { BEAD_MOVING_REST, BEAD_MOVING_RIGHT, BEAD_MOVING_LEFT };
+enum { BEAD_SOLITONS = 8 };
 
 struct bead_soliton {
     double speed, at; /* its centre at t = 0 */
@@ -70,16 +72,17 @@ struct bead_soliton {
 struct bead_equation_spec {
     char *name;         /* "fput", "kdv", "shock"; NULL: a chain of beads */
     size_t points;      /* fput: moving masses; kdv, shock: grid points, 0: chosen from the accuracy */
-    double low, length; /* the domain: low <= x < low + length */
+    double low, length; /* the domain: low <= x < low + length; fput: the masses stand at low, low + 1, ... */
     enum bead_ends ends;
     double alpha, beta;                     /* fput: force of a spring stretched by r: r + alpha r^2 + beta r^3 */
     double drift, nonlinearity, dispersion; /* kdv: u_t + drift u_x + nonlinearity u u_x + dispersion u_xxx = 0 */
     double speed, epsilon;                  /* shock: u_tt = speed^2 u_xx (1 + epsilon u_x) */
     enum bead_field variable;               /* kdv: the field that the unknown is shown as */
     enum bead_start_kind start;
-    size_t mode;                 /* number of the mode or of waves in the domain */
-    double amplitude, width, at; /* of modes, pulses, waves */
-    struct bead_soliton solitons[8];
+    size_t mode;                 /* number of the mode (mode), or of waves in the domain (cosine, simple wave) */
+    double amplitude, width, at; /* of modes, pulses, waves; a pulse is amplitude sech^2((x - at) / width) */
+    enum bead_moving moving;     /* fput, shock: the pulse is one of the strain, and goes both ways or one */
+    struct bead_soliton solitons[BEAD_SOLITONS];
     size_t soliton_count;
 };
 
@@ -97,6 +100,7 @@ struct bead_chain_spec {
     double tilt;                /* rad, >= 0: the wall end is the lower one */
     double damping_coefficient; /* N (s/m)^exponent */
     double damping_exponent;
+    struct bead_equation_spec equation; /* name not NULL: this, and nothing of the above but name and label */
     struct bead_place place;
 };
 

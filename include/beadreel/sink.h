@@ -57,6 +57,13 @@ struct bead_peak {
     bool open;    /* at the end of the run the force was rising, and higher */
 };
 
+/* A number that a run has measured: "recurrence time", "", 9376.4 */
+struct bead_measure {
+    char name[48];
+    const char *unit; /* SI; "" of numbers without */
+    double value;
+};
+
 /* What is known about one chain after the run. */
 struct bead_outcome {
     double end;           /* s: simulated until here */
@@ -74,6 +81,8 @@ struct bead_outcome {
     double event_error;    /* of a velocity: the last correction of a contact that opens or closes */
     const struct bead_peak *contact_peaks; /* [contacts], NULL where not asked */
     const struct bead_peak *bead_peaks;    /* [beads], NULL where not asked */
+    const struct bead_measure *measures;   /* what an equation's run has measured; NULL: none */
+    size_t measure_count;
 };
 
 struct bead_sink; /* each type's own */

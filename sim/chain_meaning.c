@@ -1,0 +1,54 @@
+/* What the numbers of a chain mean: fields, times and places, of beads and of equations. */
+#include "sim/chain_data.h"
+#include "sim/equation.h"
+#include "sim/scene_private.h"
+
+/* Of beads there is no strain: springs have lengths, beads only touch. */
+static const unsigned fields_of_beads = (BEAD_FIELD_BIT(BEAD_FIELD_COUNT) - 1) & ~BEAD_FIELD_BIT(BEAD_FIELD_STRAIN);
+
+unsigned bead_equation_fields(const struct bead_equation *equation)
+{
+    unsigned fields = 0;
+    if (!equation)
+        return fields_of_beads;
+    for (const enum bead_field *field = equation->fields; *field < BEAD_FIELD_COUNT; field++)
+        fields |= BEAD_FIELD_BIT(*field);
+    return fields;
+}
+
+unsigned bead_chain_fields(const struct bead_chain *chain)
+{
+    return bead_equation_fields(chain->equation);
+}
+
+const struct bead_field_info *bead_chain_field(const struct bead_chain *chain, enum bead_field field)
+{
+    if (!(bead_chain_fields(chain) & BEAD_FIELD_BIT(field)))
+        return NULL;
+    return chain->equation ? chain->equation->field(&chain->spec->equation, field) : bead_field_info(field);
+}
+
+const char *bead_chain_time_unit(const struct bead_chain *chain)
+{
+    return chain->equation ? "" : "s";
+}
+
+struct bead_along bead_chain_along(const struct bead_chain *chain, bool of_contacts)
+{
+    struct bead_along along = {of_contacts ? "contact" : "bead", "1", 0, 1};
+    if (chain->equation) {
+        along = (struct bead_along){"x", "", 0, 1};
+        chain->equation->places(&chain->spec->equation, chain->beads, &along.first, &along.spacing);
+    }
+    return along;
+}
+
+unsigned bead_scene_fields(const struct bead_scene *scene)
+{
+    unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_COUNT) - 1;
+    for (size_t i = 0; i < scene->chain_count; i++) {
+        const char *name = scene->chains[i].equation.name;
+        fields &= bead_equation_fields(name ? bead_equation_find(name) : NULL);
+    }
+    return fields;
+}
