@@ -18,8 +18,8 @@ MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 endif
 
 # Debian 12 packages: to build, to build and run the tests, and what .ci/run uses beyond those.
-BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libosmesa6-dev libpng-dev \
-             libavformat-dev libavcodec-dev libavutil-dev libcairo2-dev libpango1.0-dev fonts-stix fonts-lato
+BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libpng-dev \
+             libosmesa6-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri libavformat-dev libavcodec-dev libavutil-dev libcairo2-dev libpango1.0-dev fonts-stix fonts-lato
 TEST_DEPS  = libcmocka-dev binutils hdf5-tools
 CI_DEPS    = clang-format cppcheck shellcheck ffmpeg poppler-utils man-db
 
@@ -28,10 +28,12 @@ once              = $(eval $(1) := $(2))$($(1))
 # Plain `hdf5` may be a build for MPI, where one is installed beside the serial one.
 hdf5              = $(call once,hdf5,$(shell pkg-config --exists hdf5-serial 2>/dev/null && echo hdf5-serial || echo hdf5))
 SIM_PACKAGES      = $(hdf5) yaml-0.1 udunits
-RENDER_PACKAGES   = osmesa libpng libavformat libavcodec libavutil cairo pangocairo
+# Opened at run time where they are, linked by nothing; only their headers are needed.
+OPENED_PACKAGES   = osmesa egl
+RENDER_PACKAGES   = libpng libavformat libavcodec libavutil cairo pangocairo
 sim_cflags        = $(call once,sim_cflags,$(shell pkg-config --cflags $(SIM_PACKAGES)))
 sim_libs          = $(call once,sim_libs,$(shell pkg-config --libs $(SIM_PACKAGES)) -lhdf5_hl -lm -pthread)
-render_cflags     = $(call once,render_cflags,$(shell pkg-config --cflags $(RENDER_PACKAGES)))
+render_cflags     = $(call once,render_cflags,$(shell pkg-config --cflags $(RENDER_PACKAGES) $(OPENED_PACKAGES)))
 render_libs       = $(call once,render_libs,$(shell pkg-config --libs $(RENDER_PACKAGES)) -ldl)
 test_libs         = $(call once,test_libs,$(shell pkg-config --libs cmocka))
 
@@ -96,7 +98,7 @@ WAIT = $(filter deps deps-ci,$(MAKECMDGOALS))
 $(BUILD)/.ready: | $(WAIT)
 	@mkdir -p $(@D)
 	@pkg-config --version >/dev/null 2>&1 || { echo >&2 "pkg-config is missing: run 'make deps' first."; exit 1; }
-	@missing=; for p in $(SIM_PACKAGES) $(RENDER_PACKAGES); do pkg-config --exists $$p || missing="$$missing $$p"; done; \
+	@missing=; for p in $(SIM_PACKAGES) $(RENDER_PACKAGES) $(OPENED_PACKAGES); do pkg-config --exists $$p || missing="$$missing $$p"; done; \
 	echo '#include <Random123/philox.h>' | $(CC) -E - >/dev/null 2>&1 || missing="$$missing Random123"; \
 	[ -z "$$missing" ] || { echo >&2 "Libraries are missing:$$missing. Run 'make deps' first."; exit 1; }
 	@touch $@

@@ -46,6 +46,7 @@ static const struct command_list lists[] = {
 
 int main(int argc, char **argv)
 {
+    static const char *const canvases[] = {"osmesa", "egl", NULL};
     const struct bead_sink_type *const *const sinks[] = {bead_data_sinks(), bead_render_sinks(), NULL};
     const struct command_program program = {
         .name = "beadreel",
@@ -59,6 +60,7 @@ int main(int argc, char **argv)
                     "  beadreel scene.yaml --only beads.mp4 --set outputs.0.size='[640, 360]'\n",
         .lists = lists,
         .sinks = sinks,
+        .canvases = canvases,
     };
     return command_main(&program, argc, argv);
 }

@@ -8,7 +8,7 @@
 #include "render/paint.h"
 
 /* In the order of trying. */
-static const struct bead_canvas_driver *const drivers[] = {&bead_canvas_osmesa};
+static const struct bead_canvas_driver *const drivers[] = {&bead_canvas_osmesa, &bead_canvas_egl};
 enum { DRIVERS = sizeof drivers / sizeof drivers[0] };
 
 const struct bead_canvas_backend *bead_canvas_backend_info(size_t index)
@@ -21,6 +21,8 @@ void bead_canvas_prepare(void)
     /* Mesa reads this when the first context is made. Rasterising in the calling thread leaves the other cores to simulation and
      * encoder; the pixels are the same for any number. */
     setenv("LP_NUM_THREADS", "0", 0);
+    /* Graphics cards round as they like; the same pixels everywhere come from the software renderer only. */
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
 }
 
 const struct bead_gl *bead_canvas_gl(struct bead_canvas *canvas)
@@ -80,16 +82,18 @@ enum bead_error bead_canvas_create(const char *backend, int width, int height, s
         return bead_fail(msg, BEAD_ERROR_GRAPHICS, "a canvas of %d x %d pixels: both must be at least 1", width, height);
     bead_canvas_prepare();
     enum bead_error err = BEAD_OK;
-    bool found = false;
+    struct bead_message first = {""};
     for (size_t i = 0; i < DRIVERS && !*canvas; i++) {
         if (backend && strcmp(backend, drivers[i]->info.name) != 0)
             continue;
-        found = true;
-        err = open_with(drivers[i], width, height, canvas, msg);
+        enum bead_error failed = open_with(drivers[i], width, height, canvas, err ? msg : &first);
+        err = err ? err : failed;
     }
-    if (!found)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "there is no canvas `%s`; the first is `%s`", backend, drivers[0]->info.name);
-    return *canvas ? BEAD_OK : err;
+    if (*canvas)
+        return BEAD_OK;
+    if (!err)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "there is no canvas `%s`; there are osmesa and egl", backend);
+    return bead_fail(msg, err, "%s", first.text); /* of the one to be preferred */
 }
 
 const char *bead_canvas_describe(const struct bead_canvas *canvas)
@@ -99,7 +103,7 @@ const char *bead_canvas_describe(const struct bead_canvas *canvas)
 
 void *bead_canvas_function(const struct bead_canvas *canvas, const char *name)
 {
-    return canvas->driver->function(name);
+    return canvas->driver->function(canvas->context, name);
 }
 
 enum bead_error bead_canvas_read(struct bead_canvas *canvas, struct bead_rect source, struct bead_frame *frame, int x, int y,

@@ -15,10 +15,10 @@ struct bead_canvas_driver {
     enum bead_error (*open)(struct bead_context **context, struct bead_message *msg);
     /* Make it current in this thread, if it is not. */
     bool (*use)(struct bead_context *context);
-    void *(*function)(const char *name);
+    void *(*function)(struct bead_context *context, const char *name);
     void (*close)(struct bead_context *context);
 };
 
-extern const struct bead_canvas_driver bead_canvas_osmesa;
+extern const struct bead_canvas_driver bead_canvas_osmesa, bead_canvas_egl;
 
 #endif

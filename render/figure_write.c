@@ -188,7 +188,8 @@ enum bead_error bead_figure_write(struct bead_figure *f, const char *path, uint6
     set_ranges(f);
     find_horizons(f);
     bead_page_notes(&f->page, f->output, f->stage.scene, description, sizeof description, &notes);
-    enum bead_error err = needs_canvas(f) ? bead_canvas_create(NULL, f->page.width, f->page.height, &canvas, msg) : BEAD_OK;
+    enum bead_error err =
+        needs_canvas(f) ? bead_canvas_create(f->stage.canvas, f->page.width, f->page.height, &canvas, msg) : BEAD_OK;
     if (!err)
         err = bead_figure_views(f, false, canvas, msg);
     if (!err)

@@ -224,7 +224,7 @@ static enum bead_error create_canvas(struct bead_composer *c, struct bead_messag
         width = plot->width > width ? plot->width : width;
         height = plot->height > height ? plot->height : height;
     }
-    return width ? bead_canvas_create(NULL, width + left + right, height, &c->canvas, msg) : BEAD_OK;
+    return width ? bead_canvas_create(c->setup.canvas, width + left + right, height, &c->canvas, msg) : BEAD_OK;
 }
 
 static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, struct bead_message *msg)

@@ -23,7 +23,8 @@ struct bead_composer_setup {
     double time[2], step; /* s: first and last frame, and from one to the next */
     double range[2];      /* of the colours; not empty */
     const struct bead_scene *scene;
-    double twin; /* what the twin run of outputs with trust is like: see bead_stage */
+    const char *canvas; /* back end; NULL: the first that works */
+    double twin;        /* what the twin run of outputs with trust is like: see bead_stage */
 };
 
 /* BEAD_FIELD_BITs that the views of an output need. */

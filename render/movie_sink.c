@@ -339,7 +339,8 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
                                         .time = {s->time[0], s->time[1]},
                                         .step = s->step,
                                         .scene = s->stage.scene,
-                                        .twin = s->stage.twin};
+                                        .twin = s->stage.twin,
+                                        .canvas = s->stage.canvas};
     struct bead_colour_range colours = bead_colour_range_find(s->output, range.low, range.high);
     setup.range[0] = colours.low;
     setup.range[1] = colours.high;

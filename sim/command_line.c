@@ -104,6 +104,20 @@ static enum bead_error set_instructions(struct command *command, const char *val
     return choose("instructions", value, choices, sizeof choices / sizeof *choices, &chosen, msg);
 }
 
+static enum bead_error set_canvas(struct command *command, const char *value, struct bead_message *msg)
+{
+    struct choice choices[CHOICES] = {0};
+    size_t count = 0;
+    const char *const *canvases = command->program->canvases;
+    if (!canvases)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--canvas: %s does not draw", command->program->name);
+    for (; count < CHOICES && canvases[count]; count++)
+        choices[count] = (struct choice){canvases[count], (int)count};
+    int chosen;
+    command->canvas = value;
+    return choose("canvas", value, choices, count, &chosen, msg);
+}
+
 static enum bead_error set_list(struct command *command, const char *value, struct bead_message *msg)
 {
     struct choice choices[CHOICES] = {0};
@@ -159,6 +173,7 @@ static const struct option_row rows[] = {
     {"info", 0, "FILE", "describe a scene or a trajectory and stop", set_info},
     {"threads", 0, "N", "use N threads (default 0: all cores); the results are the same for any", set_threads},
     {"instructions", 0, "SET", "vector instructions sse2, avx2 or avx512 (default: best); same results", set_instructions},
+    {"canvas", 0, "NAME", "draw beads with osmesa or egl (default: the first that works); same pixels", set_canvas},
     {"progress", 0, "HOW", "auto (default), plain, json or none; written to stderr", set_progress},
     {"help", 'h', NULL, "show this and stop", set_help},
     {"version", 'V', NULL, "show the version and stop", set_version},
@@ -187,6 +202,8 @@ static void print_help(const struct command_program *program, FILE *out)
     for (size_t i = 0; i < ROWS; i++) {
         const struct option_row *row = &rows[i];
         char letter[8] = "    ";
+        if (row->apply == set_canvas && !program->canvases)
+            continue;
         if (row->letter)
             snprintf(letter, sizeof letter, "-%c, ", row->letter);
         snprintf(left, sizeof left, "%s--%s%s%s", letter, row->name, row->argument ? " " : "", row->argument ? row->argument : "");

@@ -25,6 +25,7 @@ struct command_program {
     const char *usage, *examples;                     /* paragraphs for --help */
     const struct command_list *lists;                 /* ends with a NULL name */
     const struct bead_sink_type *const *const *sinks; /* for the job, NULL-terminated */
+    const char *const *canvases;                      /* what --canvas allows, NULL-terminated; NULL: the program does not draw */
 };
 
 enum command_action { COMMAND_RUN, COMMAND_PLAN, COMMAND_LIST, COMMAND_INFO, COMMAND_HELP, COMMAND_MAN, COMMAND_VERSION };
@@ -35,7 +36,7 @@ struct command {
     const struct command_program *program;
     enum command_action action;
     const struct command_list *list;
-    const char *input, *output, *instructions;
+    const char *input, *output, *instructions, *canvas;
     const char **settings, **only; /* owned arrays */
     size_t setting_count, only_count;
     int threads;

@@ -19,6 +19,7 @@ static void fill_job(const struct command *command, const volatile sig_atomic_t 
     job->only_count = command->only_count;
     job->threads = command->threads;
     job->instructions = command->instructions;
+    job->canvas = command->canvas;
     job->sinks = command->program->sinks;
     job->stop = stop;
 }

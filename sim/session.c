@@ -203,6 +203,7 @@ static enum bead_error create_sink(struct bead_session *s, struct bead_made *m, 
                                .resolution = s->resolution,
                                .twin = s->twin,
                                .threads = s->threads,
+                               .canvas = s->job.canvas,
                                .directory = s->trajectory || !s->job.output ? "." : s->job.output};
     enum bead_error err = m->type->create(m->output, &stage, &m->sink, msg);
     if (err)

@@ -33,17 +33,22 @@ static void require(enum bead_error err, const struct bead_message *msg)
         fail_msg("%s", msg->text);
 }
 
-static void open_stage(struct stage *s, bool noisy)
+static void open_stage_with(struct stage *s, const char *backend, bool noisy)
 {
     struct bead_message msg = {""};
     *s = (struct stage){.canvas = NULL};
-    require(bead_canvas_create(NULL, WIDTH, HEIGHT, &s->canvas, &msg), &msg);
+    require(bead_canvas_create(backend, WIDTH, HEIGHT, &s->canvas, &msg), &msg);
     require(bead_frame_create(WIDTH, HEIGHT, &s->background, &msg), &msg);
     require(bead_frame_create(WIDTH, HEIGHT, &s->frame, &msg), &msg);
     uint32_t state = 12345;
     for (size_t i = 0; noisy && i < s->background.stride * HEIGHT; i++)
         s->background.pixels[i] = (uint8_t)((state = state * 1664525u + 1013904223u) >> 24);
     require(bead_backdrop_set(s->canvas, &s->backdrop, &s->background, whole, &msg), &msg);
+}
+
+static void open_stage(struct stage *s, bool noisy)
+{
+    open_stage_with(s, NULL, noisy);
 }
 
 static void close_stage(struct stage *s)
@@ -210,6 +215,35 @@ static void test_parts_are_as_the_whole(void **state)
     close_stage(&s);
 }
 
+/* All back ends are open at once, and take turns. */
+static void test_back_ends_draw_the_same_pixels(void **state)
+{
+    (void)state;
+    enum { MOST = 4 };
+    struct stage stages[MOST];
+    struct bead_ball balls[9];
+    struct bead_mark marks[9];
+    uint64_t first[2] = {0, 0};
+    size_t count = make_balls(balls, marks), backends = 0;
+    for (const struct bead_canvas_backend *b; (b = bead_canvas_backend_info(backends)); backends++) {
+        assert_true(backends < MOST);
+        open_stage_with(&stages[backends], b->name, true);
+        assert_non_null(strstr(bead_canvas_describe(stages[backends].canvas), b->name));
+    }
+    assert_true(backends >= 2);
+    for (int turn = 0; turn < 2; turn++) {
+        for (size_t i = 0; i < backends; i++) {
+            draw(&stages[i], whole, balls, turn ? count : count - 1, marks, count);
+            uint64_t hash = bead_frame_hash(&stages[i].frame);
+            first[turn] = i == 0 ? hash : first[turn];
+            assert_true(hash == first[turn]);
+        }
+    }
+    assert_true(first[0] != first[1]);
+    for (size_t i = 0; i < backends; i++)
+        close_stage(&stages[i]);
+}
+
 static void test_failures_are_told(void **state)
 {
     (void)state;
@@ -277,9 +311,13 @@ static void test_says_what_it_is(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pixels_come_back),        cmocka_unit_test(test_a_part_of_the_frame_only),
-        cmocka_unit_test(test_area_and_place_of_balls), cmocka_unit_test(test_parts_are_as_the_whole),
-        cmocka_unit_test(test_failures_are_told),       cmocka_unit_test(test_missing_shaders),
+        cmocka_unit_test(test_pixels_come_back),
+        cmocka_unit_test(test_a_part_of_the_frame_only),
+        cmocka_unit_test(test_area_and_place_of_balls),
+        cmocka_unit_test(test_parts_are_as_the_whole),
+        cmocka_unit_test(test_back_ends_draw_the_same_pixels),
+        cmocka_unit_test(test_failures_are_told),
+        cmocka_unit_test(test_missing_shaders),
         cmocka_unit_test(test_says_what_it_is),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -17,10 +17,11 @@ struct bead_canvas_backend {
 /* Row `index`, NULL behind the last. */
 BEAD_API const struct bead_canvas_backend *bead_canvas_backend_info(size_t index);
 
-/* Sets LP_NUM_THREADS=0 in the environment unless it is set (Mesa then rasterises in the calling thread). Call it before
- * other threads start; creating a canvas does it too. */
+/* Sets LP_NUM_THREADS=0 and LIBGL_ALWAYS_SOFTWARE=1 in the environment unless they are set (Mesa then rasterises in the calling
+ * thread, and leaves graphics cards alone). Call it before other threads start; creating a canvas does it too. */
 BEAD_API void bead_canvas_prepare(void);
-/* backend NULL: the first that works. Errors: GRAPHICS, MEMORY, USAGE (no such back end). On failure *canvas is NULL. */
+/* backend NULL: the first that works; the pixels are the same from all. Errors: GRAPHICS, MEMORY, USAGE (no such back end). On
+ * failure *canvas is NULL. */
 BEAD_API BEAD_CHECK enum bead_error bead_canvas_create(const char *backend, int width, int height, struct bead_canvas **canvas,
                                                        struct bead_message *msg);
 BEAD_API const char *bead_canvas_describe(const struct bead_canvas *canvas);             /* "osmesa, llvmpipe ..., OpenGL 4.5" */

@@ -43,6 +43,7 @@ struct bead_stage {
     double resolution;       /* s: samples this close show every oscillation */
     double twin;             /* accuracy of a twin run, or where the scene gives steps their length, in units of the first's */
     int threads;             /* 1: do everything in the calling thread */
+    const char *canvas;      /* back end for what is drawn with GL; NULL: the first that works */
     const char *directory;   /* where relative paths of outputs go */
 };
 
