@@ -1,40 +1,13 @@
-#include "render/movie_frame.h"
-#include "render/colour_range.h"
+#include "render/movie_composer.h"
 
-#include <cairo.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "beadreel/canvas.h"
+#include "render/captions.h"
+#include "render/colour_range.h"
 #include "render/magnify.h"
-#include "render/movie_layout.h"
-#include "render/movie_words.h"
-#include "render/trust_words.h"
+#include "render/movie_card.h"
 #include "render/view_beads.h"
-#include "render/view_sensors.h"
-#include "render/view_spacetime.h"
-
-struct bead_composer {
-    struct bead_composer_setup setup;
-    struct bead_look look;
-    struct bead_colormap map;
-    struct bead_colours colours;
-    struct bead_clock clock;
-    double magnify;
-    struct bead_movie_wants wants;
-    struct bead_movie_layout layout;
-    struct bead_view **views; /* of chain c: from c * wants.view_count on */
-    struct bead_canvas *canvas;
-    struct bead_frame frame, background;
-    cairo_surface_t *surface; /* of the frame */
-    cairo_t *cr;
-    char time_text[256]; /* as shown now */
-    bool started;
-    bool trust_said;
-    bool over, under, bar_over, bar_under; /* values beyond the colours' range: seen; as the bar shows it */
-};
 
 unsigned bead_composer_fields(const struct bead_output *output)
 {
@@ -131,7 +104,9 @@ static enum bead_error fill_wants(struct bead_composer *c, struct bead_message *
                                    .chain_count = c->setup.chain_count,
                                    .axes = output->axes,
                                    .title = c->setup.title && c->setup.title[0],
-                                   .trust = output->trust};
+                                   .trust = output->trust,
+                                   .caption_lines = bead_captions_lines(output, &c->look, c->setup.width),
+                                   .caption_line = bead_caption_height(&c->look)};
     for (size_t i = 0; i < output->view_count && i < BEAD_MOVIE_VIEWS; i++) {
         const struct bead_view_type *type = bead_view_find(output->views[i]);
         if (!type)
@@ -184,7 +159,15 @@ static enum bead_error fill(struct bead_composer *c, struct bead_message *msg)
         return err;
     c->colours = (struct bead_colours){&c->map, output->scale, c->setup.range[0], c->setup.range[1]};
     c->clock = bead_clock_make(c->setup.time[1], c->setup.step);
+    double span = c->setup.time[1] - c->setup.time[0];
+    c->slowed = span > 0 ? output->duration / span : 1;
+    c->caption = SIZE_MAX;
     c->magnify = output->magnify > 0 ? output->magnify : bead_magnify_auto(c->setup.chains, c->setup.chain_count);
+    if (output->poster && output->poster[0]) {
+        c->lit = calloc(c->setup.chain_count, sizeof *c->lit);
+        if (!c->lit)
+            return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
+    }
     err = fill_wants(c, msg);
     if (!err)
         err = bead_movie_arrange(&c->wants, &c->layout, msg);
@@ -242,6 +225,15 @@ static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, stru
     return err;
 }
 
+static struct bead_facts facts_of(const struct bead_composer *c)
+{
+    bool beads = false;
+    for (size_t i = 0; i < c->wants.view_count; i++)
+        beads = beads || c->wants.views[i]->kind == BEAD_VIEW_BEADS;
+    return (struct bead_facts){
+        .slowed = c->slowed, .magnify = beads ? c->magnify : 0, .chains = c->setup.chains, .chain_count = c->setup.chain_count};
+}
+
 static void draw_words(struct bead_composer *c, cairo_t *cr)
 {
     const struct bead_movie_layout *layout = &c->layout;
@@ -253,27 +245,13 @@ static void draw_words(struct bead_composer *c, cairo_t *cr)
             false};
         bead_line_draw(cr, style, c->setup.title, layout->title);
     }
-    bool beads = false;
-    for (size_t i = 0; i < c->wants.view_count; i++)
-        beads = beads || c->wants.views[i]->kind == BEAD_VIEW_BEADS;
-    double span = c->setup.time[1] - c->setup.time[0];
-    struct bead_facts facts = {.slowed = span > 0 ? c->setup.output->duration / span : 1,
-                               .magnify = beads ? c->magnify : 0,
-                               .chains = c->setup.chains,
-                               .chain_count = c->setup.chain_count};
+    struct bead_facts facts = facts_of(c);
     if (layout->facts.width > 0)
         bead_facts_draw(cr, look, &facts, layout->facts, stacked);
     for (size_t i = 0; i < layout->chain_count; i++) {
         if (layout->chains[i].heading.width > 0)
             bead_heading_draw(cr, look, c->setup.chains[i], layout->chains[i].heading);
     }
-}
-
-static void draw_bar(struct bead_composer *c, cairo_t *cr)
-{
-    const struct bead_field_info *field = bead_field_info(c->setup.output->field);
-    if (c->layout.bar.width > 0)
-        bead_colour_bar_draw(cr, &c->look, &c->colours, field->unit, field->title, c->layout.bar, c->bar_over, c->bar_under);
 }
 
 static enum bead_error draw_background(struct bead_composer *c, struct bead_message *msg)
@@ -286,7 +264,7 @@ static enum bead_error draw_background(struct bead_composer *c, struct bead_mess
     cairo_paint(cr);
     enum bead_error err = decorate_views(c, cr, msg);
     draw_words(c, cr);
-    draw_bar(c, cr);
+    bead_overlay_draw_bar(c, cr);
     cairo_surface_flush(surface);
     if (!err && cairo_status(cr) != CAIRO_STATUS_SUCCESS)
         err = bead_fail(msg, BEAD_ERROR_GRAPHICS, "drawing the background: %s", cairo_status_to_string(cairo_status(cr)));
@@ -323,96 +301,50 @@ static void look_beyond(struct bead_composer *c, const struct bead_sample *sampl
     }
 }
 
+/* Mean distance from zero along the colour bar. */
+static void look_lit(struct bead_composer *c, const struct bead_sample *sample)
+{
+    const double *value = sample->field[c->setup.output->field];
+    struct bead_span span = span_of(c, sample->chain);
+    double zero = bead_colours_place(&c->colours, 0), sum = 0;
+    zero = fmin(1, fmax(0, zero));
+    for (size_t i = span.first; value && i <= span.last && i <= sample->active; i++)
+        sum += fabs(fmin(1, fmax(0, bead_colours_place(&c->colours, value[i]))) - zero);
+    c->lit[sample->chain] = sum / (double)(span.last - span.first + 1);
+}
+
+double bead_composer_interest(const struct bead_composer *c, double time)
+{
+    double passed = (time - c->setup.time[0]) / (c->setup.time[1] - c->setup.time[0]), sum = 0;
+    if (!bead_composer_averages(c->setup.output))
+        passed = 1;
+    for (size_t i = 0; c->lit && i < c->wants.chain_count; i++)
+        sum += c->lit[i];
+    return (0.3 + 0.7 * passed) * sum;
+}
+
 enum bead_error bead_composer_feed(struct bead_composer *c, const struct bead_sample *sample, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
     look_beyond(c, sample);
+    if (c->lit)
+        look_lit(c, sample);
     for (size_t v = 0; !err && v < c->wants.view_count; v++)
         err = c->wants.views[v]->feed(*view_at(c, sample->chain, v), sample, msg);
     return err;
 }
 
-/* The bar gets its points when values beyond its ends have come. */
-static void update_bar(struct bead_composer *c, struct bead_changes *changes)
+enum bead_error bead_composer_card(struct bead_composer *c, struct bead_changes *changes, struct bead_message *msg)
 {
-    const struct bead_rect *bar = &c->layout.bar;
-    if (bar->width == 0 || (c->over == c->bar_over && c->under == c->bar_under))
-        return;
-    c->bar_over = c->over;
-    c->bar_under = c->under;
-    int pad = 2 * bar->width, x = bar->x - bar->width / 2, y = bar->y - pad > 0 ? bar->y - pad : 0;
-    int bottom = bar->y + bar->height + pad < c->frame.height ? bar->y + bar->height + pad : c->frame.height;
-    struct bead_rect rect = {x, y, c->frame.width - x, bottom - y};
-    cairo_save(c->cr);
-    cairo_rectangle(c->cr, rect.x, rect.y, rect.width, rect.height);
-    cairo_clip(c->cr);
-    cairo_set_source_rgb(c->cr, c->look.background.r, c->look.background.g, c->look.background.b);
-    cairo_paint(c->cr);
-    draw_bar(c, c->cr);
-    cairo_restore(c->cr);
+    struct bead_facts facts = facts_of(c);
+    if (c->carded)
+        return BEAD_OK;
+    bead_card_draw(c->cr, &c->look, &facts, c->setup.title, c->setup.output->card.text, c->frame.width, c->frame.height);
     cairo_surface_flush(c->surface);
-    bead_frame_copy(&c->background, &c->frame, rect);
-    bead_changes_add(changes, rect);
-}
-
-/* The time as text, where it reads differently now. */
-static void draw_time(struct bead_composer *c, double time, struct bead_changes *changes)
-{
-    char text[sizeof c->time_text];
-    struct bead_rect rect = c->layout.time;
-    bead_clock_text(&c->clock, time, &c->look, text, sizeof text);
-    if (rect.width == 0 || strcmp(text, c->time_text) == 0)
-        return;
-    snprintf(c->time_text, sizeof c->time_text, "%s", text);
-    cairo_surface_flush(c->surface);
-    bead_frame_copy(&c->frame, &c->background, rect);
-    cairo_surface_mark_dirty(c->surface);
-    struct bead_text_style style = bead_clock_style(&c->look);
-    cairo_save(c->cr);
-    cairo_rectangle(c->cr, rect.x, rect.y, rect.width, rect.height);
-    cairo_clip(c->cr);
-    bead_text_draw(c->cr, &style, rect.x, rect.y + 0.5 * rect.height, text);
-    cairo_restore(c->cr);
-    cairo_surface_flush(c->surface);
-    bead_changes_add(changes, rect);
-}
-
-/* Whose horizon is the earliest, of what has been drawn. */
-static struct bead_trust find_trust(const struct bead_composer *c)
-{
-    struct bead_trust trust = bead_trust_make(c->setup.scene, c->setup.twin);
-    trust.from = c->setup.time[0];
-    trust.bold = true;
-    for (size_t i = 0; i < c->wants.chain_count * c->wants.view_count; i++) {
-        enum bead_view_kind kind = c->wants.views[i % c->wants.view_count]->kind;
-        double horizon = kind == BEAD_VIEW_SPACETIME ? bead_spacetime_horizon(c->views[i])
-                         : kind == BEAD_VIEW_SENSORS ? bead_sensors_horizon(c->views[i])
-                                                     : INFINITY;
-        if (horizon < trust.until) {
-            trust.until = horizon;
-            trust.chain = c->wants.chain_count > 1 ? bead_chain_name(c->setup.chains[i / c->wants.view_count]) : "";
-        }
-    }
-    return trust;
-}
-
-/* The line about the horizon: from when it is reached, or at the end where it is not. */
-static void draw_trust(struct bead_composer *c, double time, struct bead_changes *changes)
-{
-    struct bead_rect rect = c->layout.trust;
-    if (c->trust_said || rect.width == 0)
-        return;
-    struct bead_trust trust = find_trust(c);
-    if (!isfinite(trust.until) && time < c->setup.time[1])
-        return;
-    cairo_save(c->cr);
-    cairo_rectangle(c->cr, rect.x, rect.y, rect.width, rect.height);
-    cairo_clip(c->cr);
-    bead_trust_draw(c->cr, &c->look, &trust, rect, rect.x > c->layout.time.x);
-    cairo_restore(c->cr);
-    cairo_surface_flush(c->surface);
-    bead_changes_add(changes, rect);
-    c->trust_said = true;
+    bead_changes_add(changes, (struct bead_rect){0, 0, c->frame.width, c->frame.height});
+    c->carded = true;
+    cairo_status_t status = cairo_status(c->cr);
+    return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "drawing the title card: %s", cairo_status_to_string(status)) : BEAD_OK;
 }
 
 enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct bead_changes *changes, struct bead_message *msg)
@@ -429,9 +361,10 @@ enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct 
     if (err)
         return err;
     cairo_surface_mark_dirty(c->surface); /* the views wrote its pixels */
-    draw_time(c, time, changes);
-    draw_trust(c, time, changes);
-    update_bar(c, changes);
+    bead_overlay_time(c, time, changes);
+    bead_overlay_trust(c, time, changes);
+    bead_overlay_caption(c, time, changes);
+    bead_overlay_bar(c, changes);
     return BEAD_OK;
 }
 
@@ -463,6 +396,7 @@ void bead_composer_destroy(struct bead_composer *c)
         return;
     bead_composer_close(c);
     free(c->views);
+    free(c->lit);
     bead_movie_layout_free(&c->layout);
     bead_frame_free(&c->frame);
     bead_frame_free(&c->background);

@@ -41,9 +41,15 @@ BEAD_CHECK enum bead_error bead_composer_create(const struct bead_composer_setup
 BEAD_CHECK enum bead_error bead_composer_open(struct bead_composer *composer, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_composer_feed(struct bead_composer *composer, const struct bead_sample *sample,
                                               struct bead_message *msg);
+/* The title card, before the first draw; adds what changed. Errors: GRAPHICS. */
+BEAD_CHECK enum bead_error bead_composer_card(struct bead_composer *composer, struct bead_changes *changes,
+                                              struct bead_message *msg);
 /* Brings the frame to `time`; adds what changed (the first time: everything). */
 BEAD_CHECK enum bead_error bead_composer_draw(struct bead_composer *composer, double time, struct bead_changes *changes,
                                               struct bead_message *msg);
+/* How much there is to see as of the last samples, at `time`: how far beads are from rest along the colour bar, on average; more
+ * where views of all times have filled. Only for outputs with a poster. */
+double bead_composer_interest(const struct bead_composer *composer, double time);
 const struct bead_frame *bead_composer_frame(const struct bead_composer *composer);
 /* What belongs to the drawing thread goes. */
 void bead_composer_close(struct bead_composer *composer);

@@ -18,6 +18,7 @@ struct measures {
     int width;    /* of the plots */
     bool stacked; /* words below the time, not beside it */
     int time_height, line_height;
+    int caption; /* height of captions, between the lowest axis and the margin */
 };
 
 static int whole(double x)
@@ -55,7 +56,9 @@ static struct measures measure(const struct bead_movie_wants *w, enum level leve
         m.bar_width = whole(1.3 * look->gap);
         m.right += m.bar_gap + m.bar_width + whole(w->bar);
     }
-    m.bottom = m.margin;
+    if (w->axes && level < VIEWS_ONLY)
+        m.caption = whole(w->caption_lines * w->caption_line);
+    m.bottom = m.margin + m.caption + (m.caption > 0 ? whole(0.5 * look->gap) : 0);
     m.width = w->width - m.left - m.right;
     return m;
 }
@@ -224,6 +227,9 @@ enum bead_error bead_movie_arrange(const struct bead_movie_wants *wants, struct 
         layout->axes = m.axes;
         place_header(wants, &m, layout);
         place_bar(wants, &m, layout);
+        if (m.caption > 0)
+            layout->caption =
+                (struct bead_rect){m.margin, wants->height - m.margin - m.caption, wants->width - 2 * m.margin, m.caption};
         return BEAD_OK;
     }
     bead_movie_layout_free(layout);

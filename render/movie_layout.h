@@ -1,6 +1,6 @@
 /* Layout of a movie's frame: rectangles only. A heading and the views, stacked, for each chain; time and words above, a colour bar
- * at the right. Plots of all views have the same left and right edge. What has no room is left out: words first, then headings,
- * axes, and the time. Rectangles never overlap and never leave the frame. */
+ * at the right, captions at the bottom. Plots of all views have the same left and right edge. What has no room is left out: words
+ * first, then headings, axes, and the time with captions. Rectangles never overlap and never leave the frame. */
 #ifndef BEAD_RENDER_MOVIE_LAYOUT_H
 #define BEAD_RENDER_MOVIE_LAYOUT_H
 
@@ -24,6 +24,8 @@ struct bead_movie_wants {
     bool axes; /* false: nothing but the views */
     bool title, headings;
     bool trust;                                /* a line about the horizon: is left out after the other words */
+    int caption_lines;                         /* reserved at the bottom */
+    double caption_line;                       /* height of one */
     bool same_beads;                           /* all chains have the same bead axis: only the lowest is labelled */
     double time_width;                         /* of the widest time that is shown */
     double left, below_beads, below_time, bar; /* how far the axes reach out of plots, and the bar's out of the bar */
@@ -37,7 +39,7 @@ struct bead_movie_chain {
 
 struct bead_movie_layout {
     bool axes;
-    struct bead_rect time, title, facts, trust, bar;
+    struct bead_rect time, title, facts, trust, bar, caption;
     struct bead_movie_chain *chains; /* of the layout */
     size_t chain_count;
 };

@@ -12,6 +12,7 @@
 #include "beadreel/pipe.h"
 #include "render/colour_range.h"
 #include "render/movie_frame.h"
+#include "render/movie_poster.h"
 #include "render/sinks.h"
 
 /* Frames between drawing and encoding; bytes of samples between the run and drawing. */
@@ -39,14 +40,15 @@ struct bead_sink {
     char *path;
     char why[96];
     int width, height;
-    double time[2], step; /* s: first and last frame, and between frames */
-    size_t frames;
+    double time[2], step; /* s: first and last frame of the motion, and between frames */
+    size_t card, frames;  /* those of the card; all */
     struct bead_grid grid;
     unsigned fields, twin;
     size_t last_bead; /* of the longest chain, as far as asked for */
 
     struct bead_composer *composer;
     struct bead_movie *movie;
+    struct bead_poster *poster; /* NULL: none */
     struct bead_pipe *drawing, *encoding;
     struct bead_frame buffer[FRAME_SLOTS];
     struct bead_changes missing[FRAME_SLOTS]; /* what each buffer lacks */
@@ -99,14 +101,17 @@ static enum bead_error choose_times(struct bead_sink *s, struct bead_message *ms
         return wrong(s, "time: a movie needs some time to show, within the run", msg);
     if (!(frames >= 2 && frames <= most_frames))
         return wrong(s, "duration: a movie has 2 to 10 million frames (duration times fps)", msg);
-    s->frames = (size_t)frames;
-    s->step = (s->time[1] - s->time[0]) / (double)(s->frames - 1);
+    s->card = o->card.lasting > 0 ? (size_t)fmax(1, round(o->card.lasting * o->fps)) : 0;
+    s->frames = s->card + (size_t)frames;
+    s->step = (s->time[1] - s->time[0]) / (frames - 1);
     return BEAD_OK;
 }
 
 static double frame_time(const struct bead_sink *s, size_t frame)
 {
-    return frame + 1 == s->frames ? s->time[1] : s->time[0] + (double)frame * s->step;
+    if (frame < s->card)
+        return s->time[0];
+    return frame + 1 == s->frames ? s->time[1] : s->time[0] + (double)(frame - s->card) * s->step;
 }
 
 /* Samples at the frames, or k times as often where views average over time; or those that there are, and frames in between blend
@@ -144,6 +149,7 @@ static void movie_destroy(struct bead_sink *s)
     bead_pipe_destroy(s->drawing);
     bead_pipe_destroy(s->encoding);
     bead_movie_abort(s->movie);
+    bead_poster_destroy(s->poster);
     bead_composer_destroy(s->composer);
     for (int i = 0; i < FRAME_SLOTS; i++)
         bead_frame_free(&s->buffer[i]);
@@ -258,12 +264,21 @@ static bool send_frame(struct bead_sink *s, const struct bead_changes *changes)
     return true;
 }
 
+static enum bead_error draw_frame(struct bead_sink *s, struct bead_changes *changes, struct bead_message *msg)
+{
+    double time = frame_time(s, s->drawn);
+    if (s->drawn < s->card)
+        return bead_composer_card(s->composer, changes, msg);
+    enum bead_error err = bead_composer_draw(s->composer, time, changes, msg);
+    return !err && s->poster ? bead_poster_offer(s->poster, s->composer, time, msg) : err;
+}
+
 /* Frames up to `until`. */
 static enum bead_error draw_frames(struct bead_sink *s, double until, struct bead_message *msg)
 {
     while (s->drawn < s->frames && frame_time(s, s->drawn) <= until) {
         struct bead_changes changes = {0};
-        enum bead_error err = bead_composer_draw(s->composer, frame_time(s, s->drawn), &changes, msg);
+        enum bead_error err = draw_frame(s, &changes, msg);
         if (err)
             return err;
         if (!send_frame(s, &changes)) /* the encoder tells why when it is finished */
@@ -348,6 +363,8 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
     for (int i = 0; !err && i < FRAME_SLOTS; i++)
         err = bead_frame_create(s->width, s->height, &s->buffer[i], msg);
     struct bead_movie_settings settings = settings_of(s);
+    if (!err && s->output->poster && s->output->poster[0])
+        err = bead_poster_create(s->output, &s->stage, s->step, &s->poster, msg);
     if (!err)
         err = bead_movie_open(s->path, &settings, &s->movie, msg);
     bead_canvas_prepare(); /* while no thread of ours is running */
@@ -409,6 +426,10 @@ static enum bead_error movie_end(struct bead_sink *s, const struct bead_outcome 
 {
     (void)outcomes;
     enum bead_error err = finish_pipes(s, msg);
+    if (err)
+        return err;
+    if (s->poster)
+        err = bead_poster_write(s->poster, msg);
     if (err)
         return err;
     struct bead_movie *movie = s->movie;

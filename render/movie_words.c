@@ -52,8 +52,7 @@ struct bead_text_style bead_clock_style(const struct bead_look *look)
                                     .down = BEAD_ALIGN_MIDDLE};
 }
 
-/* "3 600" from 3571: two significant digits, thousands apart. */
-static void round_number(double x, char *out, size_t size)
+void bead_round_number(double x, char *out, size_t size)
 {
     if (x < 10) {
         snprintf(out, size, "%.2g", x);
@@ -100,8 +99,7 @@ static void name_beads(const struct bead_chain *chain, char *out, size_t size)
         add_text(out, size, ":" ELLIPSIS);
 }
 
-/* What all chains have in common: beads, striker. */
-static void say_chain(const struct bead_facts *facts, char *out, size_t size)
+void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size)
 {
     char name[160], other[160], speed[40];
     bool same_beads = true, same_speed = true;
@@ -132,13 +130,13 @@ static size_t gather(const struct bead_facts *facts, char text[MOST_FACTS][256])
     char number[64];
     size_t count = 0;
     bool slower = facts->slowed >= 1;
-    round_number(slower ? facts->slowed : 1 / facts->slowed, number, sizeof number);
+    bead_round_number(slower ? facts->slowed : 1 / facts->slowed, number, sizeof number);
     snprintf(text[count++], 256, "%s %s \u00d7", slower ? "slowed" : "sped up", number);
     if (facts->magnify > 0) {
-        round_number(facts->magnify, number, sizeof number);
+        bead_round_number(facts->magnify, number, sizeof number);
         snprintf(text[count++], 256, "displacements \u00d7 %s", number);
     }
-    say_chain(facts, text[count], 256);
+    bead_facts_chain(facts, text[count], 256);
     return count + (text[count][0] != '\0');
 }
 

@@ -257,7 +257,7 @@ static enum bead_error unknown_key(const struct bead_reader *reader, const struc
                                    unsigned form)
 {
     struct bead_suggest search;
-    char near[96], all[360] = "";
+    char near[96], all[480] = "";
     bead_suggest_begin(&search, at->key);
     for (size_t i = 0; i < options->count; i++) {
         const struct bead_option *row = &options->rows[i];

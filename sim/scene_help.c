@@ -2,8 +2,9 @@
 #include "sim/scene_private.h"
 
 static const struct bead_options *const all[] = {
-    &bead_scene_options, &bead_chain_options,   &bead_striker_options,  &bead_segment_options,  &bead_power_options,
-    &bead_fpu_options,   &bead_damping_options, &bead_material_options, &bead_simulate_options, &bead_output_options,
+    &bead_scene_options,    &bead_chain_options,  &bead_striker_options, &bead_segment_options,
+    &bead_power_options,    &bead_fpu_options,    &bead_damping_options, &bead_material_options,
+    &bead_simulate_options, &bead_output_options, &bead_caption_options, &bead_card_options,
 };
 
 void bead_scene_help(FILE *out)

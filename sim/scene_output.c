@@ -179,6 +179,29 @@ static bool same_path(const char *a, const char *b)
     return *a == *b;
 }
 
+/* Is `path` written by one of the first `count` outputs, or as the poster of one? */
+static bool is_taken(const struct bead_output *outputs, size_t count, const char *path)
+{
+    bool taken = false;
+    for (size_t i = 0; i < count; i++)
+        taken = taken || same_path(outputs[i].path, path) || (outputs[i].poster && *path && same_path(outputs[i].poster, path));
+    return taken;
+}
+
+/* Every file is written once. */
+static enum bead_error check_paths(const struct bead_reader *reader, const struct bead_at *at, size_t index)
+{
+    const struct bead_output *outputs = reader->scene->outputs, *output = &outputs[index];
+    const char *poster = output->poster ? output->poster : "";
+    struct bead_at where = bead_at_key(at, kinds[output->kind]);
+    if (is_taken(outputs, index, output->path))
+        return bead_wrong(reader, &where, "`%s` is the file of another output, too; names must differ", output->path);
+    where = bead_at_key(at, "poster");
+    if (*poster && (is_taken(outputs, index, poster) || same_path(output->path, poster)))
+        return bead_wrong(reader, &where, "`%s` is the file of another output, too; names must differ", poster);
+    return BEAD_OK;
+}
+
 static enum bead_error read_output(struct bead_reader *reader, const struct bead_at *at, size_t index)
 {
     struct bead_output *outputs = reader->scene->outputs, *output = &outputs[index];
@@ -199,12 +222,9 @@ static enum bead_error read_output(struct bead_reader *reader, const struct bead
         err = check_shown(reader, at, output);
     if (!err)
         err = check_trust(reader, at, output);
-    for (size_t i = 0; i < index && !err; i++) {
-        struct bead_at where = bead_at_key(at, kinds[output->kind]);
-        if (same_path(outputs[i].path, output->path))
-            err = bead_wrong(reader, &where, "`%s` is the file of another output, too; names must differ", output->path);
-    }
-    return err;
+    if (!err && output->kind == BEAD_OUTPUT_MOVIE)
+        err = bead_output_check_movie(reader, at, output);
+    return err ? err : check_paths(reader, at, index);
 }
 
 enum bead_error bead_scene_read_outputs(struct bead_reader *reader, const struct bead_at *at)

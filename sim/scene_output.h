@@ -15,6 +15,15 @@ BEAD_OUTPUT_READER(bead_output_read_beads);
 BEAD_OUTPUT_READER(bead_output_read_size);
 BEAD_OUTPUT_READER(bead_output_read_range);
 BEAD_OUTPUT_READER(bead_output_read_views);
+BEAD_OUTPUT_READER(bead_output_read_captions);
+BEAD_OUTPUT_READER(bead_output_read_card);
+BEAD_OUTPUT_READER(bead_output_read_poster);
 BEAD_OUTPUT_READER(bead_scene_read_sweep);
+
+/* What the keys of one movie must fit together in. */
+BEAD_CHECK enum bead_error bead_output_check_movie(const struct bead_reader *reader, const struct bead_at *at,
+                                                   const struct bead_output *output);
+/* What the keys above have filled in. */
+void bead_output_free_movie(struct bead_output *output);
 
 #endif

@@ -8,7 +8,8 @@
 enum { BEAD_SCENE_CHAINS = 64, BEAD_SCENE_OUTPUTS = 1000, BEAD_SCENE_BEADS = 100000000 };
 
 extern const struct bead_options bead_scene_options, bead_material_options, bead_chain_options, bead_striker_options,
-    bead_segment_options, bead_power_options, bead_fpu_options, bead_damping_options, bead_simulate_options, bead_output_options;
+    bead_segment_options, bead_power_options, bead_fpu_options, bead_damping_options, bead_simulate_options, bead_output_options,
+    bead_caption_options, bead_card_options;
 
 /* Readers of custom options, with the signature of bead_option.read; `settings` is the structure of the row. */
 enum bead_error bead_scene_read_materials(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,

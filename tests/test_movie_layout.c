@@ -33,6 +33,7 @@ static void check(const struct bead_movie_wants *w, const struct bead_movie_layo
     count = add(all, count, layout->title, "title");
     count = add(all, count, layout->facts, "facts");
     count = add(all, count, layout->bar, "bar");
+    count = add(all, count, layout->caption, "caption");
     for (size_t c = 0; c < layout->chain_count; c++) {
         count = add(all, count, layout->chains[c].heading, "heading");
         for (size_t v = 0; v < w->view_count; v++) {
@@ -77,7 +78,7 @@ static void test_rectangles(void **state)
     static const int sizes[][2] = {{320, 180},   {640, 360},  {854, 480}, {1280, 720}, {1920, 1080}, {3840, 2160},
                                    {1080, 1920}, {720, 1280}, {600, 600}, {400, 1200}, {1600, 300},  {2560, 1080}};
     for (size_t s = 0; s < sizeof sizes / sizeof sizes[0]; s++) {
-        for (unsigned variant = 0; variant < 6 * 15 * 8; variant++) {
+        for (unsigned variant = 0; variant < 6 * 15 * 8 * 3; variant++) {
             struct bead_look look;
             struct bead_movie_layout layout;
             struct bead_message msg = {""};
@@ -92,6 +93,8 @@ static void test_rectangles(void **state)
             w.axes = flags & 1;
             w.title = w.headings = flags & 2;
             w.same_beads = flags & 4;
+            w.caption_lines = (int)(flags / 8);
+            w.caption_line = 1.4 * look.title;
             if (bead_movie_arrange(&w, &layout, &msg))
                 fail_msg("%d x %d, %zu chains, %zu views: %s", w.width, w.height, w.chain_count, w.view_count, msg.text);
             check(&w, &layout);
@@ -110,10 +113,13 @@ static void test_full_size_keeps_everything(void **state)
     static const enum bead_view_kind kinds[3] = {BEAD_VIEW_BEADS, BEAD_VIEW_PROFILE, BEAD_VIEW_SPACETIME};
     w.chain_count = 2;
     w.same_beads = true;
+    w.caption_lines = 1;
+    w.caption_line = 1.4 * look.title;
     for (int i = 0; i < 3; i++)
         w.views[w.view_count++] = bead_view_find(kinds[i]);
     assert_int_equal(bead_movie_arrange(&w, &layout, NULL), BEAD_OK);
     assert_true(layout.axes && layout.time.width && layout.title.width && layout.facts.width && layout.bar.width);
+    assert_true(layout.caption.width > 1500 && layout.caption.height >= w.caption_line);
     assert_true(layout.chains[1].heading.width > 0);
     assert_false(layout.chains[0].labels[2]); /* the lowest space-time view labels the beads for all */
     assert_true(layout.chains[1].labels[2]);

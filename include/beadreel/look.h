@@ -51,6 +51,9 @@ BEAD_API void bead_text_draw(cairo_t *cr, const struct bead_text_style *style, d
 BEAD_API void bead_text_size(cairo_t *cr, const struct bead_text_style *style, const char *markup, double *width, double *height);
 /* Plain text to markup: escapes & < >; `out` of `size` bytes; cut between characters where it is too long. */
 BEAD_API void bead_text_escape(const char *text, char *out, size_t size);
+/* The same for texts with formulas: x_{0} and x^{2} are lowered and raised, \alpha and the like are Greek letters. What is not
+ * one of these stands as written. */
+BEAD_API void bead_text_formula(const char *text, char *out, size_t size);
 /* Markup of "M = 0.2" in mathematical italics. */
 BEAD_API void bead_text_magnetism(double magnetism, char *out, size_t size);
 

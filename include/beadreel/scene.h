@@ -127,6 +127,21 @@ enum bead_style { BEAD_STYLE_AUTO, BEAD_STYLE_PAPER, BEAD_STYLE_SLIDE, BEAD_STYL
 enum bead_theme { BEAD_THEME_AUTO, BEAD_THEME_LIGHT, BEAD_THEME_DARK };
 enum bead_view_kind { BEAD_VIEW_BEADS, BEAD_VIEW_PROFILE, BEAD_VIEW_SPACETIME, BEAD_VIEW_SENSORS, BEAD_VIEW_KINDS };
 
+/* A text that a movie shows while something happens. */
+struct bead_caption {
+    double at;    /* s of the motion: from when on */
+    double until; /* s of the motion; NaN: not given */
+    double
+        lasting; /* s of the film; NaN: not given. Neither: until the next caption, the last one for as long as it takes to read */
+    char *text;
+};
+
+/* What a movie shows before the motion. */
+struct bead_card {
+    double lasting; /* s of the film; 0: no card */
+    char *text;     /* below the title, or "" */
+};
+
 /* One entry of `outputs`. A key that does not belong to the kind is an error in the scene; the
  * field here then has its default. */
 struct bead_output {
@@ -153,8 +168,13 @@ struct bead_output {
     enum bead_quality quality;
     enum bead_style style; /* preset of image and plot: size, type, colours */
     enum bead_theme theme;
-    double magnify; /* factor on displacements; 0: automatic */
-    double at;      /* s; time of a still with views other than spacetime; NaN: end */
+    double magnify;                /* factor on displacements; 0: automatic */
+    double at;                     /* s; time of a still with views other than spacetime; NaN: end */
+    struct bead_caption *captions; /* by rising times: movie */
+    size_t caption_count;
+    struct bead_card card;
+    char *poster;     /* a PNG file of one frame, relative to the output directory; "": none */
+    double poster_at; /* s of the motion; NaN: where there is most to see */
     struct bead_place place;
 };
 

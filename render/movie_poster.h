@@ -1,0 +1,23 @@
+/* The poster of a movie: one of its frames, kept while it passes, as a PNG file. */
+#ifndef BEAD_RENDER_MOVIE_POSTER_H
+#define BEAD_RENDER_MOVIE_POSTER_H
+
+#include "beadreel/sink.h"
+#include "render/movie_frame.h"
+
+struct bead_poster;
+
+/* For an output with a poster; `step`: s of the motion between frames. Errors: MEMORY, IO. */
+BEAD_CHECK enum bead_error bead_poster_create(const struct bead_output *output, const struct bead_stage *stage, double step,
+                                              struct bead_poster **poster, struct bead_message *msg);
+/* NULL is allowed. */
+void bead_poster_destroy(struct bead_poster *poster);
+/* After each draw: keeps the frame where it is the one asked for, or has more to see than any before. */
+BEAD_CHECK enum bead_error bead_poster_offer(struct bead_poster *poster, const struct bead_composer *composer, double time,
+                                             struct bead_message *msg);
+/* Writes the file, where any frame was offered. Errors: IO, MEMORY. */
+BEAD_CHECK enum bead_error bead_poster_write(const struct bead_poster *poster, struct bead_message *msg);
+/* Name of the file; borrowed. */
+const char *bead_poster_path(const struct bead_poster *poster);
+
+#endif

@@ -1,0 +1,198 @@
+/* What movies say: captions at their times, title cards before the motion, posters. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "beadreel/look.h"
+#include "render/captions.h"
+#include "tests/decode.h"
+#include "tests/pictures.h"
+
+/* ---- times ---- */
+
+/* 1000 times slower: 1 ms of the motion is 1 s of the film. */
+static void captions_come_and_go(void **state)
+{
+    (void)state;
+    struct bead_caption list[] = {{1e-3, NAN, NAN, "until the next"},
+                                  {3e-3, 4e-3, NAN, "until its end"},
+                                  {5e-3, NAN, 2, "two seconds of the film"},
+                                  {8e-3, 20e-3, NAN, "longer than there is time"},
+                                  {9e-3, NAN, NAN, "the last"}};
+    struct bead_output output = {.captions = list, .caption_count = 5};
+    static const struct {
+        double time;
+        size_t caption;
+    } expected[] = {
+        {0, SIZE_MAX}, {0.999e-3, SIZE_MAX}, {1e-3, 0},          {2.9e-3, 0}, {3e-3, 1}, {3.9e-3, 1},  {4.1e-3, SIZE_MAX},
+        {5e-3, 2},     {6.9e-3, 2},          {7.1e-3, SIZE_MAX}, {8.5e-3, 3}, {9e-3, 4}, {11.4e-3, 4}, {11.6e-3, SIZE_MAX}};
+    for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
+        if (bead_captions_find(&output, 1000, expected[i].time) != expected[i].caption)
+            fail_msg("at %g ms there is caption %zu, not %zu", 1e3 * expected[i].time,
+                     bead_captions_find(&output, 1000, expected[i].time), expected[i].caption);
+    }
+}
+
+/* Nobody reads 90 characters in 2.5 s. */
+static void long_captions_stay_longer(void **state)
+{
+    (void)state;
+    char text[91];
+    memset(text, 'x', 90);
+    text[90] = '\0';
+    struct bead_caption list[] = {{0, NAN, NAN, text}};
+    struct bead_output output = {.captions = list, .caption_count = 1};
+    assert_int_equal(bead_captions_find(&output, 1, 5.9), 0);
+    assert_int_equal(bead_captions_find(&output, 1, 6.1), SIZE_MAX);
+}
+
+static void long_captions_take_two_lines(void **state)
+{
+    (void)state;
+    struct bead_look look;
+    bead_look_screen(&look, 1280, 720, true);
+    struct bead_caption list[] = {{0, NAN, NAN, "short"},
+                                  {1, NAN, NAN,
+                                   "This one is a good deal longer, says more than anybody wants to know about a chain of beads "
+                                   "and will not fit into one line of a picture that is as small as this"}};
+    struct bead_output output = {.captions = list, .caption_count = 1};
+    assert_int_equal(bead_captions_lines(&output, &look, 1280), 1);
+    output.caption_count = 2;
+    assert_int_equal(bead_captions_lines(&output, &look, 1280), 2);
+    assert_int_equal(bead_captions_lines(&output, &look, 4000), 1);
+    output.caption_count = 0;
+    assert_int_equal(bead_captions_lines(&output, &look, 1280), 0);
+}
+
+/* ---- markup ---- */
+
+static void formulas(void **state)
+{
+    (void)state;
+    static const char *const pairs[][2] = {{"F_{max} = A d^{3/2}", "F<sub>max</sub> = A d<sup>3/2</sup>"},
+                                           {"\\alpha\\leq\\Omega", "\u03b1\u2264\u03a9"},
+                                           {"v_{\\mu}", "v<sub>\u03bc</sub>"},
+                                           {"<b> & \"x\"", "&lt;b&gt; &amp; \"x\""},
+                                           {"x_{<}", "x<sub>&lt;</sub>"},
+                                           {"large_steel, a^b, x_{open", "large_steel, a^b, x_{open"},
+                                           {"\\nothing \\", "\\nothing \\"},
+                                           {"\xff\xc3", "??"},
+                                           {"", ""}};
+    char out[200];
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
+        bead_text_formula(pairs[i][0], out, sizeof out);
+        assert_string_equal(out, pairs[i][1]);
+    }
+    for (size_t size = 1; size < 40; size++) { /* never more than there is room, never half a tag */
+        memset(out, '#', sizeof out);
+        bead_text_formula(pairs[0][0], out, size);
+        assert_true(strlen(out) < size && out[size] == '#');
+        size_t open = 0, closed = 0;
+        for (const char *c = out; *c; c++) {
+            open += *c == '<';
+            closed += *c == '>';
+        }
+        assert_true(open == closed && open % 2 == 0);
+    }
+}
+
+/* ---- movies ---- */
+
+#define SMALL "views: [beads, profile], size: [320, 180], fps: 20, duration: 1 s"
+
+static bool same_pixels(const AVFrame *frame, const uint8_t *rgb, int width, int height)
+{
+    for (int y = 0; y < height; y++) {
+        for (int x = 0; x < width; x++) {
+            int one[3];
+            decoded_rgb(frame, x, y, one);
+            for (int c = 0; c < 3; c++) {
+                if (one[c] != rgb[3 * ((size_t)y * (size_t)width + (size_t)x) + (size_t)c])
+                    return false;
+            }
+        }
+    }
+    return true;
+}
+
+static void cards_come_first_and_take_their_time(void **state)
+{
+    (void)state;
+    char path[256];
+    struct decoded with, without;
+    struct built plain = build_chain("movie: a.mkv, quality: lossless, " SMALL);
+    struct built card = build_chain("movie: b.mkv, quality: lossless, card: 2 s, " SMALL);
+    draw_output(&plain, pulse_down_the_chain);
+    draw_output(&card, pulse_down_the_chain);
+    in_directory("a.mkv", path, sizeof path);
+    decode(path, &without);
+    remove(path);
+    in_directory("b.mkv", path, sizeof path);
+    decode(path, &with);
+    remove(path);
+    assert_true(fabs(without.duration - 1) < 0.01 && fabs(with.duration - 3) < 0.01);
+    /* The card is one frame that stays; what follows are the frames of the other movie, 2 s later. */
+    assert_int_equal(with.count, without.count + 1);
+    size_t bytes = (size_t)with.frame[0]->linesize[0];
+    assert_true(memcmp(with.frame[0]->data[0] + 20 * bytes, without.frame[0]->data[0] + 20 * bytes, 100 * bytes) != 0);
+    for (size_t i = 0; i < without.count; i++) {
+        assert_true(fabs(with.time[i + 1] - without.time[i] - 2) < 0.002);
+        for (size_t y = 0; y < 180; y++)
+            assert_memory_equal(with.frame[i + 1]->data[0] + y * bytes, without.frame[i]->data[0] + y * bytes, 320 * 4);
+    }
+    decoded_free(&with);
+    decoded_free(&without);
+    release_chain(&plain);
+    release_chain(&card);
+}
+
+/* The poster is one of the movie's frames: the one asked for, or one with something to see. */
+static void posters_are_frames(void **state)
+{
+    (void)state;
+    static const char *const wanted[] = {"poster-at: 0.5 ms, ", ""};
+    for (int k = 0; k < 2; k++) {
+        char path[256], text[256];
+        struct decoded movie;
+        snprintf(text, sizeof text, "movie: a.mkv, quality: lossless, poster: p.png, %s" SMALL, wanted[k]);
+        struct built built = build_chain(text);
+        draw_output(&built, pulse_down_the_chain);
+        in_directory("p.png", path, sizeof path);
+        struct png_file poster = read_png(path);
+        remove(path);
+        in_directory("a.mkv", path, sizeof path);
+        decode(path, &movie);
+        remove(path);
+        assert_true(poster.width == 320 && poster.height == 180);
+        size_t found = SIZE_MAX;
+        for (size_t i = 0; i < movie.count; i++)
+            found = same_pixels(movie.frame[i], poster.rgb, 320, 180) ? i : found;
+        assert_true(found != SIZE_MAX && found > 0);
+        /* 1 ms in 20 frames: 0.5 ms is half way between frames 9 and 10. */
+        assert_true(k == 1 || fabs(movie.time[found] * 20 - 9.5) <= 0.51);
+        free(poster.rgb);
+        decoded_free(&movie);
+        release_chain(&built);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(captions_come_and_go),
+        cmocka_unit_test(long_captions_stay_longer),
+        cmocka_unit_test(long_captions_take_two_lines),
+        cmocka_unit_test(formulas),
+        cmocka_unit_test(cards_come_first_and_take_their_time),
+        cmocka_unit_test(posters_are_frames),
+    };
+    return cmocka_run_group_tests(tests, make_directory, remove_directory);
+}
