@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "beadreel/law.h"
+#include "beadreel/measure.h"
 #include "beadreel/methods.h"
 #include "beadreel/scene.h"
 
@@ -63,5 +64,14 @@ enum bead_error command_list_keys(FILE *out, struct bead_message *msg)
 {
     (void)msg;
     bead_scene_help(out);
+    return BEAD_OK;
+}
+
+enum bead_error command_list_measures(FILE *out, struct bead_message *msg)
+{
+    (void)msg;
+    const struct bead_measure_info *info;
+    for (size_t i = 0; (info = bead_measure_info(i)); i++)
+        fprintf(out, "%-26s  %-8s  %s\n", info->name, info->unit, info->help);
     return BEAD_OK;
 }

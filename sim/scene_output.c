@@ -93,10 +93,12 @@ static enum bead_error check_shown(const struct bead_reader *reader, const struc
     where = bead_at_key(at, "scale");
     if (output->show == BEAD_SHOW_SENSORS && output->scale != BEAD_SCALE_LINEAR)
         return bead_wrong(reader, &where, "belongs to `show: peaks`; the axis of sensors is linear");
-    for (size_t i = 0; i < 2 && output->show != BEAD_SHOW_SENSORS; i++) {
+    for (size_t i = output->show == BEAD_SHOW_MEASURES; i < 2 && output->show != BEAD_SHOW_SENSORS; i++) {
         where = bead_at_key(at, of_samples[i]);
         if (where.node != at->node)
-            return bead_wrong(reader, &where, "belongs to `show: sensors`; peaks are those of the whole first passage");
+            return bead_wrong(reader, &where, "belongs to `show: sensors`; %s",
+                              output->show == BEAD_SHOW_MEASURES ? "measures are those of the whole run"
+                                                                 : "peaks are those of the whole first passage");
     }
     return BEAD_OK;
 }

@@ -20,7 +20,7 @@ enum {
 
 static const char *const form_names[] = {"trajectory", "image", "movie", "plot", "table", NULL};
 static const char *const plot_shows[] = {"sensors", "peaks", NULL};
-static const char *const table_shows[] = {"sensors", "peaks", "bead-peaks", NULL};
+static const char *const table_shows[] = {"sensors", "peaks", "bead-peaks", "measures", NULL};
 static const char *const scales[] = {"linear", "sqrt", "log", NULL};
 static const char *const samplings[] = {"area", "max", NULL};
 static const char *const qualities[] = {"draft", "standard", "high", "lossless", NULL};
@@ -62,7 +62,8 @@ static const struct bead_option rows[] = {
      .offset = OUTPUT(show),
      .initial = "peaks",
      .choices = table_shows,
-     .help = "what to list: the force at every sensor, the peak of every contact or of every bead",
+     .help = "what to list: the force at every sensor, the peak of every contact or of every bead, or measures of the run (--list "
+             "measures)",
      .forms = TABLE},
     {.key = "field",
      .type = BEAD_OPTION_CHOICE,

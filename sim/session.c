@@ -39,7 +39,7 @@ static const char *extension(const char *path)
 
 bool bead_output_needs_end(const struct bead_output *output)
 {
-    return output->kind != BEAD_OUTPUT_TABLE || output->show == BEAD_SHOW_SENSORS;
+    return output->kind != BEAD_OUTPUT_TABLE || output->show == BEAD_SHOW_SENSORS || output->show == BEAD_SHOW_MEASURES;
 }
 
 static bool has_extension(const struct bead_sink_type *type, const char *path)
@@ -183,6 +183,8 @@ static unsigned kept_fields(const struct bead_session *s)
 static bool covers(const struct bead_session *s, const struct bead_output *output)
 {
     const struct bead_output *k = s->keeper;
+    if (output->kind == BEAD_OUTPUT_TABLE && output->show == BEAD_SHOW_MEASURES)
+        return false; /* no interval is close enough, but its own */
     unsigned needs = output->kind == BEAD_OUTPUT_TABLE || output->kind == BEAD_OUTPUT_PLOT ? BEAD_FIELD_BIT(BEAD_FIELD_FORCE)
                                                                                            : BEAD_FIELD_BIT(output->field);
     double from = isnan(output->time[0]) ? 0 : output->time[0], to = isnan(output->time[1]) ? s->end : output->time[1];

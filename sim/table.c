@@ -9,42 +9,11 @@
 #include "beadreel/file.h"
 #include "sim/data_sinks.h"
 #include "sim/sink_grid.h"
-
-struct column {
-    size_t chain, bead;
-    char *name;   /* of the column */
-    double value; /* N, of the row being collected */
-};
-
-struct bead_sink {
-    struct bead_stage stage;
-    const struct bead_output *output;
-    const struct table *table;
-    struct bead_grid grid;
-    char *path, *part;
-    char why[128];
-    FILE *file;
-    locale_t locale;        /* "C": a decimal point, whatever the user's language */
-    struct column *columns; /* sensors, chain by chain */
-    size_t column_count, next_chain;
-    uint64_t rows;
-    bool open, finished;
-};
-
-/* What can be shown: its needs and how it is written. */
-struct table {
-    const char *why;
-    enum bead_error (*prepare)(struct bead_sink *sink, struct bead_message *msg); /* may be NULL */
-    void (*needs)(const struct bead_sink *sink, struct bead_needs *needs);
-    void (*header)(struct bead_sink *sink);
-    void (*sample)(struct bead_sink *sink, const struct bead_sample *sample); /* may be NULL */
-    void (*end)(struct bead_sink *sink, const struct bead_outcome *outcomes); /* may be NULL */
-};
+#include "sim/table.h"
 
 /* ---- writing: failures are remembered by the FILE and found when it is closed ---- */
 
-/* A text, in quotes where it has a comma, a quote or a line break. */
-static void put_text(FILE *file, const char *text)
+void bead_table_text(FILE *file, const char *text)
 {
     if (!text[strcspn(text, ",\"\r\n")]) {
         fputs(text, file);
@@ -98,7 +67,7 @@ static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcome
         size_t count = bead_span_rows(&sink->output->beads, contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain));
         for (size_t i = first; peaks && i < first + count; i++) {
             if (several(sink)) {
-                put_text(sink->file, bead_chain_name(chain));
+                bead_table_text(sink->file, bead_chain_name(chain));
                 fputc(',', sink->file);
             }
             write_peak(sink->file, i, &peaks[i]);
@@ -164,30 +133,37 @@ static void sensors_header(struct bead_sink *sink)
     fputs("time_s", sink->file);
     for (size_t i = 0; i < sink->column_count; i++) {
         fputc(',', sink->file);
-        put_text(sink->file, sink->columns[i].name);
+        bead_table_text(sink->file, sink->columns[i].name);
     }
     fputc('\n', sink->file);
 }
 
 /* A row is written when all chains have come, so that a run that is stopped leaves no half row. */
-static void sensors_sample(struct bead_sink *sink, const struct bead_sample *sample)
+static enum bead_error sensors_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
 {
+    (void)msg;
     for (size_t i = 0; i < sink->column_count; i++)
         if (sink->columns[i].chain == sample->chain)
             sink->columns[i].value = sample->field[BEAD_FIELD_FORCE][sink->columns[i].bead];
     if (sample->chain + 1 < sink->stage.chain_count)
-        return;
+        return BEAD_OK;
     fprintf(sink->file, "%.17g", sample->time);
     for (size_t i = 0; i < sink->column_count; i++)
         fprintf(sink->file, ",%.17g", sink->columns[i].value);
     fputc('\n', sink->file);
     sink->rows++;
+    return BEAD_OK;
 }
 
-static const struct table tables[] = {
-    [BEAD_SHOW_SENSORS] = {"forces at the sensors", sensors_prepare, sensors_needs, sensors_header, sensors_sample, NULL},
-    [BEAD_SHOW_PEAKS] = {"largest force of every contact", NULL, peaks_needs, peaks_header, NULL, peaks_end},
-    [BEAD_SHOW_BEAD_PEAKS] = {"largest force of every bead", NULL, peaks_needs, peaks_header, NULL, peaks_end},
+static const struct table sensors = {"forces at the sensors", sensors_prepare, sensors_needs, sensors_header, sensors_sample, NULL},
+                          peaks = {"largest force of every contact", NULL, peaks_needs, peaks_header, NULL, peaks_end},
+                          bead_peaks = {"largest force of every bead", NULL, peaks_needs, peaks_header, NULL, peaks_end};
+
+static const struct table *const tables[] = {
+    [BEAD_SHOW_SENSORS] = &sensors,
+    [BEAD_SHOW_PEAKS] = &peaks,
+    [BEAD_SHOW_BEAD_PEAKS] = &bead_peaks,
+    [BEAD_SHOW_MEASURES] = &bead_table_measures,
 };
 
 /* ---- the sink ---- */
@@ -204,6 +180,9 @@ static void table_destroy(struct bead_sink *sink)
         freelocale(sink->locale);
     for (size_t i = 0; i < sink->column_count; i++)
         free(sink->columns[i].name);
+    for (size_t i = 0; sink->measures && i < sink->stage.chain_count; i++)
+        bead_measures_destroy(sink->measures[i]);
+    free(sink->measures);
     free(sink->columns);
     free(sink->path);
     free(sink->part);
@@ -222,7 +201,7 @@ static enum bead_error table_create(const struct bead_output *output, const stru
         return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
     sink->stage = *stage;
     sink->output = output;
-    sink->table = &tables[output->show];
+    sink->table = tables[output->show];
     snprintf(sink->why, sizeof sink->why, "%s", sink->table->why);
     enum bead_error error = bead_file_join(stage->directory, output->path, &sink->path, msg);
     if (!error)
@@ -259,13 +238,16 @@ static enum bead_error table_sample(struct bead_sink *sink, const struct bead_sa
 {
     if (!sink->table->sample)
         return BEAD_OK;
-    if (sample->chain != sink->next_chain || sample->index != sink->rows)
+    if (sample->chain != sink->next_chain || sample->index != sink->next_sample)
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: sample %zu of chain %zu came out of order", sink->path, sample->index,
                          sample->chain);
     sink->next_chain = (sink->next_chain + 1) % sink->stage.chain_count;
+    sink->next_sample += sink->next_chain == 0;
     locale_t before = uselocale(sink->locale);
-    sink->table->sample(sink, sample);
+    enum bead_error error = sink->table->sample(sink, sample, msg);
     uselocale(before);
+    if (error)
+        return error;
     return ferror(sink->file) ? bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be written", sink->part) : BEAD_OK;
 }
 
@@ -294,7 +276,7 @@ static const char *const extensions[] = {"csv", NULL};
 
 const struct bead_sink_type bead_table_sink = {
     .name = "table",
-    .help = "peaks of contacts or beads, or forces at sensors, as comma-separated values",
+    .help = "peaks of contacts or beads, forces at sensors, or measures, as comma-separated values",
     .kind = BEAD_OUTPUT_TABLE,
     .extensions = extensions,
     .create = table_create,

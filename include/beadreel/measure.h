@@ -1,0 +1,46 @@
+/* Measures: numbers that describe the run of one chain: speed, width, energy of the leading pulse, decay, transmission ...
+ *
+ *   err = bead_measures_create(chain, &measures, &msg);
+ *   err = bead_measures_feed(measures, sample, &msg);      every sample of this chain, in order, equally spaced
+ *   count = bead_measures_read(measures, outcome, found, room);
+ *   bead_measures_destroy(measures);
+ *
+ * Everything is measured at contacts, of forces less their static part. The leading pulse is the first: it lasts until the force
+ * of the contact has fallen below a tenth of its maximum. It is measured at the probe, a contact so far before the end of the
+ * chain that the end does not disturb it, and where the chain repeats itself there (uniform, dimers, ...) over one whole cell. */
+#ifndef BEADREEL_MEASURE_H
+#define BEADREEL_MEASURE_H
+
+#include <stddef.h>
+
+#include "beadreel/chain.h"
+#include "beadreel/error.h"
+#include "beadreel/sample.h"
+#include "beadreel/sink.h"
+
+/* What can be measured of a chain, and how: row `index`, NULL behind the last. */
+struct bead_measure_info {
+    const char *name, *unit; /* unit "": a number */
+    const char *help;        /* definition, with its source where it is not this project's */
+};
+BEAD_API const struct bead_measure_info *bead_measure_info(size_t index);
+
+/* Fields that samples must have, of all beads. */
+#define BEAD_MEASURE_FIELDS \
+    (BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) | BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT))
+
+struct bead_measures;
+
+/* The chain must outlive them. Errors: MEMORY. On failure *measures is NULL. */
+BEAD_API BEAD_CHECK enum bead_error bead_measures_create(const struct bead_chain *chain, struct bead_measures **measures,
+                                                         struct bead_message *msg);
+BEAD_API void bead_measures_destroy(struct bead_measures *measures);
+/* Errors: MEMORY. */
+BEAD_API BEAD_CHECK enum bead_error bead_measures_feed(struct bead_measures *measures, const struct bead_sample *sample,
+                                                       struct bead_message *msg);
+/* Those that this run has, in the order of bead_measure_info; `outcome` may be NULL. Returns how many there are, fills at most
+ * `room`. */
+BEAD_API size_t bead_measures_read(const struct bead_measures *measures, const struct bead_outcome *outcome,
+                                   struct bead_measure *found, size_t room);
+
+#endif
