@@ -4,8 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/events_patch.h"
-#include "sim/stepper.h"
+#include "sim/events_private.h"
 #include "sim/tableau.h"
 
 /* Picard sweeps: the second changes 20 to 40 times less than the first, a third brings nothing. */
@@ -16,41 +15,15 @@ enum { WIDTH = 1 };
 enum { CLUSTER = 64 };
 /* Contacts between patches whose forces are rather computed again than passed over. */
 enum { GAP = 64 };
-/* Elements before and behind the constants of the contacts: vectors may begin one before the first and end behind the last. */
-enum { MARGIN = 16, LANES = 8 };
-/* A branch point further outside the step than this does no harm that doubles can hold. */
-static const double reach_most = 2;
-/* What a branch point inside the step, rate r, does to the velocity of a bead is less than this times A (h r)^{3/2} h/m. */
-static const double effect = 0.01;
-/* The same for one x steps outside: less than this over (1 + x/0.03)^3 (1 + x/2)^4, at least 5 times what RKN8's quadrature of
- * (s + x)^{3/2} over 0 <= s <= 1 loses. */
-static const double effect_outside = 3e-4, effect_decay = 0.03;
-
-struct bead_events {
-    struct bead_patch_rule rule;
-    /* Constants of the contacts, 0 in the margins but for "contact -1", the constant force on the striker. */
-    double *constants, *stiffness, *static_compression, *static_force, *inverse_mass;
-    unsigned char *mark; /* a byte a contact, whole words */
-    size_t *flagged, flagged_room, flagged_count;
-    struct bead_patch patch;
-    struct bead_patch_source source;
-    struct bead_patch_branch *branch; /* in order of s */
-    size_t branch_room, branch_count;
-    /* Bounds over the chain: of A/m, and of the rate of a compression that the energy allows, m/s (0: not known). */
-    double hardest, fastest;
-    double reach, reach_h, reach_tolerance; /* how far outside a step of length reach_h a branch point may matter */
-    bool failed;
-};
-
 static bool copy_constants(struct bead_events *e, const struct bead_stepper *s)
 {
     const struct bead_chain *chain = s->chain;
-    size_t length = chain->beads + 2 * MARGIN;
+    size_t length = chain->beads + 2 * BEAD_EVENTS_MARGIN;
     e->constants = calloc(length, 4 * sizeof *e->constants);
-    e->mark = calloc(chain->beads / LANES + 1, LANES);
+    e->mark = calloc(chain->beads / BEAD_EVENTS_LANES + 1, BEAD_EVENTS_LANES);
     if (!e->constants || !e->mark)
         return false;
-    e->stiffness = e->constants + MARGIN;
+    e->stiffness = e->constants + BEAD_EVENTS_MARGIN;
     e->static_compression = e->stiffness + length;
     e->static_force = e->static_compression + length;
     e->inverse_mass = e->static_force + length;
@@ -66,19 +39,6 @@ static bool copy_constants(struct bead_events *e, const struct bead_stepper *s)
     return true;
 }
 
-/* Two beads of reduced mass m part or meet at less than sqrt(2 E/m). On a slope the energy grows: no bound. */
-static void bound(struct bead_events *e, const struct bead_stepper *s)
-{
-    double lightest = 0;
-    for (size_t k = 0; k < s->beads; k++) {
-        double left = e->inverse_mass[k], right = e->inverse_mass[k + 1];
-        e->hardest = fmax(e->hardest, e->stiffness[k] * fmax(left, right));
-        lightest = fmax(lightest, left + right);
-    }
-    e->fastest = s->chain->striker_force == 0 ? sqrt(2 * bead_chain_energy(s->chain) * lightest) : 0;
-    e->reach = reach_most;
-}
-
 enum bead_error bead_events_create(const struct bead_stepper *s, struct bead_events **events, struct bead_message *msg)
 {
     *events = NULL;
@@ -90,7 +50,8 @@ enum bead_error bead_events_create(const struct bead_stepper *s, struct bead_eve
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contact events of %zu beads", s->beads);
     }
     e->rule = bead_patch_rule_make(s->chain->law, &s->chain->spec->law);
-    bound(e, s);
+    e->kinks_known = bead_kinks_known(s->method->tableau) && s->chain->spec->law.kind == BEAD_LAW_HERTZ;
+    bead_events_bound(e, s);
     *events = e;
     return BEAD_OK;
 }
@@ -102,6 +63,8 @@ void bead_events_destroy(struct bead_events *events)
     free(events->constants);
     free(events->mark);
     free(events->flagged);
+    free(events->effect);
+    free(events->kink);
     free(events->patch.memory);
     free(events->branch);
     free(events);
@@ -112,23 +75,10 @@ bool bead_events_failed(const struct bead_events *events)
     return events && events->failed;
 }
 
-/* Room for `count` elements of `size` bytes in an array that keeps what it has. */
-static bool grow(void **array, size_t *room, size_t count, size_t size)
-{
-    if (count <= *room)
-        return true;
-    void *made = reallocarray(*array, count + count / 2 + 16, size);
-    if (!made)
-        return false;
-    *array = made;
-    *room = count + count / 2 + 16;
-    return true;
-}
-
 /* The same for the arrays of a patch, which lose what they had. */
 static bool grow_patch(struct bead_patch *patch, size_t count)
 {
-    size_t room = (count + count / 2 + 2 * LANES) / LANES * LANES, bytes;
+    size_t room = (count + count / 2 + 2 * BEAD_EVENTS_LANES) / BEAD_EVENTS_LANES * BEAD_EVENTS_LANES, bytes;
     const size_t each = (BEAD_PATCH_ARRAYS + 2 * BEAD_GAUSS_NODES) * sizeof(double) + sizeof(uint32_t) + 2 * sizeof(bool);
     if (count <= patch->room)
         return true;
@@ -148,74 +98,6 @@ static bool grow_patch(struct bead_patch *patch, size_t count)
     patch->pushing = (void *)(patch->curvature + BEAD_GAUSS_NODES * room);
     patch->closed = (bool *)(patch->pushing + room);
     patch->bends = patch->closed + room;
-    return true;
-}
-
-static double force_power(const struct bead_patch_rule *rule, double r)
-{
-    return rule->hertz ? r * sqrt(r) : pow(r, rule->spec->power);
-}
-
-/* Effect in units of A (h r)^p h/m of a branch point x steps outside. */
-static double loss_outside(double x)
-{
-    const double near = 1 + x * (1 / effect_decay), far = (1 + 0.5 * x) * (1 + 0.5 * x);
-    return effect_outside / (near * near * near * far * far);
-}
-
-/* How far outside a branch point may matter at most: halving, to three digits. Fewer candidates then need matters(). */
-static void find_reach(struct bead_events *e, double h, double tolerance)
-{
-    const double worst = e->hardest * h * force_power(&e->rule, h * e->fastest);
-    double low = 0, high = reach_most;
-    while (e->fastest > 0 && high - low > 1e-3) {
-        double x = 0.5 * (low + high);
-        *(worst * loss_outside(x) > tolerance ? &low : &high) = x;
-    }
-    e->reach = high;
-    e->reach_h = h;
-    e->reach_tolerance = tolerance;
-}
-
-/* The same in units of A h/m of the one that compression d and rate h r, away from zero, point to. */
-static double outside(const struct bead_events *e, double d, double r)
-{
-    return r > 0 && d < e->reach * r ? force_power(&e->rule, r) * loss_outside(d / r) : 0;
-}
-
-/* Whether what contact k can do to a velocity exceeds the tolerance. */
-static bool matters(const struct bead_events *e, const struct bead_stepper *s, size_t k, double h)
-{
-    const double *u = s->start.u, *v = s->start.v, *y = s->end.u, *w = s->end.v, d = e->static_compression[k];
-    double d0 = d + (u[k] - u[k + 1]), d1 = d + (y[k] - y[k + 1]), r0 = h * (v[k] - v[k + 1]), r1 = h * (w[k] - w[k + 1]);
-    double left = e->inverse_mass[k], right = e->inverse_mass[k + 1], loss;
-    if (d0 > 0 && d1 > 0 && !(r0 < 0 && r1 > 0))
-        loss = fmax(outside(e, d0, r0), outside(e, d1, -r1));
-    else
-        loss = effect * force_power(&e->rule, fmax(fabs(r0), fabs(r1)));
-    return loss * e->stiffness[k] * h * (left > right ? left : right) > s->event_tolerance;
-}
-
-static bool flag_contacts(struct bead_events *e, const struct bead_stepper *s, double h)
-{
-    struct bead_event_ends ends = {e->static_compression, s->start.u, s->start.v, s->end.u, s->end.v, h};
-    e->flagged_count = 0;
-    if (h != e->reach_h || s->event_tolerance != e->reach_tolerance)
-        find_reach(e, h, s->event_tolerance);
-    if (!s->kernels->mark_events(s->active, &ends, e->reach, e->mark))
-        return true;
-    for (size_t i = 0; i * LANES < s->active; i++) {
-        uint64_t left;
-        memcpy(&left, e->mark + i * LANES, LANES);
-        for (; left; left &= left - 1) {
-            size_t k = i * LANES + (size_t)__builtin_ctzll(left) / 8;
-            if (!matters(e, s, k, h))
-                continue;
-            if (!grow((void **)&e->flagged, &e->flagged_room, e->flagged_count + 1, sizeof *e->flagged))
-                return false;
-            e->flagged[e->flagged_count++] = k;
-        }
-    }
     return true;
 }
 
@@ -279,7 +161,7 @@ static void insert(struct bead_events *e, struct bead_patch_branch branch)
 static bool find_branches(struct bead_events *e, size_t first, const size_t *flagged, size_t count)
 {
     e->branch_count = 0;
-    if (!grow((void **)&e->branch, &e->branch_room, count * BEAD_BRANCHES_MAX, sizeof *e->branch))
+    if (!bead_events_grow((void **)&e->branch, &e->branch_room, count * BEAD_BRANCHES_MAX, sizeof *e->branch))
         return false;
     for (size_t i = 0; i < count; i++) {
         struct bead_patch_branch found[BEAD_BRANCHES_MAX];
@@ -313,14 +195,14 @@ static const double *branch_left(const struct bead_events *e, size_t at, double 
 {
     while (at > 0 && !e->branch[at - 1].after)
         at--;
-    return at > 0 && from - e->branch[at - 1].s < reach_most * (to - from) ? &e->branch[at - 1].s : NULL;
+    return at > 0 && from - e->branch[at - 1].s < BEAD_EVENTS_REACH * (to - from) ? &e->branch[at - 1].s : NULL;
 }
 
 static const double *branch_right(const struct bead_events *e, size_t at, double from, double to)
 {
     while (at < e->branch_count && !e->branch[at].before)
         at++;
-    return at < e->branch_count && e->branch[at].s - to < reach_most * (to - from) ? &e->branch[at].s : NULL;
+    return at < e->branch_count && e->branch[at].s - to < BEAD_EVENTS_REACH * (to - from) ? &e->branch[at].s : NULL;
 }
 
 static double within(double s, double until)
@@ -346,19 +228,22 @@ static void integrate(struct bead_events *e, const struct bead_stepper *s, doubl
     }
 }
 
-/* Give the beads of each contact the impulse that the quadrature owes them, with opposite signs. */
+/* Give the beads of contact k an impulse, and its moment, with opposite signs. Nothing but zero is added to the wall. */
+static void owe(const struct bead_events *e, struct bead_stepper *s, size_t k, double impulse, double moment)
+{
+    s->end.v[k] -= impulse * e->inverse_mass[k];
+    s->end.u[k] -= moment * e->inverse_mass[k];
+    s->end.v[k + 1] += impulse * e->inverse_mass[k + 1];
+    s->end.u[k + 1] += moment * e->inverse_mass[k + 1];
+}
+
+/* What the method's quadrature made of the patch's impulses gives way to what they are. */
 static void replace(struct bead_events *e, struct bead_stepper *s, size_t first, double h)
 {
     double *const *array = e->patch.array;
     for (size_t i = 1; i <= e->patch.count; i++) {
-        const size_t k = first + i - 1;
-        double dv = h * (array[BEAD_PATCH_IMPULSE][i] - array[BEAD_PATCH_GIVEN_IMPULSE][i]);
-        double du = h * h * (array[BEAD_PATCH_MOMENT][i] - array[BEAD_PATCH_GIVEN_MOMENT][i]);
-        s->end.v[k] -= dv * e->inverse_mass[k];
-        s->end.u[k] -= du * e->inverse_mass[k];
-        /* Nothing but zero is added to the wall. */
-        s->end.v[k + 1] += dv * e->inverse_mass[k + 1];
-        s->end.u[k + 1] += du * e->inverse_mass[k + 1];
+        owe(e, s, first + i - 1, h * (array[BEAD_PATCH_IMPULSE][i] - array[BEAD_PATCH_GIVEN_IMPULSE][i]),
+            h * h * (array[BEAD_PATCH_MOMENT][i] - array[BEAD_PATCH_GIVEN_MOMENT][i]));
     }
     s->event_change = fmax(s->event_change, e->patch.change / h);
 }
@@ -390,13 +275,39 @@ static bool correct_patch(struct bead_events *e, struct bead_stepper *s, size_t 
     return true;
 }
 
+/* What every flagged contact would owe were it a kink, from the step as the method made it. */
+static bool find_kinks(struct bead_events *e, const struct bead_stepper *s)
+{
+    if (!bead_events_grow((void **)&e->kink, &e->kink_room, e->flagged_count, sizeof *e->kink))
+        return false;
+    s->kernels->correct_kinks(&e->source, s->method->tableau, e->flagged_count, e->flagged, e->kink);
+    return true;
+}
+
+/* Flagged contacts at..at + count - 1, if kinks is all that they are and enough is known of them. */
+static bool correct_kinks(struct bead_events *e, struct bead_stepper *s, size_t at, size_t count)
+{
+    const double h = s->h;
+    for (size_t i = at; i < at + count; i++) {
+        if (!(e->kink[i].left * e->effect[i] <= s->event_tolerance && bead_events_simple(e, s, e->flagged[i])))
+            return false;
+    }
+    for (size_t i = at; i < at + count; i++) {
+        const struct bead_kink *kink = &e->kink[i];
+        for (size_t j = e->flagged[i] > 0 ? 0 : 1; j < 3 && e->flagged[i] + j - 1 < s->active; j++)
+            owe(e, s, e->flagged[i] + j - 1, h * kink->impulse[j], h * h * kink->moment[j]);
+        s->event_change = fmax(s->event_change, kink->left * e->effect[i]);
+    }
+    return true;
+}
+
 /* Patches that touch or overlap are one. Forces are computed again behind the last patch, or for those so far before a gap that is
  * not worth going over. */
 static bool correct_patches(struct bead_events *e, struct bead_stepper *s)
 {
     size_t begin = 0, end = 0; /* beads moved */
-    bool ok = true;
     describe_step(e, s);
+    bool ok = !e->kinks_known || find_kinks(e, s);
     for (size_t i = 0, n; ok && i < e->flagged_count; i += n) {
         const size_t *flagged = e->flagged + i;
         const size_t left = e->flagged_count - i;
@@ -408,7 +319,8 @@ static bool correct_patches(struct bead_events *e, struct bead_stepper *s)
         if (n < left && last >= flagged[n])
             last = flagged[n] - 1;
         last = last < s->active ? last : s->active - 1;
-        ok = correct_patch(e, s, first, last, flagged, n);
+        if (!e->kinks_known || !correct_kinks(e, s, i, n))
+            ok = correct_patch(e, s, first, last, flagged, n);
         if (i > 0 && first - end > GAP) {
             refresh(s, begin, end);
             begin = first;
@@ -424,7 +336,7 @@ static bool correct_patches(struct bead_events *e, struct bead_stepper *s)
 void bead_events_correct(struct bead_events *e, struct bead_stepper *s)
 {
     s->event_change = 0;
-    bool ok = flag_contacts(e, s, s->h);
+    bool ok = bead_events_flag(e, s);
     if (ok && e->flagged_count > 0)
         ok = correct_patches(e, s);
     e->failed |= !ok;

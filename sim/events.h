@@ -5,6 +5,8 @@
  *
  * 1. Contacts are flagged that open or close within the step, graze, or have a branch point so near outside that a velocity
  *    suffers by more than a tolerance.
+ *    Those that open or close just once are kinks: what the step owes them is known in closed form (events_kinks.h). Where that is
+ *    not good enough for the tolerance:
  * 2. Flagged contacts, and one more on either side whose motion they disturb, form patches; the next ones are frozen: their
  *    forces are those of the quintic Hermite interpolant of d over the step.
  * 3. The interpolant's zeros tau split the step. Next to tau f is analytic in x where t = tau +- x^2 (x^3 for d^{3/2}, and
@@ -16,8 +18,9 @@
  * 6. Forces at the end of the step are computed again where beads have moved: the next step begins with them.
  *
  * What is at rest is never touched, so the window changes no bit; times are counted in steps, so the exact scaling of Hertz's
- * chain holds to the bit. Files: events.c flags and does the bookkeeping, events_roots.c finds branch points, events_body.h
- * integrates (compiled for each instruction set), events_piece.c serves other power laws, events_tables.c holds the quadrature. */
+ * chain holds to the bit. Files: events_flags.c flags, events.c does the bookkeeping, events_roots.c finds branch points,
+ * events_kinks_body.h and events_body.h integrate (compiled for each instruction set), events_piece.c serves other power laws,
+ * events_tables.c holds the quadrature. */
 #ifndef BEADREEL_SIM_EVENTS_H
 #define BEADREEL_SIM_EVENTS_H
 

@@ -9,10 +9,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
+struct bead_kink;
 struct bead_law_spec;
 struct bead_patch;
 struct bead_patch_rule;
 struct bead_patch_source;
+struct bead_tableau;
 
 /* Constants of the contacts 0..n-1 as the force kernels want them. */
 struct bead_contact_table {
@@ -63,6 +65,9 @@ struct bead_kernels {
     bool (*mark_events)(size_t n, const struct bead_event_ends *ends, double reach, unsigned char *mark);
     /* Contact 0 of the patch is contact `at` of the chain: -1 is the constant force on the striker. */
     void (*load_patch)(const struct bead_patch_source *source, ptrdiff_t at, struct bead_patch *patch);
+    /* See events_kinks.h. kink[i] is that of contact[i], which is closed at one end of the step, moving accordingly at both. */
+    void (*correct_kinks)(const struct bead_patch_source *source, const struct bead_tableau *tableau, size_t count,
+                          const size_t *contact, struct bead_kink *kink);
     /* Over from <= s <= to; tau: the branch point at or near one of its ends, NULL where there is none. Picard steps end when one
      * changes no h^2 f/m by more than `enough`. */
     void (*integrate_piece)(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps,

@@ -194,7 +194,8 @@ static bool turns(size_t n, double h, const double *v0, const double *a0, const 
 }
 
 #include "sim/events_body.h"
+#include "sim/events_kinks_body.h"
 
-const struct bead_kernels KERNELS_TABLE = {KERNELS_NAME, KERNELS_DESCRIPTION, hertz,      hertz_static,   hertz_stiffness,
-                                           circles,      accelerations,       rk4_sum,    combine,        largest,
-                                           turns,        mark_events,         load_patch, integrate_piece};
+const struct bead_kernels KERNELS_TABLE = {KERNELS_NAME, KERNELS_DESCRIPTION, hertz,      hertz_static,  hertz_stiffness,
+                                           circles,      accelerations,       rk4_sum,    combine,       largest,
+                                           turns,        mark_events,         load_patch, correct_kinks, integrate_piece};
