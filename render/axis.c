@@ -1,6 +1,7 @@
 /* Axes: where ticks go. How they are drawn is in axis_draw.c. */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "beadreel/colormap.h"
@@ -207,20 +208,30 @@ double bead_axis_place(const struct bead_axis *axis, double value)
     return bead_scale_place(axis->scale, axis->low, axis->high, value);
 }
 
+/* Numbers with many digits are shown in multiples of a power of ten; logarithmic axes write powers anyway. */
+static int power_of_numbers(double largest, enum bead_scale scale)
+{
+    bool plain = scale == BEAD_SCALE_LOG || !isfinite(largest) || largest == 0 || (largest >= 0.0099 && largest < 99999);
+    return plain ? 0 : 3 * (int)floor(log10(largest) / 3 + 1e-9);
+}
+
 void bead_axis_make(struct bead_axis *axis, double low, double high, const char *si_unit, enum bead_scale scale, double length,
                     double em, bool horizontal)
 {
     double largest = fmax(fabs(low), fabs(high));
-    int exponent = bead_prefix_exponent(largest, si_unit);
+    bool counts = strcmp(si_unit, "1") == 0, number = *si_unit == '\0';
+    int exponent = number ? power_of_numbers(largest, scale) : bead_prefix_exponent(largest, si_unit);
     *axis = (struct bead_axis){.low = low, .high = high, .scale = scale, .factor = bead_power_of_ten(-exponent)};
-    if (*si_unit)
+    if (number && exponent != 0)
+        snprintf(axis->unit, sizeof axis->unit, "\u00d710<sup>%s%d</sup>", exponent < 0 ? "\u2212" : "", abs(exponent));
+    else if (!number && !counts)
         snprintf(axis->unit, sizeof axis->unit, "%s%s", bead_prefix_sign(exponent), si_unit);
     bool sensible = isfinite(low) && isfinite(high) && high - low > 1e-12 * largest && length > 0 && em > 0;
     if (!sensible || (scale == BEAD_SCALE_LOG && (!(low > 0) || !isfinite(high / low))))
         return;
     struct room room = {length, em, horizontal, false};
     if (scale == BEAD_SCALE_LINEAR)
-        equal_steps(axis, room, *si_unit == '\0');
+        equal_steps(axis, room, counts);
     else if (scale == BEAD_SCALE_LOG && high / low > 30)
         decades(axis, &room);
     else

@@ -2,10 +2,12 @@
 #include <stdio.h>
 
 #include "beadreel/look.h"
+#include "render/markup.h"
 
 /* In units of the ticks' font size. */
-static const double tick_length = 0.38, minor_length = 0.55 /* of a tick */, label_gap = 0.3, digit_height = 0.7, title_gap = 0.45,
-                    smallest_title = 0.72;
+static const double tick_length = 0.38, minor_length = 0.55 /* of a tick */, label_gap = 0.3, digit_height = 0.7, title_gap = 0.45;
+/* Titles: how small they may become, and into what they may be broken. */
+static const double little_smaller = 0.85, smallest_title = 0.72, most_lines = 3.2, line_height = 1.3, narrowest_title = 5;
 
 void bead_box_draw(cairo_t *cr, const struct bead_look *look, struct bead_rect plot)
 {
@@ -98,31 +100,50 @@ static double draw_labels(const struct drawing *d)
     return label_gap * em + (d->side == BEAD_SIDE_BOTTOM ? digit_height * em : widest);
 }
 
-/* A title that fits: smaller where it must be, then only its unit, then none. */
-static bool fit_title(const struct drawing *d, const char *title, struct bead_text_style *style, char *markup, size_t size)
+static bool fits(const struct drawing *d, const struct bead_text_style *style, double wrap, const char *markup, double room,
+                 double most)
 {
-    char name[128];
-    double width, height, room = d->side == BEAD_SIDE_BOTTOM ? d->plot.width : d->plot.height;
-    bead_text_escape(title, name, sizeof name);
+    double width, height;
+    bead_text_size_lines(d->cr, style, wrap, markup, &width, &height);
+    return width <= room * (1 + 1e-6) && height <= most;
+}
+
+/* A title that fits: a little smaller where it must be, then in lines (*wrap), then only its unit, then none. */
+static bool fit_title(const struct drawing *d, const char *title, struct bead_text_style *style, double *wrap, char *markup,
+                      size_t size)
+{
+    char name[2048];
+    double full = style->size, width, height, room = d->side == BEAD_SIDE_BOTTOM ? d->plot.width : d->plot.height;
     const char *unit = d->axis->unit;
+    bead_markup(title, name, sizeof name);
     snprintf(markup, size, *unit ? "%s (%s)" : "%s", name, unit);
     bead_text_size(d->cr, style, markup, &width, &height);
-    if (width > room && *unit && smallest_title * width > room) {
-        snprintf(markup, size, "%s", unit);
-        bead_text_size(d->cr, style, markup, &width, &height);
-    }
-    if (width > room) {
-        style->size *= fmax(smallest_title, room / width);
-        bead_text_size(d->cr, style, markup, &width, &height);
-    }
-    return width <= room * (1 + 1e-6);
+    style->size = full * fmin(1, fmax(little_smaller, room / width));
+    if (fits(d, style, 0, markup, room, INFINITY))
+        return true;
+    style->size = full;
+    *wrap = room;
+    if (fits(d, style, room, markup, room, most_lines * line_height * full) && room > narrowest_title * full)
+        return true;
+    *wrap = 0;
+    snprintf(markup, size, "%s", *unit ? unit : name);
+    bead_text_size(d->cr, style, markup, &width, &height);
+    style->size = full * fmin(1, fmax(smallest_title, room / width));
+    return fits(d, style, 0, markup, room, INFINITY);
+}
+
+static double one_line(const struct drawing *d, const struct bead_text_style *style)
+{
+    double width, height;
+    bead_text_size(d->cr, style, "0", &width, &height);
+    return height;
 }
 
 /* `out`: how far ticks and labels reached. Returns how far the title does. */
 static double draw_title(const struct drawing *d, double out, const char *title)
 {
-    char markup[192];
-    double em = d->look->label, width, height;
+    char markup[2100];
+    double em = d->look->label, wrap = 0, width, height;
     bool vertical = d->side != BEAD_SIDE_BOTTOM;
     struct bead_text_style style = {.family = d->look->family,
                                     .size = em,
@@ -130,18 +151,20 @@ static double draw_title(const struct drawing *d, double out, const char *title)
                                     .across = BEAD_ALIGN_MIDDLE,
                                     .down = vertical ? BEAD_ALIGN_MIDDLE : BEAD_ALIGN_BASELINE,
                                     .upwards = vertical};
-    if (!fit_title(d, title, &style, markup, sizeof markup))
+    if (!fit_title(d, title, &style, &wrap, markup, sizeof markup))
         return out;
-    bead_text_size(d->cr, &style, markup, &width, &height);
-    double thickness = vertical ? height : 0.98 * em;
+    bead_text_size_lines(d->cr, &style, wrap, markup, &width, &height);
+    double lines = wrap > 0 ? height - one_line(d, &style) : 0;
+    double thickness = vertical ? height : 0.98 * em + lines;
     if (!d->cr)
         return out + title_gap * em + thickness;
     if (d->side == BEAD_SIDE_BOTTOM)
-        bead_text_draw(d->cr, &style, d->plot.x + d->plot.width / 2.0, d->edge + out + title_gap * em + 0.75 * em, markup);
+        bead_text_draw_lines(d->cr, &style, wrap, d->plot.x + d->plot.width / 2.0, d->edge + out + title_gap * em + 0.75 * em,
+                             markup);
     else {
         double shift = out + title_gap * em + thickness / 2;
-        bead_text_draw(d->cr, &style, d->side == BEAD_SIDE_LEFT ? d->edge - shift : d->edge + shift,
-                       d->plot.y + d->plot.height / 2.0, markup);
+        bead_text_draw_lines(d->cr, &style, wrap, d->side == BEAD_SIDE_LEFT ? d->edge - shift : d->edge + shift,
+                             d->plot.y + d->plot.height / 2.0, markup);
     }
     return out + title_gap * em + thickness;
 }

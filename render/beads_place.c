@@ -170,7 +170,7 @@ static void name_numbers(struct names *names)
 {
     const struct bead_view *v = names->v;
     struct bead_axis axis;
-    bead_axis_make(&axis, (double)v->first - 0.5, (double)(v->first + v->count) - 0.5, "", BEAD_SCALE_LINEAR, v->plot.width,
+    bead_axis_make(&axis, (double)v->first - 0.5, (double)(v->first + v->count) - 0.5, "1", BEAD_SCALE_LINEAR, v->plot.width,
                    v->look.tick, true);
     for (size_t i = 0; i < axis.count; i++) {
         double bead = axis.ticks[i].value - (double)v->first;

@@ -6,7 +6,8 @@
  *   err = bead_graph_draw(&graph, &look, cr, width, height, &msg);           or into a picture of one's own
  *
  * Plain data, borrowed: nothing is kept after the call. Numbers are SI; the axes choose prefixes. Texts are plain text with
- * Greek and signs as UTF-8; `_x`, `_{xy}`, `^x` and `^{xy}` set what follows lower and higher, `*x*` in mathematical italics. */
+ * Greek and signs as UTF-8; `_x`, `_{xy}`, `^x` and `^{xy}` set what follows lower and higher, `*x*` in mathematical italics
+ * (render/markup.h). */
 #ifndef BEADREEL_RENDER_GRAPH_H
 #define BEADREEL_RENDER_GRAPH_H
 
@@ -31,6 +32,8 @@ struct bead_series {
     size_t shape;       /* of points: disc, square, triangle, diamond, ring, cross; then again */
     bool dashed, faint; /* faint: thin, in a pale shade, below the others (many configurations behind their mean) */
     const char *label;  /* in the legend; NULL: not there */
+    bool hollow;        /* points are outlines */
+    bool arrows;        /* points above or below the axis are arrows at the frame */
 };
 
 /* A line across the panel at a value of x (vertical) or y, with a band about it where low < high, and a word beside it. */

@@ -12,6 +12,9 @@
         0, 0, 0 \
     }
 
+/* In units of the label's font size. */
+static const double paper_margin = 0.35, screen_margin = 1.3;
+
 static double whole(double px)
 {
     return fmax(1, round(px));
@@ -26,6 +29,7 @@ void bead_look_paper(struct bead_look *look, double dpi)
         .tick = 8 * pt,
         .line = whole(0.5 * pt),
         .gap = 4 * pt,
+        .margin = round(paper_margin * 8 * pt),
         .background = WHITE,
         .panel = {0.94, 0.94, 0.94},
         .ink = BLACK,
@@ -46,6 +50,7 @@ void bead_look_screen(struct bead_look *look, int width, int height, bool dark)
         .tick = fmax(10, 0.0205 * size),
         .line = whole(size / 800),
         .gap = fmax(5, 0.012 * size),
+        .margin = round(screen_margin * fmax(11, 0.0225 * size)),
         .background = WHITE,
         .panel = {0.945, 0.95, 0.96},
         .ink = {0.13, 0.14, 0.17},
@@ -74,6 +79,7 @@ void bead_look_slide(struct bead_look *look, int width, int height, bool dark)
     look->tick *= 0.95 * larger;
     look->line = whole(1.5 * look->line);
     look->gap *= larger;
+    look->margin = round(screen_margin * look->label);
 }
 
 /* Colours that stay apart in print and with colour-blindness: first row on light, second on dark. */

@@ -74,3 +74,33 @@ void bead_page_notes(const struct bead_page *page, const struct bead_output *out
                                          .software = "beadreel " BEADREEL_VERSION,
                                          .source = scene->text};
 }
+
+static enum bead_error write_raster(const struct bead_page *page, bead_draw draw, void *context, const char *path,
+                                    const struct bead_picture_notes *notes, uint64_t *bytes, struct bead_message *msg)
+{
+    struct bead_frame frame;
+    enum bead_error err = bead_frame_create(page->width, page->height, &frame, msg);
+    if (err)
+        return err;
+    cairo_surface_t *surface =
+        cairo_image_surface_create_for_data(frame.pixels, CAIRO_FORMAT_RGB24, frame.width, frame.height, (int)frame.stride);
+    cairo_t *cr = cairo_create(surface);
+    err = draw(context, cr, msg);
+    cairo_destroy(cr);
+    cairo_surface_flush(surface);
+    cairo_surface_destroy(surface);
+    if (!err)
+        err = bead_png_write(path, &frame, notes, bytes, msg);
+    bead_frame_free(&frame);
+    return err;
+}
+
+enum bead_error bead_page_write(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
+                                bead_draw draw, void *context, const char *path, uint64_t *bytes, struct bead_message *msg)
+{
+    struct bead_picture_notes notes;
+    char description[512];
+    bead_page_notes(page, output, scene, description, sizeof description, &notes);
+    return page->vector ? bead_vector_write(path, page->width, page->height, draw, context, &notes, bytes, msg)
+                        : write_raster(page, draw, context, path, &notes, bytes, msg);
+}

@@ -101,7 +101,7 @@ static void find_axes(struct bead_peaks_plot *p)
     double high = largest > 0 ? largest : 1;
     bool logarithmic = p->output->scale == BEAD_SCALE_LOG;
     double low = logarithmic ? fmax(log_span * high, fmin(least, high)) / log_room : 0;
-    bead_axis_make(&p->contacts, -0.5, (double)most - 0.5, "", BEAD_SCALE_LINEAR, width, em, true);
+    bead_axis_make(&p->contacts, -0.5, (double)most - 0.5, "1", BEAD_SCALE_LINEAR, width, em, true);
     bead_axis_make(&p->force, low, high * (logarithmic ? log_room : headroom), "N", p->output->scale, height, em, false);
 }
 

@@ -1,4 +1,5 @@
 /* Text through Pango, laid out without regard to the pixel grid, so that it is the same in rasters and vector files. */
+#include <math.h>
 #include <pango/pangocairo.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,7 +26,7 @@ static void set_contents(PangoLayout *layout, const char *markup)
     }
 }
 
-static PangoLayout *make_layout(cairo_t *cr, const struct bead_text_style *style, const char *markup)
+static PangoLayout *make_layout(cairo_t *cr, const struct bead_text_style *style, double wrap, const char *markup)
 {
     PangoContext *context = pango_cairo_create_context(cr);
     cairo_font_options_t *options = cairo_font_options_create();
@@ -44,16 +45,48 @@ static PangoLayout *make_layout(cairo_t *cr, const struct bead_text_style *style
     pango_font_description_set_weight(font, style->bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
     pango_layout_set_font_description(layout, font);
     pango_font_description_free(font);
+    if (wrap > 0) {
+        static const PangoAlignment alignments[] = {
+            [BEAD_ALIGN_START] = PANGO_ALIGN_LEFT, [BEAD_ALIGN_MIDDLE] = PANGO_ALIGN_CENTER, [BEAD_ALIGN_END] = PANGO_ALIGN_RIGHT};
+        pango_layout_set_width(layout, (int)ceil(wrap * PANGO_SCALE));
+        pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
+        pango_layout_set_alignment(layout, alignments[style->across]);
+    }
     set_contents(layout, markup);
     return layout;
 }
 
-static void layout_size(PangoLayout *layout, double *width, double *height)
+/* Returns how far right of the layout's origin its text begins, px: more than 0 for centred lines. */
+static double layout_size(PangoLayout *layout, double *width, double *height)
 {
-    int w, h;
-    pango_layout_get_size(layout, &w, &h);
-    *width = (double)w / PANGO_SCALE;
-    *height = (double)h / PANGO_SCALE;
+    PangoRectangle box;
+    pango_layout_get_extents(layout, NULL, &box);
+    *width = (double)box.width / PANGO_SCALE;
+    *height = (double)box.height / PANGO_SCALE;
+    return (double)box.x / PANGO_SCALE;
+}
+
+static const cairo_user_data_key_t watch_key;
+
+bool bead_text_watch(cairo_surface_t *surface, const struct bead_text_watch *watch)
+{
+    return cairo_surface_set_user_data(surface, &watch_key, (void *)watch, NULL) == CAIRO_STATUS_SUCCESS;
+}
+
+/* Tell of the layout at the context's origin. */
+static void tell(cairo_t *cr, PangoLayout *layout, const char *markup)
+{
+    const struct bead_text_watch *watch = cairo_surface_get_user_data(cairo_get_target(cr), &watch_key);
+    PangoRectangle ink;
+    if (!watch)
+        return;
+    pango_layout_get_extents(layout, &ink, NULL);
+    double low[2] = {(double)ink.x / PANGO_SCALE, (double)ink.y / PANGO_SCALE};
+    double high[2] = {(double)(ink.x + ink.width) / PANGO_SCALE, (double)(ink.y + ink.height) / PANGO_SCALE};
+    cairo_user_to_device(cr, &low[0], &low[1]);
+    cairo_user_to_device(cr, &high[0], &high[1]);
+    watch->seen(watch->context, markup, fmin(low[0], high[0]), fmin(low[1], high[1]), fabs(high[0] - low[0]),
+                fabs(high[1] - low[1]));
 }
 
 /* From the box's start to (x, y), for an extent of the box. */
@@ -64,9 +97,14 @@ static double aligned(enum bead_align align, double extent)
 
 void bead_text_draw(cairo_t *cr, const struct bead_text_style *style, double x, double y, const char *markup)
 {
+    bead_text_draw_lines(cr, style, 0, x, y, markup);
+}
+
+void bead_text_draw_lines(cairo_t *cr, const struct bead_text_style *style, double wrap, double x, double y, const char *markup)
+{
     double width, height;
-    PangoLayout *layout = make_layout(cr, style, markup);
-    layout_size(layout, &width, &height);
+    PangoLayout *layout = make_layout(cr, style, wrap, markup);
+    double begins = layout_size(layout, &width, &height);
     double baseline = (double)pango_layout_get_baseline(layout) / PANGO_SCALE;
     cairo_save(cr);
     cairo_set_source_rgb(cr, style->colour.r, style->colour.g, style->colour.b);
@@ -82,6 +120,8 @@ void bead_text_draw(cairo_t *cr, const struct bead_text_style *style, double x, 
             up = baseline;
         cairo_translate(cr, x - aligned(style->across, width), y - up);
     }
+    cairo_translate(cr, -begins, 0);
+    tell(cr, layout, markup);
     cairo_move_to(cr, 0, 0);
     pango_cairo_update_layout(cr, layout);
     pango_cairo_show_layout(cr, layout);
@@ -100,9 +140,15 @@ static cairo_t *measuring_context(void)
 
 void bead_text_size(cairo_t *cr, const struct bead_text_style *style, const char *markup, double *width, double *height)
 {
+    bead_text_size_lines(cr, style, 0, markup, width, height);
+}
+
+void bead_text_size_lines(cairo_t *cr, const struct bead_text_style *style, double wrap, const char *markup, double *width,
+                          double *height)
+{
     cairo_t *used = cr ? cairo_reference(cr) : measuring_context();
-    PangoLayout *layout = make_layout(used, style, markup);
-    layout_size(layout, width, height);
+    PangoLayout *layout = make_layout(used, style, wrap, markup);
+    (void)layout_size(layout, width, height);
     g_object_unref(layout);
     cairo_destroy(used);
 }

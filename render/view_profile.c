@@ -121,7 +121,7 @@ static enum bead_error profile_decorate(struct bead_view *v, cairo_t *cr, struct
     bead_axis_draw(cr, look, &v->axis, v->plot, BEAD_SIDE_LEFT, false, true, title ? title + 1 : field->title);
     if (v->setup.bead_labels) {
         struct bead_axis beads;
-        bead_axis_make(&beads, (double)v->first - 0.5, (double)(v->first + v->count) - 0.5, "", BEAD_SCALE_LINEAR, v->plot.width,
+        bead_axis_make(&beads, (double)v->first - 0.5, (double)(v->first + v->count) - 0.5, "1", BEAD_SCALE_LINEAR, v->plot.width,
                        look->tick, true);
         bead_axis_draw(cr, look, &beads, v->plot, BEAD_SIDE_BOTTOM, false, true, field->of_contacts ? "contact" : "bead");
     }

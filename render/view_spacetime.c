@@ -98,7 +98,7 @@ static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_me
     struct bead_axis time, beads;
     const char *name = bead_field_info(s->field)->of_contacts ? "contact" : "bead";
     bead_axis_make(&time, s->time[0], s->time[1], "s", BEAD_SCALE_LINEAR, v->along, v->look.tick, !s->time_down);
-    bead_axis_make(&beads, (double)s->beads.first - 0.5, (double)s->beads.last + 0.5, "", BEAD_SCALE_LINEAR, v->across,
+    bead_axis_make(&beads, (double)s->beads.first - 0.5, (double)s->beads.last + 0.5, "1", BEAD_SCALE_LINEAR, v->across,
                    v->look.tick, s->time_down);
     enum bead_side time_side = s->time_down ? BEAD_SIDE_LEFT : BEAD_SIDE_BOTTOM;
     enum bead_side bead_side = s->time_down ? BEAD_SIDE_BOTTOM : BEAD_SIDE_LEFT;

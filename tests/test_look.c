@@ -163,7 +163,7 @@ static void test_axes_of_beads_count(void **state)
     (void)state;
     struct bead_axis axis;
     for (double beads = 1; beads < 2e6; beads *= 1.7) {
-        bead_axis_make(&axis, -0.5, floor(beads) - 0.5, "", BEAD_SCALE_LINEAR, 400, 15, false);
+        bead_axis_make(&axis, -0.5, floor(beads) - 0.5, "1", BEAD_SCALE_LINEAR, 400, 15, false);
         assert_string_equal(axis.unit, "");
         for (size_t i = 0; i < axis.count; i++)
             assert_true(axis.ticks[i].value == floor(axis.ticks[i].value) && !strchr(axis.ticks[i].label, '.'));

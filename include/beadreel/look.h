@@ -21,6 +21,7 @@ struct bead_look {
     double title, label, tick; /* font sizes, px */
     double line;               /* width of axes and curves, px */
     double gap;                /* the usual distance between things, px */
+    double margin;             /* between the page's border and what is on it, px */
     struct bead_rgb background, panel, ink, faint, accent;
     struct bead_rgb axis; /* lines and ticks */
 };
@@ -49,6 +50,18 @@ struct bead_text_style {
 BEAD_API void bead_text_draw(cairo_t *cr, const struct bead_text_style *style, double x, double y, const char *markup);
 /* Size of its logical box, before turning. */
 BEAD_API void bead_text_size(cairo_t *cr, const struct bead_text_style *style, const char *markup, double *width, double *height);
+/* The same in lines no wider than `wrap` px, aligned as `across` says; wrap 0: one line. */
+BEAD_API void bead_text_draw_lines(cairo_t *cr, const struct bead_text_style *style, double wrap, double x, double y,
+                                   const char *markup);
+BEAD_API void bead_text_size_lines(cairo_t *cr, const struct bead_text_style *style, double wrap, const char *markup, double *width,
+                                   double *height);
+/* `seen` is called for every text drawn on this surface, with the box of its ink in device units: to see what collides. `watch` is
+ * borrowed until the surface is gone. False: out of memory. */
+struct bead_text_watch {
+    void (*seen)(void *context, const char *markup, double x, double y, double width, double height);
+    void *context;
+};
+BEAD_API bool bead_text_watch(cairo_surface_t *surface, const struct bead_text_watch *watch);
 /* Plain text to markup: escapes & < >; `out` of `size` bytes; cut between characters where it is too long. */
 BEAD_API void bead_text_escape(const char *text, char *out, size_t size);
 /* The same for texts with formulas: x_{0} and x^{2} are lowered and raised, \alpha and the like are Greek letters. What is not
@@ -61,7 +74,7 @@ BEAD_API void bead_text_magnetism(double magnetism, char *out, size_t size);
 struct bead_axis {
     double low, high;
     enum bead_scale scale;
-    char unit[16]; /* shown unit: "ms", "µs", "mN", "" for numbers */
+    char unit[32]; /* markup of the shown unit: "ms", "µs", "mN"; a power of ten or "" for numbers */
     double factor; /* shown = SI * factor */
     size_t count;
     struct bead_tick {
@@ -73,7 +86,8 @@ struct bead_axis {
     double minor[96]; /* places of shorter ticks without labels between those: of logarithmic scales */
 };
 /* `em`: the ticks' font size; as many ticks as have room for their labels, set beside each other (`horizontal`) or above each
- * other. An axis without unit ("") counts: its ticks are whole numbers. A range that makes no sense gets no ticks. */
+ * other. An axis whose unit is "1" counts: its ticks are whole numbers; "" is one of numbers. A range that makes no sense gets no
+ * ticks. */
 BEAD_API void bead_axis_make(struct bead_axis *axis, double low, double high, const char *si_unit, enum bead_scale scale,
                              double length, double em, bool horizontal);
 /* 0..1 of a value on the axis. */

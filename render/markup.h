@@ -1,0 +1,15 @@
+/* Texts of figures to Pango markup: `_x`, `_{xy}`, `^x` and `^{xy}` set what follows lower and higher, `*x*` in mathematical
+ * italics; a backslash takes the next character as it stands. Greek and signs are UTF-8. */
+#ifndef BEADREEL_RENDER_MARKUP_H
+#define BEADREEL_RENDER_MARKUP_H
+
+#include <stddef.h>
+
+/* Bytes that the markup of this text takes at most, with the zero at its end. */
+size_t bead_markup_size(const char *text);
+/* Into `out` of `size` bytes; where they do not suffice the text stands there as it is, cut between characters. */
+void bead_markup(const char *text, char *out, size_t size);
+/* Plain text to text that bead_markup shows as it is: names with a `_` in them. Cut between characters where it is too long. */
+void bead_markup_quote(const char *text, char *out, size_t size);
+
+#endif
