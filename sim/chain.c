@@ -6,9 +6,12 @@
 #include <string.h>
 
 #include "sim/chain_data.h"
+#include "sim/equation.h"
 #include "sim/spins.h"
 
 static const double gravity = 9.80665; /* m/s^2, standard */
+/* How large masses of a string are drawn, in parts of their distance. */
+static const double radius_of_points = 0.3;
 
 static enum bead_error out_of_memory(struct bead_message *msg)
 {
@@ -169,9 +172,30 @@ static enum bead_error check(const struct bead_chain *chain, struct bead_message
     return BEAD_OK;
 }
 
+/* Points of an equation: masses of 1 where there are masses; the arrays of contacts stay zero. */
+static enum bead_error fill_points(struct bead_chain *chain, struct bead_message *msg)
+{
+    const struct bead_equation_spec *spec = &chain->spec->equation;
+    double first = 0, spacing = 1;
+    chain->beads = chain->equation->points(spec, chain->scene->simulate.accuracy);
+    enum bead_error err = allocate(chain, msg);
+    if (err)
+        return err;
+    chain->equation->places(spec, chain->beads, &first, &spacing);
+    for (size_t i = 0; i < chain->beads; i++) {
+        chain->mass[i] = chain->inverse_mass[i] = 1;
+        chain->radius[i] = radius_of_points * spacing;
+        chain->position[i] = first + (double)i * spacing;
+    }
+    chain->magnetism = 1;
+    return BEAD_OK;
+}
+
 static enum bead_error fill(struct bead_chain *chain, struct bead_message *msg)
 {
     const struct bead_chain_spec *spec = chain->spec;
+    if (chain->equation)
+        return fill_points(chain, msg);
     chain->beads = count_beads(spec);
     if (chain->beads < 2)
         return wrong(chain, spec->place, msg, "chain: has no beads: at least one is needed behind the striker");
@@ -198,6 +222,7 @@ enum bead_error bead_chain_create(const struct bead_scene *scene, size_t index, 
     made->scene = scene;
     made->spec = &scene->chains[index];
     made->law = bead_law_find(made->spec->law.kind);
+    made->equation = made->spec->equation.name ? bead_equation_find(made->spec->equation.name) : NULL;
     enum bead_error err = fill(made, msg);
     if (err)
         bead_chain_destroy(made);

@@ -6,19 +6,28 @@
 /* Of beads there is no strain: springs have lengths, beads only touch. */
 static const unsigned fields_of_beads = (BEAD_FIELD_BIT(BEAD_FIELD_COUNT) - 1) & ~BEAD_FIELD_BIT(BEAD_FIELD_STRAIN);
 
-unsigned bead_equation_fields(const struct bead_equation *equation)
+unsigned bead_equation_fields(const struct bead_equation_spec *spec)
 {
+    const struct bead_equation *equation = spec->name ? bead_equation_find(spec->name) : NULL;
     unsigned fields = 0;
     if (!equation)
         return fields_of_beads;
+    if (!equation->fields)
+        return BEAD_FIELD_BIT(spec->variable);
     for (const enum bead_field *field = equation->fields; *field < BEAD_FIELD_COUNT; field++)
         fields |= BEAD_FIELD_BIT(*field);
     return fields;
 }
 
+enum bead_field bead_equation_shown(const struct bead_equation_spec *spec)
+{
+    const struct bead_equation *equation = spec->name ? bead_equation_find(spec->name) : NULL;
+    return !equation ? BEAD_FIELD_FORCE : equation->fields ? equation->fields[0] : spec->variable;
+}
+
 unsigned bead_chain_fields(const struct bead_chain *chain)
 {
-    return bead_equation_fields(chain->equation);
+    return bead_equation_fields(&chain->spec->equation);
 }
 
 const struct bead_field_info *bead_chain_field(const struct bead_chain *chain, enum bead_field field)
@@ -46,9 +55,7 @@ struct bead_along bead_chain_along(const struct bead_chain *chain, bool of_conta
 unsigned bead_scene_fields(const struct bead_scene *scene)
 {
     unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_COUNT) - 1;
-    for (size_t i = 0; i < scene->chain_count; i++) {
-        const char *name = scene->chains[i].equation.name;
-        fields &= bead_equation_fields(name ? bead_equation_find(name) : NULL);
-    }
+    for (size_t i = 0; i < scene->chain_count; i++)
+        fields &= bead_equation_fields(&scene->chains[i].equation);
     return fields;
 }

@@ -34,9 +34,25 @@ static void print_options(FILE *out, const struct bead_chain_spec *spec)
         fprintf(out, "  damping %.4g N (s/m)^%.3g\n", spec->damping_coefficient, spec->damping_exponent);
 }
 
+/* The keys that an equation was given say it best: those of its own. */
+static void print_equation(FILE *out, const struct bead_chain *chain, size_t index)
+{
+    const struct bead_equation_spec *spec = &bead_chain_spec(chain)->equation;
+    const struct bead_along along = bead_chain_along(chain, false);
+    const char *name = bead_chain_name(chain);
+    char number[24];
+    snprintf(number, sizeof number, "%zu", index);
+    fprintf(out, "chain %s: equation %s, %zu points from x = %.6g, %.6g apart\n", *name ? name : number, spec->name,
+            bead_chain_beads(chain), along.first, along.spacing);
+}
+
 static void print_chain(FILE *out, const struct bead_chain *chain, size_t index)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    if (spec->equation.name) {
+        print_equation(out, chain, index);
+        return;
+    }
     const char *name = bead_chain_name(chain), *spins = bead_chain_spins(chain);
     char number[24], velocity[32], text[32];
     snprintf(number, sizeof number, "%zu", index);
@@ -73,6 +89,7 @@ static void print_head(FILE *out, const char *path, const char *kind, const stru
 static enum bead_error scene_info(const struct command *command, FILE *out, struct bead_message *msg)
 {
     char path[PATH_MAX], until[32], step[32];
+    const char *unit = "s";
     struct bead_scene *scene = NULL;
     enum bead_error err = bead_scene_find(command->input, path, sizeof path, msg);
     if (!err)
@@ -86,15 +103,16 @@ static enum bead_error scene_info(const struct command *command, FILE *out, stru
         if (err)
             break;
         print_chain(out, chain, i);
+        unit = bead_chain_time_unit(chain);
         bead_chain_destroy(chain);
     }
     const struct bead_simulate *simulate = &scene->simulate;
     if (!err) {
         fprintf(out, "until %s, accuracy %.3g, method %s",
-                isfinite(simulate->until) ? command_quantity(simulate->until, "s", until, sizeof until) : "the front is through",
+                isfinite(simulate->until) ? command_quantity(simulate->until, unit, until, sizeof until) : "the front is through",
                 simulate->accuracy, simulate->method);
         if (simulate->step > 0)
-            fprintf(out, ", step %s", command_quantity(simulate->step, "s", step, sizeof step));
+            fprintf(out, ", step %s", command_quantity(simulate->step, unit, step, sizeof step));
         fputc('\n', out);
         print_outputs(out, scene);
     }
@@ -102,14 +120,14 @@ static enum bead_error scene_info(const struct command *command, FILE *out, stru
     return err;
 }
 
-static void print_outcome(FILE *out, size_t index, const struct bead_outcome *outcome)
+static void print_outcome(FILE *out, size_t index, const char *unit, const struct bead_outcome *outcome)
 {
     char text[32], step[32];
     fprintf(out, "run of chain %zu: %s, step %s, %llu steps to %s\n", index, outcome->method ? outcome->method : "?",
-            command_quantity(outcome->step, "s", step, sizeof step), (unsigned long long)outcome->steps,
-            command_quantity(outcome->end, "s", text, sizeof text));
+            command_quantity(outcome->step, unit, step, sizeof step), (unsigned long long)outcome->steps,
+            command_quantity(outcome->end, unit, text, sizeof text));
     if (isfinite(outcome->front_arrival))
-        fprintf(out, "  front arrived at the end at %s\n", command_quantity(outcome->front_arrival, "s", text, sizeof text));
+        fprintf(out, "  front arrived at the end at %s\n", command_quantity(outcome->front_arrival, unit, text, sizeof text));
     if (isfinite(outcome->energy_error))
         fprintf(out, "  errors seen: energy %.2g", outcome->energy_error);
     if (isfinite(outcome->embedded_error))
@@ -119,8 +137,9 @@ static void print_outcome(FILE *out, size_t index, const struct bead_outcome *ou
     fputc('\n', out);
 }
 
-static void print_samples(FILE *out, const struct bead_trajectory *trajectory)
+static void print_samples(FILE *out, const struct bead_trajectory *trajectory, const struct bead_chain *chain)
 {
+    const char *unit = bead_chain_time_unit(chain), *beads_word = *unit ? "beads" : "points";
     const struct bead_grid *grid = bead_trajectory_grid(trajectory);
     struct bead_span beads = bead_trajectory_beads(trajectory);
     char start[32], every[32], end[32];
@@ -128,16 +147,19 @@ static void print_samples(FILE *out, const struct bead_trajectory *trajectory)
     unsigned fields = bead_trajectory_fields(trajectory);
     fprintf(out, "samples: %zu", count);
     if (count > 0)
-        fprintf(out, ", every %s from %s to %s", command_quantity(grid->every, "s", every, sizeof every),
-                command_quantity(grid->start, "s", start, sizeof start),
-                command_quantity(bead_grid_time(grid, count - 1), "s", end, sizeof end));
+        fprintf(out, ", every %s from %s to %s", command_quantity(grid->every, unit, every, sizeof every),
+                command_quantity(grid->start, unit, start, sizeof start),
+                command_quantity(bead_grid_time(grid, count - 1), unit, end, sizeof end));
     if (beads.last == SIZE_MAX)
-        fputs(", all beads\nfields:", out);
+        fprintf(out, ", all %s\nfields:", beads_word);
     else
-        fprintf(out, ", beads %zu to %zu\nfields:", beads.first, beads.last);
-    for (int field = 0; field < BEAD_FIELD_COUNT; field++)
-        if (fields & BEAD_FIELD_BIT(field))
-            fprintf(out, " %s (%s)", bead_field_info((enum bead_field)field)->name, bead_field_info((enum bead_field)field)->unit);
+        fprintf(out, ", %s %zu to %zu\nfields:", beads_word, beads.first, beads.last);
+    for (int field = 0; field < BEAD_FIELD_COUNT; field++) {
+        const struct bead_field_info *info =
+            fields & BEAD_FIELD_BIT(field) ? bead_chain_field(chain, (enum bead_field)field) : NULL;
+        if (info)
+            fprintf(out, *info->unit ? " %s (%s)" : " %s", bead_field_info((enum bead_field)field)->name, info->unit);
+    }
     fputc('\n', out);
 }
 
@@ -153,12 +175,12 @@ static enum bead_error trajectory_info(const struct command *command, FILE *out,
     print_head(out, command->input, kind, bead_trajectory_scene(trajectory));
     for (size_t i = 0; i < count; i++)
         print_chain(out, chains[i], i);
-    print_samples(out, trajectory);
+    print_samples(out, trajectory, chains[0]);
     for (size_t i = 0; i < count && !err; i++) {
         struct bead_outcome outcome;
         err = bead_trajectory_outcome(trajectory, i, &outcome, msg);
         if (!err)
-            print_outcome(out, i, &outcome);
+            print_outcome(out, i, bead_chain_time_unit(chains[i]), &outcome);
     }
     bead_trajectory_close(trajectory);
     return err;

@@ -117,12 +117,12 @@ const char *command_quantity(double value, const char *unit, char *text, size_t 
     static const char *const prefixes[] = {"f", "p", "n", "u", "m", "", "k", "M", "G", "T"};
     double scale = value;
     int prefix = 5;
-    if (isfinite(value) && value != 0) {
+    if (*unit && isfinite(value) && value != 0) { /* plain numbers stay as they are */
         while (fabs(scale) >= 999.95 && prefix < 9)
             scale /= 1000, prefix++;
         while (fabs(scale) < 0.99995 && prefix > 0)
             scale *= 1000, prefix--;
     }
-    snprintf(text, size, "%.4g%s%s%s", scale, *unit || prefix != 5 ? " " : "", prefixes[prefix], unit);
+    snprintf(text, size, "%.*g%s%s%s", *unit ? 4 : 6, scale, *unit ? " " : "", prefixes[prefix], unit);
     return text;
 }

@@ -77,12 +77,13 @@ static void print_summary(const struct bead_session *session, size_t files, uint
     printf("%zu file%s, %s, in %.2f s", files, files == 1 ? "" : "s", command_quantity((double)bytes, "B", size, sizeof size),
            seconds);
     if (outcomes && chains > 0) {
+        const char *unit = bead_session_time_unit(session);
         double end = outcomes[0].end;
         for (size_t i = 1; i < chains; i++)
             end = fmax(end, outcomes[i].end);
-        printf(": %zu chain%s to %s", chains, chains == 1 ? "" : "s", command_quantity(end, "s", time, sizeof time));
+        printf(": %zu chain%s to %s", chains, chains == 1 ? "" : "s", command_quantity(end, unit, time, sizeof time));
         if (outcomes[0].method)
-            printf(" with %s, first step %s", outcomes[0].method, command_quantity(outcomes[0].step, "s", step, sizeof step));
+            printf(" with %s, first step %s", outcomes[0].method, command_quantity(outcomes[0].step, unit, step, sizeof step));
         print_errors(outcomes, chains);
     }
     putchar('\n');

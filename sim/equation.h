@@ -38,7 +38,8 @@ struct bead_pace {
 struct bead_equation {
     const char *name, *help;       /* as in scenes: "fput", "kdv", "shock"; with the source of the equation */
     const char *const *methods;    /* that `simulate.method` may have beside auto, NULL-terminated; NULL: none */
-    const enum bead_field *fields; /* that its samples have, the one to show by default first; BEAD_FIELD_COUNT behind the last */
+    const enum bead_field *fields; /* that its samples have, the one to show by default first; BEAD_FIELD_COUNT behind the last;
+ NULL: spec->variable alone */
     bool beads;                    /* masses at the points: the view of the beads can show them */
     /* What a field means: name, unit "" and title ("strain"); asked for fields that it has. */
     const struct bead_field_info *(*field)(const struct bead_equation_spec *spec, enum bead_field field);
@@ -71,10 +72,13 @@ struct bead_equation {
                   double *energy);
 };
 
+extern const struct bead_equation bead_equation_fput;
+
 /* NULL: there is no such equation. */
 const struct bead_equation *bead_equation_find(const char *name);
-/* BEAD_FIELD_BITs of the fields that it has; of those of beads where it is NULL. */
-unsigned bead_equation_fields(const struct bead_equation *equation);
+/* BEAD_FIELD_BITs of the fields that it has, and the one to show by default; of beads where spec->name is NULL. */
+unsigned bead_equation_fields(const struct bead_equation_spec *spec);
+enum bead_field bead_equation_shown(const struct bead_equation_spec *spec);
 /* Row `index`, NULL behind the last. */
 const struct bead_equation *bead_equation_info(size_t index);
 

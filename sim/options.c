@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/scene_private.h"
 #include "sim/suggest.h"
 
 enum { LONGEST_TEXT = 1000 };
@@ -71,6 +72,11 @@ enum bead_error bead_read_number(const struct bead_reader *reader, const struct 
 {
     char allowed[200], why[200];
     const char *text = NULL;
+    struct bead_option plain = *option;
+    if (option->of_motion && bead_scene_plain(reader->scene)) {
+        plain.unit = NULL;
+        option = &plain;
+    }
     bead_option_allowed(option, allowed, sizeof allowed);
     enum bead_error err = bead_read_scalar(reader, at, allowed, &text);
     if (err)
@@ -287,7 +293,7 @@ static enum bead_error foreign_key(const struct bead_reader *reader, const struc
             snprintf(homes + used, sizeof homes - used, "%s%s", used ? ", " : "", options->form_names[i]);
         here = form >> i & 1 ? options->form_names[i] : here;
     }
-    return bead_wrong(reader, at, "is a key of outputs of kind %s, not of kind %s", homes, here);
+    return bead_wrong(reader, at, "is a key of %s %s, not of %s", options->forms_of, homes, here);
 }
 
 static enum bead_error check_keys(const struct bead_reader *reader, const struct bead_at *at, const struct bead_options *options,

@@ -58,6 +58,7 @@ struct bead_option {
     const char
         *shape; /* what a custom value looks like (NULL: not to be shown in help), or other words for the range of a number */
     const char *help;
+    bool of_motion; /* a time of what moves: without a unit where that has none */
     unsigned forms; /* 0: any; else bits of the forms of the structure it belongs to */
     enum bead_error (*read)(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option, void *settings);
 };
@@ -68,6 +69,7 @@ struct bead_options {
     const struct bead_option *rows;
     size_t count;
     const char *const *form_names; /* one a bit of `forms`, NULL-terminated */
+    const char *forms_of;          /* what has forms: "outputs of kind" */
 };
 #define BEAD_OPTIONS(rows) rows, sizeof(rows) / sizeof *(rows)
 

@@ -12,6 +12,7 @@
 #include "beadreel/sink.h"
 #include "beadreel/trajectory.h"
 #include "sim/kernels.h"
+#include "sim/run_kinds.h"
 
 struct bead_made;
 
@@ -46,8 +47,8 @@ struct bead_play {
 
 /* The runs of a pass stay, for their peaks, until bead_passed_free. */
 struct bead_passed {
-    struct bead_run **runs;
-    struct bead_run **twins;       /* NULL where nobody asked */
+    struct bead_runner *runs;
+    struct bead_runner *twins;     /* NULL where nobody asked */
     struct bead_outcome *outcomes; /* [chains] */
     size_t count;
     double end;   /* s: reached by all chains */

@@ -7,7 +7,7 @@
 
 #include "sim/crew.h"
 #include "sim/play.h"
-#include "sim/run.h"
+#include "sim/run_kinds.h"
 
 struct pass {
     const struct bead_play *play;
@@ -65,7 +65,7 @@ static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < p->chain_count; i++) {
         settings.chain = p->chains[i];
-        err = bead_run_create(&settings, &passed->runs[i], msg);
+        err = bead_runner_create(&settings, &passed->runs[i], msg);
     }
     return err;
 }
@@ -87,7 +87,7 @@ static enum bead_error create_twins(struct pass *pass, struct bead_message *msg)
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < p->chain_count; i++) {
         settings.chain = p->chains[i];
-        err = bead_run_create(&settings, &pass->passed->twins[i], msg);
+        err = bead_runner_create(&settings, &pass->passed->twins[i], msg);
     }
     return err;
 }
@@ -101,13 +101,14 @@ static enum bead_error lost_front(const struct bead_play *p, size_t chain, doubl
                      bead_chain_scene(p->chains[chain])->file, bead_chain_name(p->chains[chain]), time);
 }
 
-static enum bead_error advance(struct pass *pass, struct bead_run *run, double time, struct bead_message *msg)
+static enum bead_error advance(struct pass *pass, const struct bead_runner *runner, double time, struct bead_message *msg)
 {
+    const struct bead_run_kind *kind = runner->kind;
     enum bead_error err = BEAD_OK;
-    while (!err && bead_run_time(run) < time && bead_run_time(run) < pass->play->end) {
-        err = bead_run_step(run, msg);
+    while (!err && kind->time(runner->run) < time && kind->time(runner->run) < pass->play->end) {
+        err = kind->step(runner->run, msg);
         if (!err)
-            err = look_up(pass, bead_run_time(run), msg);
+            err = look_up(pass, kind->time(runner->run), msg);
     }
     return err;
 }
@@ -115,16 +116,17 @@ static enum bead_error advance(struct pass *pass, struct bead_run *run, double t
 /* Without a known end: until the front is there. */
 static enum bead_error advance_to_arrival(struct pass *pass, size_t chain, struct bead_message *msg)
 {
-    struct bead_run *run = pass->passed->runs[chain];
+    struct bead_run *run = pass->passed->runs[chain].run;
+    const struct bead_run_kind *kind = pass->passed->runs[chain].kind;
     const struct bead_chain *c = pass->play->chains[chain];
     double give_up = patience * bead_chain_passage(c, bead_chain_energy(c));
     enum bead_error err = BEAD_OK;
-    while (!err && isnan(bead_run_arrival(run))) {
-        err = bead_run_step(run, msg);
+    while (!err && isnan(kind->arrival(run))) {
+        err = kind->step(run, msg);
         if (!err)
-            err = look_up(pass, bead_run_time(run), msg);
-        if (!err && bead_run_time(run) > give_up)
-            err = lost_front(pass->play, chain, bead_run_time(run), msg);
+            err = look_up(pass, kind->time(run), msg);
+        if (!err && kind->time(run) > give_up)
+            err = lost_front(pass->play, chain, kind->time(run), msg);
     }
     return err;
 }
@@ -133,11 +135,11 @@ static enum bead_error advance_to_arrival(struct pass *pass, size_t chain, struc
 static enum bead_error add_twin(struct pass *pass, size_t chain, double time, const struct bead_due *due,
                                 struct bead_sample *sample, struct bead_message *msg)
 {
-    struct bead_run *twin = pass->passed->twins[chain];
+    const struct bead_runner *twin = &pass->passed->twins[chain];
     struct bead_sample other = {.chain = chain};
     enum bead_error err = advance(pass, twin, time, msg);
     if (!err)
-        err = bead_run_sample(twin, time, due->twin, due->span, &other, msg);
+        err = twin->kind->sample(twin->run, time, due->twin, due->span, &other, msg);
     if (err)
         return err;
     memcpy(sample->twin, other.field, sizeof sample->twin);
@@ -155,10 +157,11 @@ static enum bead_error give_samples(struct pass *pass, struct bead_message *msg)
             break;
         double time = fmin(due.time, p->end);
         for (size_t i = 0; !err && i < p->chain_count; i++) {
+            const struct bead_runner *runner = &pass->passed->runs[i];
             struct bead_sample sample = {.chain = i};
-            err = advance(pass, pass->passed->runs[i], time, msg);
+            err = advance(pass, runner, time, msg);
             if (!err)
-                err = bead_run_sample(pass->passed->runs[i], time, due.fields, due.span, &sample, msg);
+                err = runner->kind->sample(runner->run, time, due.fields, due.span, &sample, msg);
             if (!err && due.twin)
                 err = add_twin(pass, i, time, &due, &sample, msg);
             sample.time = due.time;
@@ -182,7 +185,7 @@ static enum bead_error complete(void *context, size_t chain, bool calling, struc
     struct pass *mine = calling ? pass : &quiet;
     double rest = fmin(pass->play->end, pass->play->needed);
     enum bead_error err =
-        isfinite(rest) ? advance(mine, pass->passed->runs[chain], rest, msg) : advance_to_arrival(mine, chain, msg);
+        isfinite(rest) ? advance(mine, &pass->passed->runs[chain], rest, msg) : advance_to_arrival(mine, chain, msg);
     if (!err)
         atomic_fetch_add(pass->done, 1);
     return err;
@@ -194,22 +197,25 @@ static void finish(struct pass *pass)
     double end = pass->play->end;
     passed->end = INFINITY;
     for (size_t i = 0; i < passed->count; i++) {
-        if (!passed->runs[i])
+        const struct bead_run_kind *kind = passed->runs[i].kind;
+        struct bead_run *run = passed->runs[i].run;
+        if (!run)
             continue;
-        double reached = fmin(bead_run_time(passed->runs[i]), end);
-        if (!isfinite(end) && !isnan(bead_run_arrival(passed->runs[i])))
-            reached = bead_run_arrival(passed->runs[i]);
-        bead_run_finish(passed->runs[i], reached, &passed->outcomes[i]);
+        double reached = fmin(kind->time(run), end);
+        if (!isfinite(end) && !isnan(kind->arrival(run)))
+            reached = kind->arrival(run);
+        kind->finish(run, reached, &passed->outcomes[i]);
         passed->end = fmin(passed->end, reached);
-        pass->counts->steps += bead_run_steps(passed->runs[i]);
-        pass->counts->evaluations += bead_run_evaluations(passed->runs[i]);
-        pass->counts->state_hash += bead_run_hash(passed->runs[i]) * (2 * i + 1);
+        pass->counts->steps += kind->steps(run);
+        pass->counts->evaluations += kind->evaluations(run);
+        pass->counts->state_hash += kind->hash(run) * (2 * i + 1);
     }
     for (size_t i = 0; passed->twins && i < passed->count; i++) {
-        if (!passed->twins[i])
+        const struct bead_runner *twin = &passed->twins[i];
+        if (!twin->run)
             continue;
-        pass->counts->twin_steps += bead_run_steps(passed->twins[i]);
-        pass->counts->twin_evaluations += bead_run_evaluations(passed->twins[i]);
+        pass->counts->twin_steps += twin->kind->steps(twin->run);
+        pass->counts->twin_evaluations += twin->kind->evaluations(twin->run);
     }
     pass->counts->passes++;
 }
@@ -237,9 +243,9 @@ enum bead_error bead_play_simulation(const struct bead_play *play, struct bead_c
 void bead_passed_free(struct bead_passed *passed)
 {
     for (size_t i = 0; passed->runs && i < passed->count; i++)
-        bead_run_destroy(passed->runs[i]);
+        bead_runner_destroy(&passed->runs[i]);
     for (size_t i = 0; passed->twins && i < passed->count; i++)
-        bead_run_destroy(passed->twins[i]);
+        bead_runner_destroy(&passed->twins[i]);
     free(passed->runs);
     free(passed->twins);
     free(passed->outcomes);

@@ -49,7 +49,7 @@ static const struct bead_option rows[] = {
      .help = "the files wanted, a list with at least one: see outputs",
      .read = read_outputs},
 };
-const struct bead_options bead_scene_options = {"scene", "the keys at the top of the file", BEAD_OPTIONS(rows), NULL};
+const struct bead_options bead_scene_options = {"scene", "the keys at the top of the file", BEAD_OPTIONS(rows), NULL, NULL};
 
 enum bead_error bead_scene_read_sweep(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
                                       void *settings)
@@ -77,6 +77,17 @@ static enum bead_error read_chain(struct bead_reader *reader, const struct bead_
         return bead_wrong(reader, at, "is given beside `chains`; give one of them");
     enum bead_error err = make_chains(reader, 1);
     return err ? err : bead_scene_read_chain(reader, at, &scene->chains[0]);
+}
+
+/* Beads have SI units and equations none: they cannot share the axes of a picture. */
+static enum bead_error check_kind(const struct bead_reader *reader, const struct bead_at *at, size_t index)
+{
+    const struct bead_chain_spec *chains = reader->scene->chains;
+    if (!chains[0].equation.name == !chains[index].equation.name)
+        return BEAD_OK;
+    return bead_wrong(reader, at, "is %s beside %s; all chains of a scene must be one or the other",
+                      chains[index].equation.name ? "an equation" : "a chain of beads",
+                      chains[index].equation.name ? "chains of beads" : "equations");
 }
 
 /* Chains of one scene are told apart by their names. */
@@ -109,6 +120,8 @@ static enum bead_error read_chains(struct bead_reader *reader, const struct bead
         err = bead_scene_read_chain(reader, &element, &scene->chains[i]);
         if (!err)
             err = check_name(reader, &element, i);
+        if (!err)
+            err = check_kind(reader, &element, i);
         beads += err ? 0 : bead_scene_count_beads(&scene->chains[i]);
         if (!err && beads > BEAD_SCENE_BEADS)
             err = bead_wrong(reader, &element, "makes more than %d beads in all, which is the most that is allowed",
@@ -255,6 +268,7 @@ static void free_chain(struct bead_chain_spec *chain)
         free(chain->segments[i].sensor);
     }
     free(chain->segments);
+    free(chain->equation.name);
     free(chain->name);
     free(chain->label);
 }

@@ -51,7 +51,8 @@ static const struct bead_option rows[] = {
      .help = "name of the sensor on this single bead, which records its bead force"},
 };
 
-const struct bead_options bead_segment_options = {"chain.beads", "entries of the list, left to right", BEAD_OPTIONS(rows), NULL};
+const struct bead_options bead_segment_options = {"chain.beads", "entries of the list, left to right", BEAD_OPTIONS(rows), NULL,
+                                                  NULL};
 
 static enum bead_error read_bead(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
                                  void *settings)

@@ -81,7 +81,7 @@ static const struct bead_option striker_rows[] = {
      .help = "its velocity when it touches the first bead, at time 0"},
 };
 const struct bead_options bead_striker_options = {"chain.striker", "the bead that strikes the chain", BEAD_OPTIONS(striker_rows),
-                                                  NULL};
+                                                  NULL, NULL};
 
 static const struct bead_option damping_rows[] = {
     {.key = "coefficient",
@@ -99,7 +99,7 @@ static const struct bead_option damping_rows[] = {
      .help = "exponent of the speed of compression"},
 };
 const struct bead_options bead_damping_options = {"chain.damping", "forces against the relative motion of touching beads",
-                                                  BEAD_OPTIONS(damping_rows), NULL};
+                                                  BEAD_OPTIONS(damping_rows), NULL, NULL};
 
 #define LAW(member) offsetof(struct bead_law_spec, member)
 static const struct bead_option power_rows[] = {
@@ -113,7 +113,7 @@ static const struct bead_option power_rows[] = {
      .help = "force at a compression of 1 m, of every contact; in N/m^power"},
 };
 const struct bead_options bead_power_options = {"chain.law (power)", "force = coefficient * compression^power, one-sided",
-                                                BEAD_OPTIONS(power_rows), NULL};
+                                                BEAD_OPTIONS(power_rows), NULL, NULL};
 
 static const struct bead_option fpu_rows[] = {
     {.key = "fpu-alpha",
@@ -133,7 +133,7 @@ static const struct bead_option fpu_rows[] = {
      .help = "k in that force"},
 };
 const struct bead_options bead_fpu_options = {"chain.law (fpu-alpha)", "springs of Fermi, Pasta, Ulam and Tsingou, two-sided",
-                                              BEAD_OPTIONS(fpu_rows), NULL};
+                                              BEAD_OPTIONS(fpu_rows), NULL, NULL};
 
 static const struct bead_option chain_rows[] = {
     {.key = "name",
@@ -189,12 +189,15 @@ static const struct bead_option chain_rows[] = {
      .help = "see chain.damping",
      .read = read_damping},
 };
-const struct bead_options bead_chain_options = {
-    "chain", "a chain; or `chains`, a list of these with a `name` each, run and shown together", BEAD_OPTIONS(chain_rows), NULL};
+const struct bead_options bead_chain_options = {"chain",
+                                                "a chain; or `chains`, a list of these with a `name` each, run and shown together",
+                                                BEAD_OPTIONS(chain_rows), NULL, NULL};
 
 enum bead_error bead_scene_read_chain(struct bead_reader *reader, const struct bead_at *at, struct bead_chain_spec *chain)
 {
     chain->place = at->node->place;
+    if (at->node->kind == BEAD_NODE_MAP && bead_node_get(at->node, "equation", NULL))
+        return bead_scene_read_equation(reader, at, chain);
     enum bead_error err = bead_options_read(reader, at, &bead_chain_options, 0, chain);
     if (err)
         return err;

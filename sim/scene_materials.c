@@ -60,7 +60,7 @@ static const struct bead_option rows[] = {
 };
 
 const struct bead_options bead_material_options = {"materials.NAME", "a material of beads and walls, added to the ready ones",
-                                                   BEAD_OPTIONS(rows), NULL};
+                                                   BEAD_OPTIONS(rows), NULL, NULL};
 
 static enum bead_error read_colour(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
                                    void *settings)

@@ -14,6 +14,7 @@ static const struct bead_option caption_rows[] = {
     {.key = "at",
      .offset = CAPTION(at),
      .unit = "s",
+     .of_motion = true,
      .required = true,
      .low = 0,
      .high = 1e6,
@@ -26,6 +27,7 @@ static const struct bead_option caption_rows[] = {
     {.key = "until",
      .offset = CAPTION(until),
      .unit = "s",
+     .of_motion = true,
      .initial = "auto",
      .low = 0,
      .high = 1e6,
@@ -43,7 +45,7 @@ static const struct bead_option caption_rows[] = {
      .help = "how long it stays, as time of the film; instead of `until`"},
 };
 const struct bead_options bead_caption_options = {"outputs.captions", "a list, by rising times; a caption ends the one before",
-                                                  BEAD_OPTIONS(caption_rows), NULL};
+                                                  BEAD_OPTIONS(caption_rows), NULL, NULL};
 
 #define CARD(member) offsetof(struct bead_card, member)
 static const struct bead_option card_rows[] = {
@@ -57,7 +59,7 @@ static const struct bead_option card_rows[] = {
     {.key = "text", .type = BEAD_OPTION_TEXT, .offset = CARD(text), .initial = "", .help = "a line below the title"},
 };
 const struct bead_options bead_card_options = {"outputs.card", "a title card: title, chains, scale of time",
-                                               BEAD_OPTIONS(card_rows), NULL};
+                                               BEAD_OPTIONS(card_rows), NULL, NULL};
 
 static enum bead_error read_caption(struct bead_reader *reader, const struct bead_at *at, struct bead_caption *caption)
 {

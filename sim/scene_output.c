@@ -6,6 +6,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "sim/equation.h"
 #include "sim/suggest.h"
 
 static const char *const kinds[] = {"trajectory", "image", "movie", "plot", "table"};
@@ -99,6 +100,64 @@ static enum bead_error check_shown(const struct bead_reader *reader, const struc
             return bead_wrong(reader, &where, "belongs to `show: sensors`; %s",
                               output->show == BEAD_SHOW_MEASURES ? "measures are those of the whole run"
                                                                  : "peaks are those of the whole first passage");
+    }
+    return BEAD_OK;
+}
+
+static bool is_given(const struct bead_at *at, const char *key)
+{
+    return bead_at_key(at, key).node != at->node;
+}
+
+/* Masses at all points of all chains, that the view of the beads can show. */
+static bool has_beads(const struct bead_scene *scene)
+{
+    for (size_t i = 0; i < scene->chain_count; i++) {
+        const char *name = scene->chains[i].equation.name;
+        if (name && !bead_equation_find(name)->beads)
+            return false;
+    }
+    return true;
+}
+
+/* Defaults are those of beads: where the output does not say otherwise, equations have their own. */
+static void fit_equations(const struct bead_reader *reader, const struct bead_at *at, struct bead_output *output)
+{
+    const struct bead_scene *scene = reader->scene;
+    unsigned known = bead_scene_fields(scene);
+    enum bead_field shown = bead_equation_shown(&scene->chains[0].equation);
+    if (!bead_scene_plain(scene))
+        return;
+    while (known && !(known & BEAD_FIELD_BIT(shown))) /* that all chains have */
+        shown = (enum bead_field)((shown + 1) % BEAD_FIELD_COUNT);
+    if (!is_given(at, "fields"))
+        output->fields = known;
+    if (!is_given(at, "field"))
+        output->field = shown;
+    if (!is_given(at, "scale"))
+        output->scale = BEAD_SCALE_LINEAR;
+    if (is_given(at, "views") || has_beads(scene))
+        return;
+    size_t kept = 0;
+    for (size_t i = 0; i < output->view_count; i++) {
+        if (output->views[i] != BEAD_VIEW_BEADS)
+            output->views[kept++] = output->views[i];
+    }
+    output->view_count = kept;
+}
+
+/* What equations do not have. */
+static enum bead_error check_equations(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+{
+    struct bead_at where = bead_at_key(at, "show");
+    bool shows = output->kind == BEAD_OUTPUT_TABLE || output->kind == BEAD_OUTPUT_PLOT;
+    if (bead_scene_plain(reader->scene) && shows && (output->show == BEAD_SHOW_PEAKS || output->show == BEAD_SHOW_BEAD_PEAKS))
+        return bead_wrong(reader, &where, "peaks are those of contacts between beads, which equations do not have");
+    where = bead_at_key(at, "views");
+    for (size_t i = 0; i < output->view_count; i++) {
+        if (output->views[i] == BEAD_VIEW_BEADS && !has_beads(reader->scene))
+            return bead_wrong(reader, &where,
+                              "beads are not there to be seen: the equation has none; must be profile or spacetime");
     }
     return BEAD_OK;
 }
@@ -217,7 +276,11 @@ static enum bead_error read_output(struct bead_reader *reader, const struct bead
     if (!err)
         style_size(reader, at, output);
     if (!err)
+        fit_equations(reader, at, output);
+    if (!err)
         err = check_fields(reader, at, output);
+    if (!err)
+        err = check_equations(reader, at, output);
     if (!err)
         err = check_times(reader, at, output);
     if (!err)

@@ -106,7 +106,7 @@ static enum bead_error read_bead(const struct bead_reader *reader, const struct 
         return err;
     *bead = (size_t)value;
     for (size_t i = 0; i < reader->scene->chain_count; i++) {
-        size_t beads = bead_scene_count_beads(&reader->scene->chains[i]);
+        size_t beads = bead_scene_last_bead(reader->scene, i);
         last = beads > last ? beads : last;
     }
     if (*bead > last)
@@ -187,8 +187,8 @@ BEAD_OUTPUT_READER(bead_output_read_size)
 BEAD_OUTPUT_READER(bead_output_read_range)
 {
     struct bead_output *output = settings;
-    const struct bead_option number = {
-        .unit = bead_field_info(output->field)->unit, .word = option->word, .word_value = option->word_value};
+    const char *unit = bead_scene_plain(reader->scene) ? "" : bead_field_info(output->field)->unit;
+    const struct bead_option number = {.unit = *unit ? unit : NULL, .word = option->word, .word_value = option->word_value};
     char shown[64];
     if (at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, option->word) == 0) {
         output->range[0] = output->range[1] = NAN;
@@ -204,8 +204,8 @@ BEAD_OUTPUT_READER(bead_output_read_range)
     }
     if (output->range[0] >= output->range[1])
         return bead_wrong(reader, at, "is [%g, %g] %s; the first must be below the second", output->range[0], output->range[1],
-                          number.unit);
+                          unit);
     if (output->scale == BEAD_SCALE_LOG && output->range[0] <= 0)
-        return bead_wrong(reader, at, "begins at %g %s; must be above 0 with `scale: log`", output->range[0], number.unit);
+        return bead_wrong(reader, at, "begins at %g %s; must be above 0 with `scale: log`", output->range[0], unit);
     return BEAD_OK;
 }

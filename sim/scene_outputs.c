@@ -83,6 +83,7 @@ static const struct bead_option rows[] = {
      .type = BEAD_OPTION_PAIR,
      .offset = OUTPUT(time),
      .unit = "s",
+     .of_motion = true,
      .initial = "auto",
      .low = 0,
      .high = 1e6,
@@ -100,6 +101,7 @@ static const struct bead_option rows[] = {
     {.key = "every",
      .offset = OUTPUT(every),
      .unit = "s",
+     .of_motion = true,
      .initial = "auto",
      .low = 1e-12,
      .high = 1e3,
@@ -222,6 +224,7 @@ static const struct bead_option rows[] = {
     {.key = "at",
      .offset = OUTPUT(at),
      .unit = "s",
+     .of_motion = true,
      .initial = "auto",
      .low = 0,
      .high = 1e6,
@@ -270,6 +273,7 @@ static const struct bead_option rows[] = {
     {.key = "poster-at",
      .offset = OUTPUT(poster_at),
      .unit = "s",
+     .of_motion = true,
      .initial = "auto",
      .low = 0,
      .high = 1e6,
@@ -293,4 +297,4 @@ static const struct bead_option rows[] = {
      .forms = IMAGE | MOVIE | PLOT},
 };
 const struct bead_options bead_output_options = {"outputs", "entries of the list, each with the key of its kind and a file",
-                                                 BEAD_OPTIONS(rows), form_names};
+                                                 BEAD_OPTIONS(rows), form_names, "outputs of kind"};

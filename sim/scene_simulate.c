@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "beadreel/methods.h"
+#include "sim/equation.h"
 #include "sim/scene_private.h"
 #include "sim/suggest.h"
 
@@ -46,6 +47,7 @@ static const struct bead_option rows[] = {
      .open = BEAD_OPEN_LOW,
      .word = "auto",
      .word_value = NAN,
+     .of_motion = true,
      .help = "end of the run; auto: until the front reaches the end of the chain"},
     {.key = "accuracy",
      .offset = SIMULATE(accuracy),
@@ -62,13 +64,37 @@ static const struct bead_option rows[] = {
     {.key = "step",
      .offset = SIMULATE(step),
      .unit = "s",
+     .of_motion = true,
      .initial = "auto",
      .low = 1e-15,
      .high = 1e3,
      .word = "auto",
      .help = "time step; auto: chosen from accuracy"},
 };
-const struct bead_options bead_simulate_options = {"simulate", "until when and how well", BEAD_OPTIONS(rows), NULL};
+const struct bead_options bead_simulate_options = {"simulate", "until when and how well", BEAD_OPTIONS(rows), NULL, NULL};
+
+/* Equations have methods of their own, and no front that ends a run. */
+static enum bead_error check_equations(const struct bead_reader *reader, const struct bead_at *at)
+{
+    const struct bead_simulate *simulate = &reader->scene->simulate;
+    struct bead_at until = bead_at_key(at, "until"), method = bead_at_key(at, "method");
+    if (isnan(simulate->until))
+        return bead_wrong(reader, &until, "is missing: an equation has no end of its own; must be a time, such as 100");
+    for (size_t i = 0; i < reader->scene->chain_count && strcmp(simulate->method, "auto") != 0; i++) {
+        const struct bead_equation *equation = bead_equation_find(reader->scene->chains[i].equation.name);
+        char all[160] = "auto";
+        bool known = false;
+        for (const char *const *name = equation->methods; name && *name; name++) {
+            size_t used = strlen(all);
+            snprintf(all + used, sizeof all - used, ", %s", *name);
+            known = known || strcmp(*name, simulate->method) == 0;
+        }
+        if (!known)
+            return bead_wrong(reader, &method, "`%s` does not solve the equation %s; must be %s%s", simulate->method,
+                              equation->name, equation->methods ? "one of " : "", all);
+    }
+    return BEAD_OK;
+}
 
 enum bead_error bead_scene_read_simulate(struct bead_reader *reader, const struct bead_at *at)
 {
@@ -77,6 +103,9 @@ enum bead_error bead_scene_read_simulate(struct bead_reader *reader, const struc
     if (err)
         return err;
     struct bead_at step = bead_at_key(at, "step");
+    err = bead_scene_plain(reader->scene) ? check_equations(reader, at) : BEAD_OK;
+    if (err)
+        return err;
     for (size_t i = 0; i < reader->scene->chain_count; i++) {
         const struct bead_method_info *method = bead_method_find(simulate->method);
         struct bead_at where = bead_at_key(at, "method");

@@ -6,14 +6,12 @@
 
 #include "beadreel/file.h"
 #include "beadreel/trajectory.h"
-#include "sim/run.h"
+#include "sim/run_kinds.h"
 #include "sim/session_data.h"
 
-/* Samples this often, in units of 1/omega, show every oscillation. */
-static const double resolving = 0.25;
-/* Pictures take the trajectory's samples when they come at least this often (in units of 1/omega); then the file
- * draws the same picture again. */
-static const double coarsest = 2.0;
+/* Pictures take the trajectory's samples when they come at least this often, in units of the spacing that shows every
+ * oscillation; then the file draws the same picture again. */
+static const double coarsest = 8;
 
 void bead_job_default(struct bead_job *job)
 {
@@ -114,16 +112,15 @@ static enum bead_error create_chains(struct bead_session *s, struct bead_message
 /* The fastest chain says how often a picture must look. */
 static enum bead_error find_resolution(struct bead_session *s, struct bead_message *msg)
 {
-    double omega = 0;
+    s->resolution = INFINITY;
     for (size_t i = 0; i < s->chain_count; i++) {
-        struct bead_stepping stepping;
-        enum bead_error err = bead_run_stepping(s->chains[i], &stepping, msg);
+        struct bead_pace pace;
+        enum bead_error err = bead_run_kind_of(s->chains[i])->pace(s->chains[i], 1, &pace, msg);
         if (err)
             return err;
-        omega = fmax(omega, stepping.omega);
+        s->resolution = fmin(s->resolution, pace.resolution);
     }
-    s->resolution = resolving / omega;
-    s->twin = bead_run_twin(s->chains, s->chain_count);
+    s->twin = bead_run_twin_of(s->chains, s->chain_count);
     return BEAD_OK;
 }
 
@@ -176,7 +173,7 @@ static unsigned kept_fields(const struct bead_session *s)
     const struct bead_output *k = s->keeper;
     bool all = k->fields & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && k->beads.first == 0 && k->beads.last == SIZE_MAX;
     for (size_t i = 0; i < s->chain_count; i++)
-        all = all && !(bead_chain_spec(s->chains[i])->damping_coefficient > 0);
+        all = all && !(bead_chain_spec(s->chains[i])->damping_coefficient > 0) && !bead_chain_spec(s->chains[i])->equation.name;
     return all ? k->fields | BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE) : k->fields;
 }
 
@@ -189,8 +186,7 @@ static bool covers(const struct bead_session *s, const struct bead_output *outpu
                                                                                            : BEAD_FIELD_BIT(output->field);
     double from = isnan(output->time[0]) ? 0 : output->time[0], to = isnan(output->time[1]) ? s->end : output->time[1];
     return k && (kept_fields(s) & needs) == needs && k->beads.first <= output->beads.first && k->beads.last >= output->beads.last &&
-           s->native.start <= from && s->native.end >= fmin(to, s->end) * (1 - 1e-9) &&
-           s->native.every <= coarsest / resolving * s->resolution;
+           s->native.start <= from && s->native.end >= fmin(to, s->end) * (1 - 1e-9) && s->native.every <= coarsest * s->resolution;
 }
 
 /* The trajectory output goes first: its samples are the pictures' too. */

@@ -2,38 +2,57 @@
 #include <math.h>
 
 #include "beadreel/trajectory.h"
-#include "sim/run.h"
+#include "sim/run_kinds.h"
 #include "sim/session_data.h"
-#include "sim/stepper.h"
 
-static void plan_chain(const struct bead_session *s, size_t index, const struct bead_stepping *stepping, FILE *out)
+/* Times for people, of beads in microseconds or milliseconds, of equations without unit. */
+struct words {
+    char text[32];
+};
+
+static struct words time_words(const struct bead_session *s, double time, bool milli)
+{
+    struct words words;
+    if (!*bead_chain_time_unit(s->chains[0]))
+        snprintf(words.text, sizeof words.text, "%.6g", time);
+    else if (milli)
+        snprintf(words.text, sizeof words.text, "%.6g ms", 1e3 * time);
+    else
+        snprintf(words.text, sizeof words.text, "%.4g us", 1e6 * time);
+    return words;
+}
+
+static void plan_chain(const struct bead_session *s, size_t index, const struct bead_pace *pace, FILE *out)
 {
     const struct bead_chain *c = s->chains[index];
-    const char *name = bead_chain_name(c);
-    fprintf(out, "chain %s%s%zu beads, %zu contacts", name, *name ? ": " : "", bead_chain_beads(c), bead_chain_contacts(c));
+    const char *name = bead_chain_name(c), *equation = bead_chain_spec(c)->equation.name;
+    if (equation)
+        fprintf(out, "chain %s%s%s, %zu points", name, *name ? ": " : "", equation, bead_chain_beads(c));
+    else
+        fprintf(out, "chain %s%s%zu beads, %zu contacts", name, *name ? ": " : "", bead_chain_beads(c), bead_chain_contacts(c));
     if (*bead_chain_spins(c))
         fprintf(out, ", M = %.4g", bead_chain_magnetism(c));
-    fprintf(out, "; %s with steps %s %.4g us", stepping->method->info.name, stepping->variable ? "from" : "of",
-            1e6 * stepping->step);
+    fprintf(out, "; %s with steps %s %s", pace->method, pace->variable ? "from" : "of", time_words(s, pace->step, false).text);
     double end = fmin(s->end, s->needed);
     if (isfinite(end))
-        fprintf(out, ", %s%.0f of them", stepping->variable ? "at most about " : "", ceil(end / stepping->step * (1 - 1e-9)));
+        fprintf(out, ", %s%.0f of them", pace->variable ? "at most about " : "", ceil(end / pace->step * (1 - 1e-9)));
     fprintf(out, "\n");
 }
 
 static void plan_time(const struct bead_session *s, FILE *out)
 {
     if (s->trajectory)
-        fprintf(out, "time: samples of a run of %.6g ms are read; nothing is simulated\n", 1e3 * s->end);
+        fprintf(out, "time: samples of a run of %s are read; nothing is simulated\n", time_words(s, s->end, true).text);
     else if (!isfinite(s->end))
         fprintf(out, "time: until the front reaches the end; nobody needs to know when beforehand, so no scouting pass\n");
     else if (s->needed < s->end)
-        fprintf(out, "time: stops at %.6g ms of %.6g ms: no output needs more\n", 1e3 * s->needed, 1e3 * s->end);
+        fprintf(out, "time: stops at %s of %s: no output needs more\n", time_words(s, s->needed, true).text,
+                time_words(s, s->end, true).text);
     else if (s->passage)
-        fprintf(out, "time: until the front reaches the end, at %.6g ms (found by a scouting pass without samples)\n",
-                1e3 * s->end);
+        fprintf(out, "time: until the front reaches the end, at %s (found by a scouting pass without samples)\n",
+                time_words(s, s->end, true).text);
     else
-        fprintf(out, "time: %.6g ms as asked\n", 1e3 * s->end);
+        fprintf(out, "time: %s as asked\n", time_words(s, s->end, true).text);
 }
 
 static const char *plan_fields(unsigned fields, char *text, size_t size)
@@ -55,12 +74,14 @@ static void plan_output(const struct bead_session *s, const struct bead_made *m,
         return;
     }
     const struct bead_needs *n = &m->needs;
+    bool beads = !bead_chain_spec(s->chains[0])->equation.name;
     char fields[128];
     fprintf(out, "output %s: %s\n", m->path, n->why ? n->why : m->type->help);
     if (n->grid.every > 0 && n->fields) {
-        fprintf(out, "  samples: %s of beads %zu to %zu, %zu times every %.4g us until %.6g ms%s\n",
-                plan_fields(n->fields, fields, sizeof fields), n->beads.first, n->beads.last, bead_grid_count(&n->grid),
-                1e6 * n->grid.every, 1e3 * n->grid.end, m->shared && !s->trajectory ? " (shared with the trajectory)" : "");
+        fprintf(out, "  samples: %s of %s %zu to %zu, %zu times every %s until %s%s\n",
+                plan_fields(n->fields, fields, sizeof fields), beads ? "beads" : "points", n->beads.first, n->beads.last,
+                bead_grid_count(&n->grid), time_words(s, n->grid.every, false).text, time_words(s, n->grid.end, true).text,
+                m->shared && !s->trajectory ? " (shared with the trajectory)" : "");
     } else {
         fprintf(out, "  samples: none\n");
     }
@@ -82,14 +103,14 @@ static enum bead_error plan_twin(const struct bead_session *s, FILE *out, struct
     }
     if (count == 0)
         return BEAD_OK;
-    struct bead_stepping stepping;
-    enum bead_error err = bead_run_twin_stepping(s->chains[0], s->twin, &stepping, msg);
+    struct bead_pace pace;
+    enum bead_error err = bead_run_kind_of(s->chains[0])->pace(s->chains[0], s->twin, &pace, msg);
     if (err)
         return err;
     fprintf(out, " needs all chains a second time, for comparison: ");
     if (!(asked->step > 0))
         fprintf(out, "accuracy %.3g instead of %.3g, ", s->twin * asked->accuracy, asked->accuracy);
-    fprintf(out, "steps of %.4g us\n", 1e6 * stepping.step);
+    fprintf(out, "steps of %s\n", time_words(s, pace.step, false).text);
     return BEAD_OK;
 }
 
@@ -112,7 +133,7 @@ static void plan_skips(const struct bead_session *s, FILE *out)
         fprintf(out, "skipped: HDF5 (no trajectory output)\n");
     if (!graphics)
         fprintf(out, "skipped: drawing (no picture asked for)\n");
-    if (!s->trajectory)
+    if (!s->trajectory && !bead_chain_spec(s->chains[0])->equation.name)
         fprintf(out, "skipped: beads ahead of the front, until it comes (exactly at rest)%s\n",
                 s->job.full_window ? ": computed all the same, as asked" : "");
 }
@@ -120,11 +141,11 @@ static void plan_skips(const struct bead_session *s, FILE *out)
 enum bead_error bead_session_plan(const struct bead_session *s, FILE *out, struct bead_message *msg)
 {
     for (size_t i = 0; i < s->chain_count; i++) {
-        struct bead_stepping stepping;
-        enum bead_error err = bead_run_stepping(s->chains[i], &stepping, msg);
+        struct bead_pace pace;
+        enum bead_error err = bead_run_kind_of(s->chains[i])->pace(s->chains[i], 1, &pace, msg);
         if (err)
             return err;
-        plan_chain(s, i, &stepping, out);
+        plan_chain(s, i, &pace, out);
     }
     plan_time(s, out);
     for (size_t i = 0; i < s->made_count; i++)

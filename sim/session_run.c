@@ -175,6 +175,11 @@ size_t bead_session_results(const struct bead_session *s, const struct bead_resu
     return s->result_count;
 }
 
+const char *bead_session_time_unit(const struct bead_session *s)
+{
+    return bead_chain_time_unit(s->chains[0]);
+}
+
 const struct bead_counts *bead_session_counts(const struct bead_session *s)
 {
     return &s->counts;

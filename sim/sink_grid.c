@@ -55,14 +55,18 @@ size_t bead_span_rows(const struct bead_span *span, size_t count)
     return (span->last < count ? span->last : count - 1) - span->first + 1;
 }
 
-void bead_time_text(double seconds, char *text, size_t size)
+void bead_time_text(double time, const char *unit, char *text, size_t size)
 {
     static const struct {
         double size;
         const char *unit;
     } units[] = {{1, "s"}, {1e-3, "ms"}, {1e-6, "us"}, {1e-9, "ns"}};
     size_t i = 0;
-    while (i < 3 && seconds < 0.9999999 * units[i].size)
+    if (!*unit) {
+        snprintf(text, size, "%.4g", time);
+        return;
+    }
+    while (i < 3 && time < 0.9999999 * units[i].size)
         i++;
-    snprintf(text, size, "%.4g %s", seconds / units[i].size, units[i].unit);
+    snprintf(text, size, "%.4g %s", time / units[i].size, units[i].unit);
 }

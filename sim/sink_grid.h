@@ -18,7 +18,7 @@ BEAD_CHECK enum bead_error bead_sink_grid(const struct bead_output *output, cons
 /* Part of `span` that a chain of `count` beads (or contacts) has: first row and number of rows. */
 size_t bead_span_rows(const struct bead_span *span, size_t count);
 
-/* A time for people: "1.5 ms". */
-void bead_time_text(double seconds, char *text, size_t size);
+/* A time for people: "1.5 ms"; of a chain whose times have the unit "": "1500". */
+void bead_time_text(double time, const char *unit, char *text, size_t size);
 
 #endif

@@ -109,7 +109,7 @@ static enum bead_error sensors_prepare(struct bead_sink *sink, struct bead_messa
         return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
     char every[32];
     enum bead_error error = bead_sink_grid(sink->output, &sink->stage, &sink->grid, msg);
-    bead_time_text(sink->grid.every, every, sizeof every);
+    bead_time_text(sink->grid.every, bead_chain_time_unit(sink->stage.chains[0]), every, sizeof every);
     snprintf(sink->why, sizeof sink->why, "%zu samples of %zu sensor%s, every %s", bead_grid_count(&sink->grid), total,
              total == 1 ? "" : "s", every);
     return error;

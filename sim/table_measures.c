@@ -29,7 +29,7 @@ static enum bead_error prepare(struct bead_sink *sink, struct bead_message *msg)
     if (err || watched == 0)
         return err;
     err = bead_sink_grid(sink->output, &sink->stage, &sink->grid, msg);
-    bead_time_text(sink->grid.every, every, sizeof every);
+    bead_time_text(sink->grid.every, bead_chain_time_unit(sink->stage.chains[0]), every, sizeof every);
     snprintf(sink->why, sizeof sink->why, "measures of the run, from %zu samples every %s", bead_grid_count(&sink->grid), every);
     return err;
 }

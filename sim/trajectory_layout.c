@@ -15,6 +15,7 @@ const struct bead_series_info bead_series[BEAD_SERIES_COUNT] = {
                                    "force in the contact of a bead with its right neighbour"},
     [BEAD_SERIES_ENERGY] = {BEAD_FIELD_ENERGY, true, false, 1, "/particles/chain/energy", "J",
                             "kinetic energy and half the energy of both contacts"},
+    [BEAD_SERIES_STRAIN] = {BEAD_FIELD_STRAIN, true, false, 1, "/particles/chain/strain", "1", "strain"},
 };
 
 void bead_trajectory_rows(const struct bead_chain *const *chains, size_t count, struct bead_span span, struct bead_chain_rows *rows,

@@ -29,6 +29,7 @@ enum bead_series_id {
     BEAD_SERIES_NET_FORCE, /* with the bead force: H5MD's force is mass times acceleration */
     BEAD_SERIES_CONTACT_FORCE,
     BEAD_SERIES_ENERGY,
+    BEAD_SERIES_STRAIN,
     BEAD_SERIES_COUNT
 };
 

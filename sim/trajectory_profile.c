@@ -6,6 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Of series and constants that have a unit where there are beads. */
+static const char *units_of(const struct bead_sink *sink, const char *units)
+{
+    return bead_chain_spec(sink->stage.chains[0])->equation.name ? "1" : units;
+}
+
 /* Values of all chains' stored beads, or contacts, one after the other; to be freed. */
 static double *gather(struct bead_sink *sink, const double *(*values)(const struct bead_chain *), bool of_contacts)
 {
@@ -98,7 +104,7 @@ static hid_t make_axis(struct bead_sink *sink, const char *path, const char *nam
 static void lay_out_axes(struct bead_sink *sink)
 {
     struct bead_h5 *h5 = &sink->h5;
-    sink->time = bead_h5_make_series(h5, h5->file, "/time", "s", false, 1024, 0, 1);
+    sink->time = bead_h5_make_series(h5, h5->file, "/time", units_of(sink, "s"), false, 1024, 0, 1);
     bead_h5_make_scale(h5, sink->time, "time");
     sink->step = bead_h5_make_series(h5, h5->file, "/step", NULL, true, 1024, 0, 1);
     bead_h5_attach(h5, sink->step, 0, sink->time);
@@ -111,15 +117,22 @@ static void lay_out_axes(struct bead_sink *sink)
         sink->contact_scale = make_axis(sink, "/contacts/contact", "contact", true);
 }
 
+/* Equations have words of their own for their fields. */
+static const char *long_name(const struct bead_sink *sink, const struct bead_series_info *info)
+{
+    const struct bead_chain *chain = sink->stage.chains[0];
+    return bead_chain_spec(chain)->equation.name && info->stored ? bead_chain_field(chain, info->field)->title : info->title;
+}
+
 static void lay_out_series(struct bead_sink *sink, enum bead_series_id id)
 {
     const struct bead_series_info *info = &bead_series[id];
     struct bead_h5 *h5 = &sink->h5;
     hid_t axis = info->of_contacts ? sink->contact_scale : sink->bead_scale, group = bead_h5_make_group(h5, h5->file, info->group);
-    hid_t value =
-        bead_h5_make_series(h5, group, "value", info->units, false, sink->chunk_rows, sink->series[id].columns, info->components);
+    hid_t value = bead_h5_make_series(h5, group, "value", units_of(sink, info->units), false, sink->chunk_rows,
+                                      sink->series[id].columns, info->components);
     if (value >= 0)
-        bead_h5_put_text(h5, value, "long_name", info->title);
+        bead_h5_put_text(h5, value, "long_name", long_name(sink, info));
     bead_h5_link(h5, sink->time, group, "time");
     bead_h5_link(h5, sink->step, group, "step");
     bead_h5_link(h5, axis, group, info->of_contacts ? "contact" : "bead");
@@ -312,12 +325,16 @@ void bead_trajectory_lay_out(struct bead_sink *sink)
 {
     write_h5md(sink);
     lay_out_axes(sink);
-    write_labels(sink, "/particles/chain/species", species_of, false);
+    const bool beads = !bead_chain_spec(sink->stage.chains[0])->equation.name; /* else no materials, radii, forces */
+    if (beads)
+        write_labels(sink, "/particles/chain/species", species_of, false);
     write_labels(sink, "/particles/chain/id", identity_of, false);
     write_labels(sink, "/particles/chain/chain", chain_of, false);
-    write_constant(sink, "/particles/chain/mass", "kg", bead_chain_mass, false);
-    write_constant(sink, "/particles/chain/radius", "m", bead_chain_radius, false);
-    write_constant(sink, "/particles/chain/rest_position", "m", bead_chain_position, false);
+    if (beads) {
+        write_constant(sink, "/particles/chain/mass", "kg", bead_chain_mass, false);
+        write_constant(sink, "/particles/chain/radius", "m", bead_chain_radius, false);
+    }
+    write_constant(sink, "/particles/chain/rest_position", units_of(sink, "m"), bead_chain_position, false);
     if (sink->contact_scale >= 0) {
         write_labels(sink, "/contacts/chain", chain_of, true);
         write_constant(sink, "/contacts/stiffness", NULL, bead_chain_stiffness, true);
@@ -326,9 +343,11 @@ void bead_trajectory_lay_out(struct bead_sink *sink)
     for (int id = 0; id < BEAD_SERIES_COUNT; id++)
         if (bead_trajectory_wants(sink, id))
             lay_out_series(sink, id);
-    write_vmd(sink);
+    if (beads)
+        write_vmd(sink);
     write_summary(sink);
-    write_materials(sink);
+    if (beads)
+        write_materials(sink);
     write_chains(sink);
 }
 
@@ -344,8 +363,8 @@ void bead_trajectory_write_outcome(struct bead_sink *sink, const struct bead_out
     if (outcomes && !h5->error) {
         hid_t group = bead_h5_make_group(h5, h5->file, BEAD_PROFILE_GROUP "/outcome");
         for (size_t i = 0; i < bead_outcome_column_count; i++)
-            write_member(sink, group, bead_outcome_columns[i].name, bead_outcome_columns[i].units, outcomes, sizeof *outcomes,
-                         count, bead_outcome_columns[i].offset);
+            write_member(sink, group, bead_outcome_columns[i].name, units_of(sink, bead_outcome_columns[i].units), outcomes,
+                         sizeof *outcomes, count, bead_outcome_columns[i].offset);
         for (size_t c = 0; c < count; c++) {
             methods[c] = outcomes[c].method ? outcomes[c].method : "";
             numbers[c] = (int64_t)outcomes[c].steps;

@@ -255,9 +255,10 @@ static enum bead_error load(struct bead_trajectory *t, const char *const *settin
     enum bead_error error = read_summary(t);
     if (!error)
         error = rebuild(t, settings, setting_count);
-    if (!error)
+    const bool beads = !error && !t->scene->chains[0].equation.name;
+    if (beads)
         error = check_beads(t, "/particles/chain/mass", bead_chain_mass);
-    if (!error)
+    if (beads && !error)
         error = check_beads(t, "/particles/chain/radius", bead_chain_radius);
     if (!error)
         error = check_beads(t, "/particles/chain/rest_position", bead_chain_position);
@@ -282,8 +283,10 @@ static unsigned derivable(const struct bead_trajectory *t)
     const unsigned forces = BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE);
     bool possible =
         t->fields & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && t->span.first == 0 && t->span.last >= longest_chain(t) - 1;
-    for (size_t c = 0; c < t->chain_count; c++)
-        possible = possible && !(bead_chain_spec(t->chains[c])->damping_coefficient > 0);
+    for (size_t c = 0; c < t->chain_count; c++) {
+        const struct bead_chain_spec *spec = bead_chain_spec(t->chains[c]);
+        possible = possible && !(spec->damping_coefficient > 0) && !spec->equation.name;
+    }
     return possible ? forces & ~t->fields : 0;
 }
 

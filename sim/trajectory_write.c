@@ -11,6 +11,7 @@
 #include "beadreel/trajectory.h"
 #include "sim/chain_data.h"
 #include "sim/data_sinks.h"
+#include "sim/equation.h"
 #include "sim/sink_grid.h"
 
 static const size_t most_chunk_rows = 256;
@@ -19,8 +20,11 @@ static const double flush_every = 1; /* s */
 
 bool bead_trajectory_wants(const struct bead_sink *sink, enum bead_series_id id)
 {
+    const struct bead_equation *equation = sink->stage.chains[0]->equation;
     if (!(sink->fields & BEAD_FIELD_BIT(bead_series[id].field)))
         return false;
+    if (id == BEAD_SERIES_POSITION) /* an unknown that is called displacement need not move anything along the chain */
+        return !equation || equation->beads;
     /* A net force needs both contacts; a trajectory that is drawn again may hold bead forces only. */
     if (id == BEAD_SERIES_NET_FORCE && sink->stage.native.every > 0)
         return (sink->fields & BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE)) != 0;
@@ -73,7 +77,7 @@ static enum bead_error measure(struct bead_sink *sink, struct bead_message *msg)
     if (sink->chunk_rows < 1)
         sink->chunk_rows = 1;
     char every[32];
-    bead_time_text(sink->grid.every, every, sizeof every);
+    bead_time_text(sink->grid.every, bead_chain_time_unit(sink->stage.chains[0]), every, sizeof every);
     int fields = __builtin_popcount(sink->fields);
     snprintf(sink->why, sizeof sink->why, "%zu samples of %d field%s, %zu beads, every %s", bead_grid_count(&sink->grid), fields,
              fields == 1 ? "" : "s", sink->beads, every);
@@ -202,6 +206,10 @@ static void fill_energy(const struct cell *cell, double *row)
 {
     copy_beads(cell, BEAD_FIELD_ENERGY, row);
 }
+static void fill_strain(const struct cell *cell, double *row)
+{
+    copy_beads(cell, BEAD_FIELD_STRAIN, row);
+}
 static void fill_contact_force(const struct cell *cell, double *row)
 {
     memcpy(row, cell->sample->field[BEAD_FIELD_CONTACT_FORCE] + cell->rows->first_contact, cell->rows->contacts * sizeof *row);
@@ -242,6 +250,7 @@ static const fill_function fill[BEAD_SERIES_COUNT] = {
     [BEAD_SERIES_NET_FORCE] = fill_net_force,
     [BEAD_SERIES_CONTACT_FORCE] = fill_contact_force,
     [BEAD_SERIES_ENERGY] = fill_energy,
+    [BEAD_SERIES_STRAIN] = fill_strain,
 };
 
 /* A run that went wrong must not leave a file that looks right. */

@@ -72,7 +72,7 @@ struct bead_soliton {
 struct bead_equation_spec {
     char *name;         /* "fput", "kdv", "shock"; NULL: a chain of beads */
     size_t points;      /* fput: moving masses; kdv, shock: grid points, 0: chosen from the accuracy */
-    double low, length; /* the domain: low <= x < low + length; fput: the masses stand at low, low + 1, ... */
+    double low, length; /* the domain: low <= x < low + length; fput: the left end's place, or the first mass's of a ring */
     enum bead_ends ends;
     double alpha, beta;                     /* fput: force of a spring stretched by r: r + alpha r^2 + beta r^3 */
     double drift, nonlinearity, dispersion; /* kdv: u_t + drift u_x + nonlinearity u u_x + dispersion u_xxx = 0 */

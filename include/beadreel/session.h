@@ -78,6 +78,8 @@ struct bead_counts {
     uint64_t state_hash;                   /* FNV-1a over displacement and velocity bits of all chains after every step */
 };
 BEAD_API const struct bead_counts *bead_session_counts(const struct bead_session *session);
+/* Unit of the session's times: "s", or "" (bead_chain_time_unit). */
+BEAD_API const char *bead_session_time_unit(const struct bead_session *session);
 BEAD_API const struct bead_outcome *bead_session_outcomes(const struct bead_session *session, size_t *chain_count);
 BEAD_API void bead_session_close(struct bead_session *session);
 
