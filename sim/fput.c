@@ -208,8 +208,8 @@ static const struct step_law {
     const char *method;
     double error, longest;
 } step_laws[] = {
-    {"rkn12", 1e-12, 1.5}, {"rkn8-plain", 1e-7, 1.2}, {"rkn8", 1e-7, 1.2},    {"rkn6", 1e-5, 1},
-    {"pefrl", 1e-5, 1},    {"vefrl", 1e-5, 1},        {"verlet", 1. / 24, 1}, {"rk4", 1. / 120, 1},
+    {"rkn12", 2e-14, 1.5}, {"rkn8-plain", 2.5e-8, 1.2}, {"rkn8", 2.5e-8, 1.2},  {"rkn6", 2e-6, 1},
+    {"pefrl", 6e-5, 1},    {"vefrl", 1e-3, 1},          {"verlet", 1. / 24, 1}, {"rk4", 1. / 120, 1},
 };
 static const char *const methods[] = {"rkn12", "rkn8-plain", "rkn8", "rkn6", "pefrl", "vefrl", "verlet", "rk4", NULL};
 
@@ -232,8 +232,9 @@ static enum bead_error choose_step(struct bead_motion *m, struct bead_message *m
     const struct step_law *law = step_laws;
     while (strcmp(law->method, info->name) != 0)
         law++;
-    double turns = omega * (isfinite(s->end) ? s->end : 1e4);
-    m->h = s->step > 0 ? s->step : fmin(pow(s->accuracy / (law->error * turns), 1.0 / info->order), law->longest) / omega;
+    /* Between steps there are polynomials of degree 7. */
+    double longest = fmin(law->longest, pow(s->accuracy * 40320 * 256, 1. / 8)), turns = omega * (isfinite(s->end) ? s->end : 1e4);
+    m->h = s->step > 0 ? s->step : fmin(pow(s->accuracy / (law->error * turns), 1.0 / info->order), longest) / omega;
     if (m->h * 2 > info->theta_max)
         return bead_fail(msg, BEAD_ERROR_SCENE, "simulate.step: %.3g is too long for `%s` to be stable: at most %.3g", m->h,
                          info->name, info->theta_max / 2);

@@ -46,7 +46,7 @@ static inline struct bead_sample sample_at(struct bead_run *run, double time)
 {
     struct bead_sample sample = {0};
     struct bead_message msg = {""};
-    unsigned all = (1u << BEAD_FIELD_COUNT) - 1;
+    unsigned all = (1u << BEAD_FIELD_STRAIN) - 1;
     if (bead_run_sample(run, time, all, (struct bead_span){0, SIZE_MAX - 1}, &sample, &msg))
         fail_msg("%s", msg.text);
     return sample;

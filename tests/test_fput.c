@@ -1,0 +1,272 @@
+/* Strings of Fermi, Pasta, Ulam and Tsingou: exact linear waves, recurrence times of converged runs, conserved quantities,
+ * solitary pulses. */
+#include "scenes.h"
+
+#include "sim/equation.h"
+
+#define close_to(value, wanted, within) check_close(value, wanted, within, #value, __LINE__)
+static void check_close(double value, double wanted, double within, const char *what, int line)
+{
+    if (!(fabs(value - wanted) <= within))
+        fail_msg("line %d: %s is %.12g, must be %.12g +- %.2g", line, what, value, wanted, within);
+}
+
+static const double pi = 3.14159265358979323846;
+static const struct bead_equation *const fput = &bead_equation_fput;
+
+static struct bead_motion *begin(const struct bead_equation_spec *spec, const char *method, double accuracy, double step,
+                                 double end)
+{
+    struct bead_motion_settings settings = {spec, spec->points, method, accuracy, step, end};
+    struct bead_motion *motion = NULL;
+    struct bead_message msg = {""};
+    if (fput->create(&settings, &motion, &msg))
+        fail_msg("%s", msg.text);
+    return motion;
+}
+
+static void run(struct bead_motion *motion, double t)
+{
+    struct bead_message msg = {""};
+    while (fput->time(motion) < t)
+        if (fput->step(motion, &msg))
+            fail_msg("%s", msg.text);
+}
+
+static double measured(const struct bead_motion *motion, const char *name)
+{
+    struct bead_measure found[32];
+    size_t count = fput->measures(motion, found, 32);
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(found[i].name, name) == 0)
+            return found[i].value;
+    fail_msg("no measure `%s`", name);
+    return NAN;
+}
+
+static struct bead_equation_spec string_of(size_t masses, double alpha, size_t mode)
+{
+    return (struct bead_equation_spec){
+        .name = "fput", .points = masses, .alpha = alpha, .start = BEAD_START_MODE, .mode = mode, .amplitude = 1};
+}
+
+/* Of the fastest wave of a linear string, whose motion is known. */
+static double error_of(const char *method, double accuracy, double end)
+{
+    struct bead_equation_spec spec = string_of(31, 0, 31);
+    struct bead_motion *m = begin(&spec, method, accuracy, 0, end);
+    double w = 2 * sin(pi * 31 / 64), worst = 0;
+    size_t count = 0;
+    run(m, end);
+    const double *state = fput->state(m, &count);
+    assert_int_equal(count, 62);
+    for (size_t j = 0; j < 31; j++) {
+        double s = sin(pi * 31 * (double)(j + 1) / 32);
+        worst = fmax(worst, fabs(state[j] - s * cos(w * end)));
+        worst = fmax(worst, fabs(state[31 + j] + s * w * sin(w * end)) / w);
+    }
+    fput->destroy(m);
+    return worst;
+}
+
+static void every_method_keeps_the_accuracy_asked(void **state)
+{
+    (void)state;
+    for (const char *const *name = fput->methods; *name; name++) {
+        bool low = strcmp(*name, "verlet") == 0;
+        for (double accuracy = 1e-4; accuracy > (low ? 1e-5 : 1e-9); accuracy /= 100) {
+            double error = error_of(*name, accuracy, 100);
+            if (!(error < accuracy) || (!(error > 1e-2 * accuracy) && strcmp(*name, "rkn12") != 0))
+                fail_msg("%s: asked %g, got %g", *name, accuracy, error);
+        }
+    }
+}
+
+/* Converged runs of Eq. 5 with alpha = 1/4 from the first mode of amplitude 1. */
+static void the_first_mode_returns_when_it_should(void **state)
+{
+    static const struct {
+        size_t masses;
+        double end, time, periods, part, lowest, lowest_time;
+    } known[] = {{31, 10000, 9376.4, 146.45, .98127, .0883, 6276},
+                 {32, 11000, 10130.26, 153.43, NAN, NAN, NAN},
+                 {63, 55000, 53449, 417.53, NAN, NAN, NAN}};
+    (void)state;
+    for (size_t i = 0; i < 3; i++) {
+        struct bead_equation_spec spec = string_of(known[i].masses, 0.25, 1);
+        struct bead_motion *m = begin(&spec, "auto", 1e-6, 0, known[i].end);
+        run(m, known[i].end);
+        close_to(measured(m, "recurrence time in periods"), known[i].periods, 0.01);
+        close_to(measured(m, "recurrence time"), known[i].time, 0.5);
+        assert_true(measured(m, "largest error of the energy, relative") < 1e-12);
+        if (!isnan(known[i].part)) {
+            close_to(measured(m, "energy of the mode at recurrence, relative"), known[i].part, 1e-5);
+            close_to(measured(m, "smallest energy of the mode, relative"), known[i].lowest, 1e-4);
+            close_to(measured(m, "time of the smallest energy"), known[i].lowest_time, 2);
+        }
+        fput->destroy(m);
+    }
+}
+
+/* The 157 periods often quoted: velocity Verlet with the time step of 1955, dt^2 = 1/8. */
+static void the_step_of_1955_delays_the_return(void **state)
+{
+    (void)state;
+    struct bead_equation_spec spec = string_of(31, 0.25, 1);
+    struct bead_motion *m = begin(&spec, "verlet", 1e-6, 0.35355339059327379, 10500);
+    run(m, 10500);
+    close_to(measured(m, "recurrence time in periods"), 156.85, 0.1);
+    fput->destroy(m);
+}
+
+static double sum_of_modes(const struct bead_equation_spec *spec, struct bead_motion *m, double t, double *energy, size_t count)
+{
+    double u[64], v[64], total = 0;
+    double *const to[BEAD_FIELD_COUNT] = {[BEAD_FIELD_DISPLACEMENT] = u, [BEAD_FIELD_VELOCITY] = v};
+    const double *const from[BEAD_FIELD_COUNT] = {[BEAD_FIELD_DISPLACEMENT] = u, [BEAD_FIELD_VELOCITY] = v};
+    struct bead_message msg;
+    assert_int_equal(fput->sample(m, t, fput->mode_fields, to, &msg), BEAD_OK);
+    fput->modes(spec, spec->points, from, count, energy);
+    for (size_t k = 0; k < count; k++)
+        total += energy[k];
+    return total;
+}
+
+static void modes_of_linear_strings_keep_their_energies(void **state)
+{
+    (void)state;
+    for (int ring = 0; ring < 2; ring++) {
+        struct bead_equation_spec spec = string_of(12, 0, 3);
+        spec.ends = ring ? BEAD_ENDS_PERIODIC : BEAD_ENDS_FIXED;
+        struct bead_motion *m = begin(&spec, "auto", 1e-9, 0, 77.7);
+        double energy[12], total = 12. / 4 * 4 * pow(sin(pi * 3 / 12), 2); /* a quarter of N omega^2 amplitude^2 */
+        if (!ring)
+            total = 13. / 4 * 4 * pow(sin(pi * 3 / 26), 2);
+        run(m, 77.7);
+        for (double t = 77.5; t < 77.7; t += 0.07) { /* between steps as well */
+            close_to(sum_of_modes(&spec, m, fmax(t, fput->time(m) - 0.01), energy, ring ? 6 : 12), total, 1e-8);
+            close_to(energy[2], total, 1e-8);
+        }
+        close_to(fput->energy(m), total, 1e-9);
+        fput->destroy(m);
+    }
+}
+
+/* All modes together have the energy of the quadratic terms, whatever the state. */
+static void modes_share_the_energy(void **state)
+{
+    (void)state;
+    for (int ring = 0; ring < 2; ring++) {
+        struct bead_equation_spec spec = string_of(31, 0.25, 1);
+        spec.ends = ring ? BEAD_ENDS_PERIODIC : BEAD_ENDS_FIXED;
+        struct bead_motion *m = begin(&spec, "auto", 1e-6, 0, 3000);
+        double energy[31], quadratic = 0, v2 = 0;
+        size_t count = 0;
+        run(m, 3000);
+        double sum = sum_of_modes(&spec, m, 3000, energy, ring ? 15 : 31);
+        const double *u = fput->state(m, &count), *v = u + 31;
+        for (size_t j = 0; j <= 31; j++) {
+            double left = j > 0 ? u[j - 1] : ring ? u[30] : 0, right = j < 31 ? u[j] : 0;
+            quadratic += ring && j == 31 ? 0 : 0.5 * (right - left) * (right - left);
+            v2 += j < 31 ? 0.5 * v[j] * v[j] : 0;
+        }
+        close_to(sum, quadratic + v2, 1e-12);
+        assert_true(energy[1] > 1e-3 * sum); /* the second mode has its part by now */
+        fput->destroy(m);
+    }
+}
+
+static size_t highest(const double *x, size_t count)
+{
+    size_t best = 0;
+    for (size_t i = 0; i < count; i++)
+        best = x[i] > x[best] ? i : best;
+    return best;
+}
+
+/* A weak pulse of strain is a soliton of r_t + r_x + alpha r r_x + r_xxx / 24 = 0: amplitude sech^2(x / w), w^2 = 1 / (2 alpha
+ * amplitude), speed 1 + alpha amplitude / 3; on a ring it comes by again. */
+static void a_pulse_is_a_soliton_of_its_kdv_limit(void **state)
+{
+    enum { N = 400 };
+    static double strain[N];
+    const double amplitude = 0.04, alpha = 0.5, end = 1000;
+    struct bead_equation_spec spec = {.name = "fput", .points = N, .alpha = alpha, .ends = BEAD_ENDS_PERIODIC, .at = 100};
+    double *const to[BEAD_FIELD_COUNT] = {[BEAD_FIELD_STRAIN] = strain};
+    struct bead_message msg;
+    (void)state;
+    spec.start = BEAD_START_PULSE;
+    spec.amplitude = amplitude;
+    spec.width = sqrt(1 / (2 * alpha * amplitude));
+    for (int way = 0; way < 2; way++) {
+        spec.moving = way ? BEAD_MOVING_LEFT : BEAD_MOVING_RIGHT;
+        struct bead_motion *m = begin(&spec, "auto", 1e-8, 0, end);
+        run(m, end);
+        assert_int_equal(fput->sample(m, end, BEAD_FIELD_BIT(BEAD_FIELD_STRAIN), to, &msg), BEAD_OK);
+        size_t top = highest(strain, N);
+        double curvature = strain[top - 1] - 2 * strain[top] + strain[top + 1];
+        double place = (double)top - 0.5 * (strain[top + 1] - strain[top - 1]) / curvature;
+        double gone = way ? 100 - place : place - 100; /* less two or three rounds */
+        double excess = fmod(gone + 4 * N, N) - fmod(end, N);
+        close_to(excess, end * alpha * amplitude / 3, 0.05 * end * alpha * amplitude / 3);
+        close_to(strain[top], amplitude, 1.5 * alpha * amplitude * amplitude); /* the next order */
+        for (size_t j = 0; j < N; j++) {                                       /* nothing is left behind */
+            double apart = fabs(remainder((double)j - place, N)), wave = amplitude / pow(cosh(apart / spec.width), 2);
+            close_to(strain[j], wave, 2 * alpha * amplitude * amplitude);
+        }
+        close_to(measured(m, "change of the momentum"), 0, 1e-12);
+        assert_true(measured(m, "largest error of the energy, relative") < 1e-9);
+        fput->destroy(m);
+    }
+}
+
+/* At rest it parts into two halves that run apart. */
+static void a_pulse_at_rest_parts_in_two(void **state)
+{
+    enum { N = 201 };
+    static double strain[N];
+    double *const to[BEAD_FIELD_COUNT] = {[BEAD_FIELD_STRAIN] = strain};
+    struct bead_equation_spec spec = {
+        .name = "fput", .points = N, .at = 101, .start = BEAD_START_PULSE, .amplitude = 1, .width = 12};
+    struct bead_message msg;
+    (void)state;
+    struct bead_motion *m = begin(&spec, "auto", 1e-8, 0, 60);
+    run(m, 60);
+    assert_int_equal(fput->sample(m, 60, BEAD_FIELD_BIT(BEAD_FIELD_STRAIN), to, &msg), BEAD_OK);
+    close_to(strain[40], 0.5, 0.01);
+    close_to(strain[160], 0.5, 0.01);
+    for (size_t j = 0; j < N / 2; j++)
+        close_to(strain[j], strain[N - 1 - j], 1e-10);
+    fput->destroy(m);
+}
+
+/* A string that is pulled beyond what it bears ends with a message, not with numbers. */
+static void a_torn_string_is_an_error(void **state)
+{
+    (void)state;
+    struct bead_equation_spec spec = string_of(31, 0.25, 1);
+    struct bead_message msg = {""};
+    spec.amplitude = 60;
+    struct bead_motion *m = begin(&spec, "auto", 1e-6, 0, 1000);
+    enum bead_error err = BEAD_OK;
+    while (!err && fput->time(m) < 1000)
+        err = fput->step(m, &msg);
+    assert_int_equal(err, BEAD_ERROR_NUMBERS);
+    assert_non_null(strstr(msg.text, "torn"));
+    fput->destroy(m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_method_keeps_the_accuracy_asked),
+        cmocka_unit_test(the_first_mode_returns_when_it_should),
+        cmocka_unit_test(the_step_of_1955_delays_the_return),
+        cmocka_unit_test(modes_of_linear_strings_keep_their_energies),
+        cmocka_unit_test(modes_share_the_energy),
+        cmocka_unit_test(a_pulse_is_a_soliton_of_its_kdv_limit),
+        cmocka_unit_test(a_pulse_at_rest_parts_in_two),
+        cmocka_unit_test(a_torn_string_is_an_error),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
