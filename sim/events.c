@@ -19,7 +19,7 @@ static bool copy_constants(struct bead_events *e, const struct bead_stepper *s)
 {
     const struct bead_chain *chain = s->chain;
     size_t length = chain->beads + 2 * BEAD_EVENTS_MARGIN;
-    e->constants = calloc(length, 4 * sizeof *e->constants);
+    e->constants = calloc(length, 6 * sizeof *e->constants);
     e->mark = calloc(chain->beads / BEAD_EVENTS_LANES + 1, BEAD_EVENTS_LANES);
     if (!e->constants || !e->mark)
         return false;
@@ -27,6 +27,8 @@ static bool copy_constants(struct bead_events *e, const struct bead_stepper *s)
     e->static_compression = e->stiffness + length;
     e->static_force = e->static_compression + length;
     e->inverse_mass = e->static_force + length;
+    e->hardness = e->inverse_mass + length;
+    e->effect = e->hardness + length;
     memcpy(e->stiffness, chain->stiffness, chain->beads * sizeof(double));
     memcpy(e->static_compression, chain->static_compression, chain->beads * sizeof(double));
     memcpy(e->static_force, chain->static_force, chain->beads * sizeof(double));
@@ -63,7 +65,6 @@ void bead_events_destroy(struct bead_events *events)
     free(events->constants);
     free(events->mark);
     free(events->flagged);
-    free(events->effect);
     free(events->kink);
     free(events->patch.memory);
     free(events->branch);
@@ -289,14 +290,14 @@ static bool correct_kinks(struct bead_events *e, struct bead_stepper *s, size_t 
 {
     const double h = s->h;
     for (size_t i = at; i < at + count; i++) {
-        if (!(e->kink[i].left * e->effect[i] <= s->event_tolerance && bead_events_simple(e, s, e->flagged[i])))
+        if (!(e->kink[i].left * e->effect[e->flagged[i]] <= s->event_tolerance && bead_events_simple(e, s, e->flagged[i])))
             return false;
     }
     for (size_t i = at; i < at + count; i++) {
         const struct bead_kink *kink = &e->kink[i];
         for (size_t j = e->flagged[i] > 0 ? 0 : 1; j < 3 && e->flagged[i] + j - 1 < s->active; j++)
             owe(e, s, e->flagged[i] + j - 1, h * kink->impulse[j], h * h * kink->moment[j]);
-        s->event_change = fmax(s->event_change, kink->left * e->effect[i]);
+        s->event_change = fmax(s->event_change, kink->left * e->effect[e->flagged[i]]);
     }
     return true;
 }

@@ -26,11 +26,37 @@ static inline double largest_lane(lanes x)
     return larger(larger(larger(y[0], y[4]), larger(y[2], y[6])), larger(larger(y[1], y[5]), larger(y[3], y[7])));
 }
 
+/* What a branch point x steps outside does, in units of what one inside does. */
+static inline lanes loss_outside(lanes d, lanes rate)
+{
+    const lanes x = d / rate, near = 1 + x * (1 / BEAD_EFFECT_DECAY), far = (1 + 0.5 * x) * (1 + 0.5 * x);
+    return BEAD_EFFECT_OUTSIDE / (near * near * near * far * far);
+}
+
+/* h r to the power 3/2 times that, where d, moving away from zero, has one within reach. */
+static inline lanes effect_outside(lanes d, lanes rate, double reach)
+{
+    const lanes effect = rate * root_of(positive_part(rate)) * loss_outside(d, rate);
+    return (lanes)((lane_masks)effect & (rate > 0) & (d < reach * rate));
+}
+
+/* Effects of contacts with compressions a, b and changes p, q by rate over the step. */
+static inline lanes effects_of(lane_masks marked, lanes a, lanes b, lanes p, lanes q, double reach)
+{
+    const lane_masks away = (a > 0) & (b > 0) & ~((p < 0) & (q > 0));
+    const lanes fastest = larger_lanes(magnitude(p), magnitude(q));
+    lanes effect = BEAD_EFFECT_INSIDE * (fastest * root_of(fastest));
+    if (any_lane(away & marked))
+        effect = choose(away, larger_lanes(effect_outside(a, p, reach), effect_outside(b, -q, reach)), effect);
+    return effect;
+}
+
 /* Which contacts may have a branch point in the step or within `reach` steps outside. Every test compares d with what the rate
  * alone would change it by. What is at rest and just touching, d = d' = 0, passes none of them. */
-static bool mark_events(size_t n, const struct bead_event_ends *ends, double reach, unsigned char *mark)
+static bool mark_events(size_t n, const struct bead_event_ends *ends, unsigned char *mark)
 {
-    const double h = ends->h, near = reach * h;
+    /* A compression that dips to zero within the step is below half its rate at both ends. */
+    const double h = ends->h, near = ends->reach * h, dip = ends->reach > 0.5 ? near : 0.5 * h;
     lane_masks any = {0};
     for (size_t k = 0; k < n; k += LANES) {
         lanes d = load_lanes(ends->static_compression + k);
@@ -39,16 +65,18 @@ static bool mark_events(size_t n, const struct bead_event_ends *ends, double rea
         lanes p = load_lanes(ends->v0 + k) - load_lanes(ends->v0 + k + 1);
         lanes q = load_lanes(ends->v1 + k) - load_lanes(ends->v1 + k + 1);
         lane_masks a_closed = a > 0, b_closed = b > 0;
-        lane_masks close = (a < near * magnitude(p)) | (b < near * magnitude(q));
+        lane_masks close = (a < near * p) | (b < -near * q) | ((p < 0) & (q > 0) & ((a < -dip * p) | (b < dip * q)));
         lane_masks bounce = (p > 0) & (q < 0) & (a + h * p > 0) & (b - h * q > 0);
         lane_masks marked = (a_closed ^ b_closed) | (a_closed & b_closed & close) | (~(a_closed | b_closed) & bounce);
+        if (ends->hardness && any_lane(marked)) {
+            lanes effect = effects_of(marked, a, b, h * p, h * q, ends->reach) * (h * load_lanes(ends->hardness + k));
+            store_lanes(ends->effect + k, effect);
+            marked &= effect > ends->tolerance;
+        }
         *(lane_bytes *)(mark + k) = __builtin_convertvector(marked, lane_bytes) & 1;
         any |= marked;
     }
-    int64_t found = 0;
-    for (size_t i = 0; i < LANES; i++)
-        found |= any[i];
-    return found != 0;
+    return any_lane(any);
 }
 
 /* Quintic Hermite: what the cubic and higher terms have to add at the end to d, d', d'' are e, e1, e2. */
@@ -228,8 +256,7 @@ static double picard(const struct bead_patch_piece *piece, const struct bead_pat
                 odd += load_lanes(piece->twice[j + 1] + i) * r[j + 1];
             }
             lanes now = node_forces(rule, a, f0, even + odd), moved = weight * magnitude(now - load_lanes(f));
-            lane_masks more = moved > change;
-            change = (lanes)(((lane_masks)moved & more) | ((lane_masks)change & ~more));
+            change = larger_lanes(moved, change);
             store_lanes(f, now);
         }
     }

@@ -5,12 +5,6 @@
 
 #include "sim/events_private.h"
 
-/* What a branch point inside the step, rate r, does to the velocity of a bead is less than this times A (h r)^{3/2} h/m. */
-static const double effect = 0.01;
-/* The same for one x steps outside: less than this over (1 + x/0.03)^3 (1 + x/2)^4, at least 5 times what RKN8's quadrature of
- * (s + x)^{3/2} over 0 <= s <= 1 loses. */
-static const double effect_outside = 3e-4, effect_decay = 0.03;
-
 /* Room for `count` elements of `size` bytes in an array that keeps what it has. */
 bool bead_events_grow(void **array, size_t *room, size_t count, size_t size)
 {
@@ -30,7 +24,8 @@ void bead_events_bound(struct bead_events *e, const struct bead_stepper *s)
     double lightest = 0;
     for (size_t k = 0; k < s->beads; k++) {
         double left = e->inverse_mass[k], right = e->inverse_mass[k + 1];
-        e->hardest = fmax(e->hardest, e->stiffness[k] * fmax(left, right));
+        e->hardness[k] = e->stiffness[k] * fmax(left, right);
+        e->hardest = fmax(e->hardest, e->hardness[k]);
         lightest = fmax(lightest, left + right);
     }
     e->fastest = s->chain->striker_force == 0 ? sqrt(2 * bead_chain_energy(s->chain) * lightest) : 0;
@@ -45,8 +40,8 @@ static double force_power(const struct bead_patch_rule *rule, double r)
 /* Effect in units of A (h r)^p h/m of a branch point x steps outside. */
 static double loss_outside(double x)
 {
-    const double near = 1 + x * (1 / effect_decay), far = (1 + 0.5 * x) * (1 + 0.5 * x);
-    return effect_outside / (near * near * near * far * far);
+    const double near = 1 + x * (1 / BEAD_EFFECT_DECAY), far = (1 + 0.5 * x) * (1 + 0.5 * x);
+    return BEAD_EFFECT_OUTSIDE / (near * near * near * far * far);
 }
 
 /* How far outside a branch point may matter at most: halving, to three digits. Fewer candidates then need effect_of(). */
@@ -69,40 +64,48 @@ static double outside(const struct bead_events *e, double d, double r)
     return r > 0 && d < e->reach * r ? force_power(&e->rule, r) * loss_outside(d / r) : 0;
 }
 
-/* What contact k can do to a velocity, m/s. */
+/* What contact k can do to a velocity, m/s, by any law. */
 static double effect_of(const struct bead_events *e, const struct bead_stepper *s, size_t k, double h)
 {
     const double *u = s->start.u, *v = s->start.v, *y = s->end.u, *w = s->end.v, d = e->static_compression[k];
     double d0 = d + (u[k] - u[k + 1]), d1 = d + (y[k] - y[k + 1]), r0 = h * (v[k] - v[k + 1]), r1 = h * (w[k] - w[k + 1]);
-    double left = e->inverse_mass[k], right = e->inverse_mass[k + 1], loss;
+    double loss;
     if (d0 > 0 && d1 > 0 && !(r0 < 0 && r1 > 0))
         loss = fmax(outside(e, d0, r0), outside(e, d1, -r1));
     else
-        loss = effect * force_power(&e->rule, fmax(fabs(r0), fabs(r1)));
-    return loss * e->stiffness[k] * h * (left > right ? left : right);
+        loss = BEAD_EFFECT_INSIDE * force_power(&e->rule, fmax(fabs(r0), fabs(r1)));
+    return loss * h * e->hardness[k];
 }
 
 bool bead_events_flag(struct bead_events *e, const struct bead_stepper *s)
 {
     const double h = s->h;
-    struct bead_event_ends ends = {e->static_compression, s->start.u, s->start.v, s->end.u, s->end.v, h};
     e->flagged_count = 0;
     if (h != e->reach_h || s->event_tolerance != e->reach_tolerance)
         find_reach(e, h, s->event_tolerance);
-    if (!s->kernels->mark_events(s->active, &ends, e->reach, e->mark))
+    const struct bead_event_ends ends = {.static_compression = e->static_compression,
+                                         .u0 = s->start.u,
+                                         .v0 = s->start.v,
+                                         .u1 = s->end.u,
+                                         .v1 = s->end.v,
+                                         .h = h,
+                                         .reach = e->reach,
+                                         .hardness = e->rule.hertz ? e->hardness : NULL,
+                                         .effect = e->effect,
+                                         .tolerance = s->event_tolerance};
+    if (!s->kernels->mark_events(s->active, &ends, e->mark))
         return true;
     for (size_t i = 0; i * BEAD_EVENTS_LANES < s->active; i++) {
         uint64_t left;
         memcpy(&left, e->mark + i * BEAD_EVENTS_LANES, BEAD_EVENTS_LANES);
         for (; left; left &= left - 1) {
             size_t k = i * BEAD_EVENTS_LANES + (size_t)__builtin_ctzll(left) / 8;
-            const double change = effect_of(e, s, k, h);
-            if (!(change > s->event_tolerance))
+            if (!e->rule.hertz)
+                e->effect[k] = effect_of(e, s, k, h);
+            if (!(e->effect[k] > s->event_tolerance))
                 continue;
-            if (!bead_events_grow((void **)&e->flagged, &e->flagged_room, e->flagged_count + 1, sizeof *e->flagged) ||
-                !bead_events_grow((void **)&e->effect, &e->effect_room, e->flagged_count + 1, sizeof *e->effect))
+            if (!bead_events_grow((void **)&e->flagged, &e->flagged_room, e->flagged_count + 1, sizeof *e->flagged))
                 return false;
-            e->effect[e->flagged_count] = change;
             e->flagged[e->flagged_count++] = k;
         }
     }

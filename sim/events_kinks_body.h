@@ -24,11 +24,6 @@ struct kink_shape {
     lanes once, twice; /* integrals over the step of g and (1 - s) g */
 };
 
-static inline lanes choose(lane_masks mask, lanes yes, lanes no)
-{
-    return (lanes)((mask & (lane_masks)yes) | (~mask & (lane_masks)no));
-}
-
 static void gather_end(const struct bead_patch_source *source, const size_t *contact, size_t count, const double *u,
                        const double *v, const double *a, struct kink_end *end)
 {
@@ -186,7 +181,7 @@ static lanes sum_stages(const struct bead_tableau *t, const struct kink_shape *s
         for (size_t j = 0; j < 3; j++)
             k[j] = stiffness[j] * root_of(positive_part(cubic[j][0] + s * (cubic[j][1] + s * (cubic[j][2] + s * cubic[j][3]))));
         const lanes circle = both * k[1] + (square[0] * k[0] + square[1] * k[2]);
-        most = choose(circle > most, circle, most);
+        most = larger_lanes(circle, most);
         const lanes change[3] = {-square[0] * k[0] * eps, both * k[1] * eps, -square[1] * k[2] * eps};
         for (size_t j = 0; j < 3; j++) {
             impulse[j] += t->bp[i] * change[j];

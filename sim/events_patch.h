@@ -14,6 +14,13 @@
 
 enum { BEAD_GAUSS_NODES = 8 };
 
+/* What a branch point inside the step, rate r, does to the velocity of a bead is less than this times A (h r)^{3/2} h/m. */
+#define BEAD_EFFECT_INSIDE 0.01
+/* The same for one x steps outside: less than this over (1 + x/0.03)^3 (1 + x/2)^4, at least 5 times what RKN8's quadrature of
+ * (s + x)^{3/2} over 0 <= s <= 1 loses. */
+#define BEAD_EFFECT_OUTSIDE 3e-4
+#define BEAD_EFFECT_DECAY   0.03
+
 extern const double bead_gauss_node[BEAD_GAUSS_NODES], bead_gauss_weight[BEAD_GAUSS_NODES];
 extern const double bead_gauss_once[BEAD_GAUSS_NODES][BEAD_GAUSS_NODES], bead_gauss_twice[BEAD_GAUSS_NODES][BEAD_GAUSS_NODES],
     bead_gauss_twice_mixed[BEAD_GAUSS_NODES][BEAD_GAUSS_NODES], bead_gauss_twice_square[BEAD_GAUSS_NODES][BEAD_GAUSS_NODES];

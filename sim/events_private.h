@@ -15,11 +15,10 @@ enum { BEAD_EVENTS_MARGIN = 16, BEAD_EVENTS_LANES = 8 };
 struct bead_events {
     struct bead_patch_rule rule;
     /* Constants of the contacts, 0 in the margins but for "contact -1", the constant force on the striker. */
-    double *constants, *stiffness, *static_compression, *static_force, *inverse_mass;
+    double *constants, *stiffness, *static_compression, *static_force, *inverse_mass, *hardness;
+    double *effect;      /* m/s: what marked contacts do to a velocity, at most */
     unsigned char *mark; /* a byte a contact, whole words */
     size_t *flagged, flagged_room, flagged_count;
-    double *effect; /* m/s, of the flagged ones: what they do to a velocity, roughly */
-    size_t effect_room;
     bool kinks_known;       /* method and law are those that kinks are known for */
     struct bead_kink *kink; /* those of this step, in order of contacts */
     size_t kink_room;

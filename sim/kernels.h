@@ -33,6 +33,15 @@ typedef void (*bead_force_kernel)(size_t n, const struct bead_contact_table *tab
 struct bead_event_ends {
     const double *static_compression, *u0, *v0, *u1, *v1;
     double h;
+    double reach;           /* steps: how far outside a branch point may matter */
+    const double *hardness; /* A/m of the lighter bead; NULL: effects are not wanted */
+    double *effect;         /* out, where marked: what the contact can do to a velocity, m/s, by Hertz's law */
+    double tolerance;       /* m/s: less is not marked */
+};
+
+struct bead_step_ends {
+    const double *u0, *v0, *a0, *u1, *v1, *a1;
+    double h;
 };
 
 /* a_j of contact forces f and inverse masses (or masses: bead_accelerations_printed). */
@@ -44,6 +53,9 @@ struct bead_kernels {
     const char *name, *description;
     bead_force_kernel hertz;        /* A d^{3/2} without static part */
     bead_force_kernel hertz_static; /* with */
+    /* Forces without static part and accelerations at once; f[-1] is read. */
+    void (*hertz_move)(size_t n, const struct bead_contact_table *table, const double *u, const double *inverse_mass, double *f,
+                       double *a);
     /* dA d^{3/2}/dd = 3/2 A d^{1/2} of the compressions now, or of those that the velocities lead to within `ahead` seconds. */
     void (*hertz_stiffness)(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double ahead,
                             double *stiffness);
@@ -57,12 +69,13 @@ struct bead_kernels {
     void (*combine)(size_t n, double *y, const double *base, double scale, const double *v, size_t count, const double *coefficient,
                     const double *const *term);
     double (*largest)(size_t n, const double *f); /* max of f_0..f_{n-1} and 0 */
-    /* mark[k] = 1 where the relative velocity v_k - v_{k+1} was > 0 at the start of the step h (v0, a0) and is <= 0 at its end (v1,
-     * a1), or has one sign at both ends and may have the other in between; returns whether any. */
-    bool (*turns)(size_t n, double h, const double *v0, const double *a0, const double *v1, const double *a1, unsigned char *mark);
+    /* mark[k] = 1 where the compression u_k - u_{k+1} may have a maximum of more than least_k (NULL: of any height) within the
+     * step: where its rate was > 0 at the start and is <= 0 at the end, or has one sign at both ends and may have the other in
+     * between. Returns whether any. Whole vectors are read, and written. */
+    bool (*turns)(size_t n, const struct bead_step_ends *ends, const double *least, unsigned char *mark);
     /* Contact events, see events_patch.h. mark[k] = 1 where contact k may open or close within the step or `reach` steps outside;
      * returns whether any. Whole vectors are read, and written. */
-    bool (*mark_events)(size_t n, const struct bead_event_ends *ends, double reach, unsigned char *mark);
+    bool (*mark_events)(size_t n, const struct bead_event_ends *ends, unsigned char *mark);
     /* Contact 0 of the patch is contact `at` of the chain: -1 is the constant force on the striker. */
     void (*load_patch)(const struct bead_patch_source *source, ptrdiff_t at, struct bead_patch *patch);
     /* See events_kinks.h. kink[i] is that of contact[i], which is closed at one end of the step, moving accordingly at both. */

@@ -42,6 +42,38 @@ static void hertz_static(size_t n, const struct bead_contact_table *table, const
     }
 }
 
+/* Forces of a vector of contacts, and the accelerations of the beads before them; returns the forces. `before`: of the vector
+ * before this one. */
+static inline __attribute__((always_inline)) lanes move(const double *a, const double *w, const double *u, double *f, double *out,
+                                                        size_t k, lanes before, bool instruction)
+{
+    const lanes d = positive_part(load_lanes(u + k) - load_lanes(u + k + 1));
+    const lanes now = load_lanes(a + k) * (d * (instruction ? ROOT_OF(d) : root_of(d)));
+    store_lanes(f + k, now);
+    store_lanes(out + k, (follow_lanes(before, now) - now) * load_lanes(w + k));
+    return now;
+}
+
+/* One root in ROOTS is left to the instruction, which takes its time while the others are computed. */
+static void hertz_move(size_t n, const struct bead_contact_table *table, const double *u, const double *w, double *f, double *out)
+{
+    const double *a = table->stiffness;
+    size_t k = 0;
+    lanes now = {0};
+    now[LANES - 1] = f[-1];
+    for (; k + ROOTS * LANES <= n; k += ROOTS * LANES) {
+        now = move(a, w, u, f, out, k, now, true);
+        for (size_t i = 1; i < ROOTS; i++)
+            now = move(a, w, u, f, out, k + i * LANES, now, false);
+    }
+    for (; k + LANES <= n; k += LANES)
+        now = move(a, w, u, f, out, k, now, true);
+    for (; k < n; k++) {
+        f[k] = hertz_alone(a[k], u[k] - u[k + 1]);
+        out[k] = (f[(ptrdiff_t)k - 1] - f[k]) * w[k];
+    }
+}
+
 static inline lanes expected_stiffness(const struct bead_contact_table *table, const double *u, const double *v, double ahead,
                                        size_t k)
 {
@@ -176,26 +208,40 @@ static double largest(size_t n, const double *f)
     return most;
 }
 
-/* Between its ends a rate r bends away from them by at most h |r'| / 2 of either. */
-static bool turns(size_t n, double h, const double *v0, const double *a0, const double *v1, const double *a1, unsigned char *mark)
+/* Between its ends a rate r bends away from them by at most h |r'| / 2 of either; a compression outgrows both of its ends by less
+ * than its fastest rate would take it. */
+static bool turns(size_t n, const struct bead_step_ends *ends, const double *least, unsigned char *mark)
 {
-    const double half = 0.5 * h;
-    unsigned any = 0;
-    for (size_t k = 0; k < n; k++) {
-        double r0 = v0[k] - v0[k + 1], r1 = v1[k] - v1[k + 1], b0 = half * (a0[k] - a0[k + 1]), b1 = half * (a1[k] - a1[k + 1]);
-        double low = r0 < r1 ? r0 : r1, high = r0 < r1 ? r1 : r0, most = b1 > -b0 ? b1 : -b0, least = b1 < -b0 ? b1 : -b0;
-        int turn = (r0 > 0) & (r1 <= 0);
-        int dip = (low > 0) & (b0 < 0) & (b1 > 0) & (low < most);
-        int hump = (high <= 0) & (b0 > 0) & (b1 < 0) & (high > least);
-        mark[k] = (unsigned char)(turn | dip | hump);
-        any |= mark[k];
+    const double half = 0.5 * ends->h;
+    bool any = false;
+    for (size_t k = 0; k < n; k += LANES) {
+        const lanes r0 = load_lanes(ends->v0 + k) - load_lanes(ends->v0 + k + 1);
+        const lanes r1 = load_lanes(ends->v1 + k) - load_lanes(ends->v1 + k + 1);
+        lane_masks marked = ~(lane_masks){0};
+        if (least) {
+            const lanes d0 = load_lanes(ends->u0 + k) - load_lanes(ends->u0 + k + 1);
+            const lanes d1 = load_lanes(ends->u1 + k) - load_lanes(ends->u1 + k + 1);
+            const lanes bound = larger_lanes(d0, d1) + ends->h * larger_lanes(magnitude(r0), magnitude(r1));
+            marked = bound > load_lanes(least + k);
+        }
+        if (any_lane(marked)) {
+            const lanes b0 = half * (load_lanes(ends->a0 + k) - load_lanes(ends->a0 + k + 1));
+            const lanes b1 = half * (load_lanes(ends->a1 + k) - load_lanes(ends->a1 + k + 1));
+            const lanes low = -larger_lanes(-r0, -r1), high = larger_lanes(r0, r1);
+            const lanes most = larger_lanes(b1, -b0), lowest = -larger_lanes(-b1, b0);
+            marked &= ((r0 > 0) & (r1 <= 0)) | ((low > 0) & (b0 < 0) & (b1 > 0) & (low < most)) |
+                      ((high <= 0) & (b0 > 0) & (b1 < 0) & (high > lowest));
+            any = any || any_lane(marked);
+        }
+        *(lane_bytes *)(mark + k) = __builtin_convertvector(marked, lane_bytes) & 1;
     }
-    return any != 0;
+    return any;
 }
 
 #include "sim/events_body.h"
 #include "sim/events_kinks_body.h"
 
-const struct bead_kernels KERNELS_TABLE = {KERNELS_NAME, KERNELS_DESCRIPTION, hertz,      hertz_static,  hertz_stiffness,
-                                           circles,      accelerations,       rk4_sum,    combine,       largest,
-                                           turns,        mark_events,         load_patch, correct_kinks, integrate_piece};
+const struct bead_kernels KERNELS_TABLE = {
+    KERNELS_NAME, KERNELS_DESCRIPTION, hertz,         hertz_static,   hertz_move, hertz_stiffness,
+    circles,      accelerations,       rk4_sum,       combine,        largest,    turns,
+    mark_events,  load_patch,          correct_kinks, integrate_piece};

@@ -4,13 +4,22 @@
 
 #if defined __AVX512F__
 #define LANES      8
-#define ROOT_OF(x) _mm512_sqrt_pd(x)
+#define ROOTS      3
+#define FOLLOW     7, 8, 9, 10, 11, 12, 13, 14
+#define ROOT_OF(x) ((lanes)_mm512_sqrt_pd(x))
+#define ANY_OF(x)  (_mm512_test_epi64_mask((__m512i)(x), (__m512i)(x)) != 0)
 #elif defined __AVX2__
 #define LANES      4
-#define ROOT_OF(x) _mm256_sqrt_pd(x)
+#define ROOTS      1
+#define FOLLOW     3, 4, 5, 6
+#define ROOT_OF(x) ((lanes)_mm256_sqrt_pd(x))
+#define ANY_OF(x)  (!_mm256_testz_si256((__m256i)(x), (__m256i)(x)))
 #else
 #define LANES      2
-#define ROOT_OF(x) _mm_sqrt_pd(x)
+#define ROOTS      1
+#define FOLLOW     1, 2
+#define ROOT_OF(x) ((lanes)_mm_sqrt_pd(x))
+#define ANY_OF(x)  (_mm_movemask_epi8((__m128i)(x)) != 0)
 #endif
 typedef double lanes __attribute__((vector_size(8 * LANES)));
 typedef int64_t lane_masks __attribute__((vector_size(8 * LANES)));
@@ -35,6 +44,27 @@ static inline lanes positive_part(lanes x)
 static inline lanes magnitude(lanes x)
 {
     return (lanes)((lane_masks)x & INT64_MAX);
+}
+
+static inline lanes choose(lane_masks mask, lanes yes, lanes no)
+{
+    return (lanes)((mask & (lane_masks)yes) | (~mask & (lane_masks)no));
+}
+
+/* The last of `before` and all but the last of `now`. */
+static inline lanes follow_lanes(lanes before, lanes now)
+{
+    return __builtin_shufflevector(before, now, FOLLOW);
+}
+
+static inline lanes larger_lanes(lanes x, lanes y)
+{
+    return choose(x > y, x, y);
+}
+
+static inline bool any_lane(lane_masks x)
+{
+    return ANY_OF(x);
 }
 
 #ifdef __AVX512F__

@@ -11,11 +11,17 @@
 /* Maxima this close to the best so far, relatively, are looked at more closely. */
 static const double close_call = 1e-3;
 
+/* Vectors go beyond the last bead. */
+enum { PADDING = 16 };
+/* least is lower by this part, for the rounding of the law's inverse. */
+static const double least_part = 1e-9;
+
 struct bead_peaks {
     bool of_beads;
     size_t count;
     struct bead_peak *best;
     unsigned char *mark;   /* [beads]: has a maximum in this step */
+    double *least;         /* [beads]: compressions beyond the static one, m, that a higher maximum takes */
     double *rate0, *rate1; /* [beads]: of the bead forces at the ends of the step, N/s */
 };
 
@@ -28,17 +34,20 @@ enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_be
         p->of_beads = of_beads;
         p->count = of_beads ? beads : stepper->chain->contacts;
         p->best = calloc(beads, sizeof *p->best);
-        p->mark = calloc(beads + 8, 1);
+        p->mark = calloc(beads + PADDING, 1);
+        p->least = calloc(beads + PADDING, sizeof(double));
         p->rate0 = calloc(beads, sizeof(double));
         p->rate1 = calloc(beads, sizeof(double));
     }
-    if (!p || !p->best || !p->mark || !p->rate0 || !p->rate1) {
+    if (!p || !p->best || !p->mark || !p->least || !p->rate0 || !p->rate1) {
         bead_peaks_destroy(p);
         *peaks = NULL;
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu beads", beads);
     }
-    for (size_t i = 0; i < beads; i++)
+    for (size_t i = 0; i < beads; i++) {
         p->best[i].time = NAN;
+        p->least[i] = stepper->chain->law->one_sided ? -stepper->table.static_compression[i] : -INFINITY;
+    }
     return BEAD_OK;
 }
 
@@ -48,6 +57,7 @@ void bead_peaks_destroy(struct bead_peaks *peaks)
         return;
     free(peaks->best);
     free(peaks->mark);
+    free(peaks->least);
     free(peaks->rate0);
     free(peaks->rate1);
     free(peaks);
@@ -193,8 +203,12 @@ static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, siz
     if (s->events && x > 0 && value > p->best[index].value * (1 - close_call))
         sharpen(p, s, part->curve, &x, &value);
     double time = s->t0 + x * s->h;
-    if (time <= limit && value > p->best[index].value)
-        p->best[index] = (struct bead_peak){value, time, false};
+    if (!(time <= limit && value > p->best[index].value))
+        return;
+    p->best[index] = (struct bead_peak){value, time, false};
+    if (!p->of_beads)
+        p->least[index] = s->chain->law->compression(s->chain->stiffness[index], &s->chain->spec->law, value) * (1 - least_part) -
+                          s->chain->static_compression[index];
 }
 
 /* With damping the force may be largest as the contact closes. */
@@ -245,7 +259,8 @@ static void find_open(struct bead_peaks *p, const struct bead_stepper *s, size_t
 
 static bool mark_contacts(struct bead_peaks *p, const struct bead_stepper *s, size_t n)
 {
-    return s->kernels->turns(n, s->h, s->start.v, s->start.a, s->end.v, s->end.a, p->mark);
+    const struct bead_step_ends ends = {s->start.u, s->start.v, s->start.a, s->end.u, s->end.v, s->end.a, s->h};
+    return s->kernels->turns(n, &ends, p->of_beads ? NULL : p->least, p->mark);
 }
 
 /* Rates of all bead forces in a state. */

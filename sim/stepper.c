@@ -168,8 +168,12 @@ enum bead_error bead_stepper_branch(const struct bead_stepper *s, struct bead_st
 
 void bead_stepper_evaluate(struct bead_stepper *s, const double *u, const double *v, double *f, double *a)
 {
-    s->force(s->active, &s->table, u, v, f);
-    s->accelerate(s->active, f, s->inverse_mass, a);
+    if (s->force == s->kernels->hertz) {
+        s->kernels->hertz_move(s->active, &s->table, u, s->inverse_mass, f, a);
+    } else {
+        s->force(s->active, &s->table, u, v, f);
+        s->accelerate(s->active, f, s->inverse_mass, a);
+    }
     s->evaluations += s->active;
 }
 
