@@ -75,6 +75,18 @@ static bool try_step(struct bead_axis *axis, const struct room *room, int mantis
     return room->length * step / (high - low) >= needed(room, (double)widest);
 }
 
+/* A low axis may have room for two labels where no round step gives them: "0" and "40" say more than "0" alone. */
+static bool uneven_step(struct bead_axis *axis, const struct room *room, int first)
+{
+    for (int exponent = first; exponent < first + 4; exponent++) {
+        for (int mantissa = 3; mantissa <= 4; mantissa++) {
+            if (try_step(axis, room, mantissa, exponent) && axis->count == 2)
+                return true;
+        }
+    }
+    return false;
+}
+
 /* The smallest of 1, 2, 5 x 10^n whose labels have room. */
 static void equal_steps(struct bead_axis *axis, struct room room, bool counts)
 {
@@ -85,8 +97,12 @@ static void equal_steps(struct bead_axis *axis, struct room room, bool counts)
             int exponent = first + i / 3;
             if ((counts && exponent < 0) || !try_step(axis, &room, mantissas[i % 3], exponent))
                 continue;
-            if (axis->count >= 2 || room.tight)
+            if (axis->count >= 2 || (room.tight && (counts || uneven_step(axis, &room, first))))
                 return;
+            if (room.tight) {
+                try_step(axis, &room, mantissas[i % 3], exponent);
+                return;
+            }
             break; /* comfortable, but a single tick says little: closer, then */
         }
     }

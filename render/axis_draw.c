@@ -118,7 +118,7 @@ static bool fit_title(const struct drawing *d, const char *title, struct bead_te
     bead_markup(title, name, sizeof name);
     snprintf(markup, size, *unit ? "%s (%s)" : "%s", name, unit);
     bead_text_size(d->cr, style, markup, &width, &height);
-    style->size = full * fmin(1, fmax(little_smaller, room / width));
+    style->size = full * fmin(1, fmax(little_smaller, 0.99 * room / width)); /* widths are not quite in proportion */
     if (fits(d, style, 0, markup, room, INFINITY))
         return true;
     style->size = full;
@@ -128,7 +128,7 @@ static bool fit_title(const struct drawing *d, const char *title, struct bead_te
     *wrap = 0;
     snprintf(markup, size, "%s", *unit ? unit : name);
     bead_text_size(d->cr, style, markup, &width, &height);
-    style->size = full * fmin(1, fmax(smallest_title, room / width));
+    style->size = full * fmin(1, fmax(smallest_title, 0.99 * room / width));
     return fits(d, style, 0, markup, room, INFINITY);
 }
 

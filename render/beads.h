@@ -3,6 +3,8 @@
 #define BEAD_RENDER_BEADS_H
 
 #include "beadreel/view.h"
+#include "render/camera.h"
+#include "render/moving_labels.h"
 #include "render/paint.h"
 
 /* How a piece of the chain lies on the picture: x = left + (position - from) * scale. */
@@ -44,16 +46,18 @@ struct bead_view {
     /* As of the time drawn. */
     double *shift; /* m: magnified displacement */
     uint8_t (*colour)[4];
-    double *load;                          /* compression of the contact at the right of each bead, in units of `compression` */
-    double *reached;                       /* largest load so far, up to `reaching` */
-    double speed;                          /* m/s: of the striker */
-    double front, follower[2], drawn_time; /* beads: the front; two-stage smoothed */
+    double *load;                  /* compression of the contact at the right of each bead, in units of `compression` */
+    double *reached;               /* largest load so far, up to `reaching` */
+    double speed;                  /* m/s: of the striker */
+    double front;                  /* beads from the first */
+    struct bead_follower follower; /* of the front's place, m; where there is no camera */
 
-    struct bead_rect plot, area; /* px of the frame: plot rectangle, and what the view draws into */
-    double label_y;              /* px of the area: baseline of names; < 0: no room */
-    struct bead_window row, lens;
-    struct bead_rect zoom; /* between row and lens, px of the area */
-    bool strip;            /* the row's beads are too small to be drawn one by one */
+    struct bead_rect plot, area;       /* px of the frame: plot rectangle, and what the view draws into */
+    double label_y;                    /* px of the area: baseline of names; < 0: no room */
+    struct bead_window row, lens;      /* with a camera: the lens alone, and it shows the camera's window */
+    struct bead_moving_labels *labels; /* above it; NULL: none */
+    struct bead_rect zoom;             /* between row and lens, px of the area */
+    bool strip;                        /* the row's beads are too small to be drawn one by one */
     struct bead_drawing row_drawing, lens_drawing;
     struct bead_mark zoom_mark, old_zoom_mark;
 
@@ -73,8 +77,8 @@ double bead_window_x(const struct bead_window *window, double position);
 /* The row as a density strip into the frame; adds the columns that changed. */
 void bead_beads_strip(struct bead_view *v, struct bead_frame *frame, const struct bead_frame *background,
                       struct bead_changes *changes);
-/* Names and wall of the row; panel of the lens. */
-void bead_beads_decorate(struct bead_view *v, cairo_t *cr);
+/* Names and wall of the row; panel of the lens. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_beads_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg);
 /* Everything composed, as paths. */
 void bead_beads_vector(struct bead_view *v, cairo_t *cr);
 

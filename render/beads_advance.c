@@ -4,12 +4,6 @@
 
 #include "render/beads.h"
 
-/* A contact counts as reached by the wave when it is loaded by this part of the strongest compression. */
-static const double reaching = 0.015;
-/* The lens follows the front with this part of the picture's time span as its time constant, twice. */
-static const double following = 1.0 / 120;
-/* Where the front lies in the lens, from its left. */
-static const double front_place = 0.7;
 /* Colours are those of the material below, those of the map above this distance from zero along the colour bar. */
 static const double colour_full = 0.3;
 
@@ -50,42 +44,27 @@ static void find_loads(struct bead_view *v)
     for (size_t i = 0; i < v->count; i++) {
         double next = i + 1 < v->count ? v->shift[i + 1] : v->wall ? 0 : v->shift[i];
         v->load[i] = unit > 0 ? fmax(0, (v->shift[i] - next) / unit) : 0;
-        v->reached[i] = fmax(v->reached[i], fmin(1, v->load[i] / reaching));
     }
-    /* What was passed over between two frames was reached too. */
-    double front = 0;
-    for (size_t i = v->count; i-- > 0;) {
-        if (i + 1 < v->count)
-            v->reached[i] = fmax(v->reached[i], v->reached[i + 1]);
-        front += v->reached[i];
-    }
-    v->front = front;
+    v->front = bead_front_find(v->reached, v->load, v->count);
 }
 
-/* Two low passes in a row: the lens starts and stops softly. */
-static void follow(struct bead_view *v, double time)
-{
-    double constant = following * (v->setup.time[1] - v->setup.time[0]);
-    double part = constant > 0 ? 1 - exp(-fmax(0, time - v->drawn_time) / constant) : 1;
-    if (isnan(v->drawn_time))
-        part = 1;
-    v->follower[0] += part * (v->front - v->follower[0]);
-    v->follower[1] += part * (v->follower[0] - v->follower[1]);
-    v->drawn_time = time;
-}
-
-static void aim(struct bead_view *v)
+/* The lens goes where the camera goes, or follows the front. */
+static void aim(struct bead_view *v, double time)
 {
     struct bead_window *lens = &v->lens;
     if (!(lens->scale > 0))
         return;
-    double bead = between(v->follower[1], 0, (double)(v->count - 1)), whole = floor(bead);
+    if (v->setup.camera) {
+        lens->from = bead_camera_left(v->setup.camera);
+        return;
+    }
+    double bead = between(v->front, 0, (double)(v->count - 1)), whole = floor(bead);
     size_t i = (size_t)whole, next = i + 1 < v->count ? i + 1 : i;
     double place = v->position[i] + (bead - whole) * (v->position[next] - v->position[i]);
     double width = lens->rect.width / lens->scale;
     double lowest = v->ends[0] - (v->striker ? 2.4 : 0.2) * v->largest;
     double highest = v->ends[1] + (v->wall ? 0.8 : 0.2) * v->largest - width;
-    lens->from = fmax(lowest, fmin(highest, place - front_place * width));
+    lens->from = bead_window_left(bead_follower_advance(&v->follower, place, time), width, lowest, highest);
 }
 
 void bead_beads_advance(struct bead_view *v, double time)
@@ -100,6 +79,5 @@ void bead_beads_advance(struct bead_view *v, double time)
     if (v->fed >= 2 && span > 0)
         v->speed = (v->u[v->newest][0] - v->u[1 - v->newest][0]) / span;
     find_loads(v);
-    follow(v, time);
-    aim(v);
+    aim(v, time);
 }

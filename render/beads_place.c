@@ -39,7 +39,20 @@ static bool has_names(const struct bead_view *v)
     const struct bead_sensor *sensors = bead_chain_sensors(v->setup.chain, &count);
     for (size_t i = 0; i < count; i++)
         shown += sensors[i].bead >= v->first && sensors[i].bead < v->first + v->count;
+    if (v->setup.camera && shown == 0 && !v->setup.bead_labels)
+        return false;
     return v->setup.axes && v->plot.height > (shown > 0 || v->setup.bead_labels ? 2.6 : 8.5) * v->look.tick;
+}
+
+/* The camera's window takes everything below the names. */
+static void only_camera(struct bead_view *v, double top)
+{
+    double width = bead_camera_width(v->setup.camera);
+    v->row = (struct bead_window){.scale = 0};
+    v->strip = false;
+    set_window(&v->lens, v, v->plot.width / width, top, v->plot.height - top, false);
+    v->lens.left = v->lens.rect.x;
+    v->lens.from = v->ends[0];
 }
 
 void bead_beads_divide(struct bead_view *v)
@@ -48,6 +61,10 @@ void bead_beads_divide(struct bead_view *v)
     double length = v->ends[1] - v->ends[0], scale = v->plot.width / length, diameter = 2 * v->largest * scale;
     double top = has_names(v) ? round(1.35 * look->tick) : 0;
     v->label_y = top > 0 ? 0.95 * look->tick : -1;
+    if (v->setup.camera) {
+        only_camera(v, top);
+        return;
+    }
     v->strip = diameter < strip_below;
     v->lens = (struct bead_window){.scale = 0};
     double row = v->strip ? fmax(6, 0.5 * look->tick) : ceil(diameter + fmax(4, 0.9 * diameter)), zoom = round(1.2 * look->gap);
@@ -69,6 +86,7 @@ void bead_beads_divide(struct bead_view *v)
                                       v->lens.rect.height - 2 * line};
     v->lens.left = v->lens.rect.x;
     v->lens.from = v->ends[0];
+    v->follower = bead_follower_make(v->lens.rect.width / v->lens.scale, length, v->count, v->setup.time[1] - v->setup.time[0]);
 }
 
 static void set_colour(cairo_t *cr, struct bead_rgb c, double alpha)
@@ -151,6 +169,12 @@ static void name_sensors(struct names *names)
     }
 }
 
+static void wall_name(const struct bead_view *v, const struct bead_chain_spec *spec, char *text, size_t size)
+{
+    const struct bead_material *materials = bead_chain_scene(v->setup.chain)->materials;
+    snprintf(text, size, "%.40s wall", spec->wall == BEAD_WALL_RIGID ? "rigid" : materials[spec->wall_material].name);
+}
+
 static void name_ends(struct names *names)
 {
     const struct bead_view *v = names->v;
@@ -160,8 +184,7 @@ static void name_ends(struct names *names)
     if (!v->wall)
         return;
     char text[96], markup[200];
-    snprintf(text, sizeof text, "%.40s wall",
-             spec->wall == BEAD_WALL_RIGID ? "rigid" : bead_chain_scene(v->setup.chain)->materials[spec->wall_material].name);
+    wall_name(v, spec, text, sizeof text);
     bead_text_escape(text, markup, sizeof markup);
     add_name(names, v->area.x + bead_window_x(&v->row, v->ends[1]), markup, BEAD_ALIGN_END, v->look.faint);
 }
@@ -180,7 +203,38 @@ static void name_numbers(struct names *names)
     }
 }
 
-void bead_beads_decorate(struct bead_view *v, cairo_t *cr)
+/* What stands above a row that moves, moves with it. */
+static enum bead_error move_names(struct bead_view *v, struct bead_message *msg)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(v->setup.chain);
+    struct bead_rect strip = {v->plot.x, v->plot.y, v->plot.width, v->lens.rect.y};
+    size_t count;
+    const struct bead_sensor *sensors = bead_chain_sensors(v->setup.chain, &count);
+    enum bead_error err = bead_moving_labels_create(&v->look, strip, v->lens.scale, &v->labels, msg);
+    for (size_t i = 0; !err && i < count; i++) {
+        char plain[64], markup[96];
+        if (sensors[i].bead < v->first || sensors[i].bead >= v->first + v->count)
+            continue;
+        snprintf(plain, sizeof plain, "%.40s", sensors[i].name);
+        bead_text_escape(plain, markup, sizeof markup);
+        err = bead_moving_labels_add(v->labels, v->position[sensors[i].bead - v->first], markup, v->look.ink, BEAD_LABEL_POINTER,
+                                     msg);
+    }
+    if (!err && v->striker)
+        err = bead_moving_labels_add(v->labels, v->position[0], "striker", v->look.faint, BEAD_LABEL_PLAIN, msg);
+    if (!err && v->wall) {
+        char text[64], markup[96];
+        wall_name(v, spec, text, sizeof text);
+        bead_text_escape(text, markup, sizeof markup);
+        err = bead_moving_labels_add(v->labels, v->ends[1] - 4 * v->largest, markup, v->look.faint, BEAD_LABEL_PLAIN, msg);
+    }
+    if (!err && v->setup.bead_labels)
+        err = bead_moving_labels_count(v->labels, v->position, v->first, v->count, bead_camera_width(v->setup.camera),
+                                       BEAD_LABEL_PLAIN, msg);
+    return err;
+}
+
+enum bead_error bead_beads_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
     if (v->lens.scale > 0) {
         const struct bead_rect *r = &v->lens.rect;
@@ -188,6 +242,8 @@ void bead_beads_decorate(struct bead_view *v, cairo_t *cr)
         set_colour(cr, v->look.panel, 1);
         cairo_rectangle(cr, v->area.x + r->x, v->area.y + r->y, r->width, r->height);
         cairo_fill(cr);
+        if (v->setup.camera)
+            return v->label_y < 0 ? BEAD_OK : move_names(v, msg);
         set_colour(cr, v->look.accent, 0.45);
         cairo_set_line_width(cr, line);
         cairo_rectangle(cr, v->area.x + r->x - 0.5 * line, v->area.y + r->y - 0.5 * line, r->width + line, r->height + line);
@@ -197,9 +253,10 @@ void bead_beads_decorate(struct bead_view *v, cairo_t *cr)
         draw_wall(v, cr);
     struct names names = {.cr = cr, .v = v};
     if (v->label_y < 0)
-        return;
+        return BEAD_OK;
     name_sensors(&names);
     name_ends(&names);
     if (v->setup.bead_labels)
         name_numbers(&names);
+    return BEAD_OK;
 }

@@ -4,7 +4,9 @@
 #include <stdint.h>
 #include <string.h>
 
-enum { MOST_LINES = 2, LONGEST = 1024, MARKUP = 8192 };
+#include "render/markup.h"
+
+enum { MOST_LINES = 2, LONGEST = 1024, MARKUP = 32 * LONGEST + 1 /* see bead_markup_size */ };
 static const double line_height = 1.4;                /* in units of the font size */
 static const double least_time = 2.5, reading = 15.0; /* s of the film; characters a second */
 static const double smaller[] = {1, 0.86, 0.74};      /* sizes to try */
@@ -54,20 +56,26 @@ static double width_of(cairo_t *cr, const struct bead_text_style *style, const c
     length = length < sizeof part - 1 ? length : sizeof part - 1;
     memcpy(part, text, length);
     part[length] = '\0';
-    bead_text_formula(part, markup, sizeof markup);
+    bead_markup(part, markup, sizeof markup);
     bead_text_size(cr, style, markup, &width, &height);
     return width;
 }
 
-/* The next place after `from` where a line may end: a space outside of braces, or the end. */
+/* The next place after `from` where a line may end: a space outside of braces and italics, or the end. */
 static size_t next_break(const char *text, size_t from)
 {
     int depth = 0;
-    size_t i = from;
+    bool italics = false;
+    size_t i = 0;
     for (; text[i]; i++) {
-        depth += (text[i] == '{') - (text[i] == '}' && depth > 0);
-        if (text[i] == ' ' && depth == 0 && i > from)
+        if (text[i] == '\\' && text[i + 1])
+            i++;
+        else if (text[i] == '*')
+            italics = !italics;
+        else if (text[i] == ' ' && depth == 0 && !italics && i > from)
             break;
+        else
+            depth += (text[i] == '{') - (text[i] == '}' && depth > 0);
     }
     return i;
 }
@@ -124,7 +132,7 @@ static void draw_line(cairo_t *cr, const struct bead_text_style *style, const ch
         while (length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80);
         memcpy(part + length, ellipsis, sizeof ellipsis);
     }
-    bead_text_formula(part, markup, sizeof markup);
+    bead_markup(part, markup, sizeof markup);
     bead_text_draw(cr, style, x, y, markup);
 }
 

@@ -4,7 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_WORDS = 3 };
+#include "render/markup.h"
+
+enum { MOST_WORDS = 3, LONGEST = 32 * 1024 + 1 };
 
 /* Where things stand, px; heights of single lines. */
 struct card {
@@ -13,12 +15,10 @@ struct card {
     double left, width, y;
 };
 
-static void draw_line(struct card *c, const char *plain, double size, bool bold, struct bead_rgb colour)
+static void draw_line(struct card *c, const char *markup, double size, bool bold, struct bead_rgb colour)
 {
-    char markup[8192];
     double width, height;
     struct bead_text_style style = {c->look->family, size, colour, bold, BEAD_ALIGN_START, BEAD_ALIGN_MIDDLE, false};
-    bead_text_formula(plain, markup, sizeof markup);
     bead_text_size(c->cr, &style, markup, &width, &height);
     style.size *= fmax(0.5, fmin(1, c->width / fmax(1, width)));
     cairo_save(c->cr);
@@ -27,6 +27,13 @@ static void draw_line(struct card *c, const char *plain, double size, bool bold,
     bead_text_draw(c->cr, &style, c->left, c->y + 0.8 * size, markup);
     cairo_restore(c->cr);
     c->y += 1.6 * size;
+}
+
+static void draw_plain(struct card *c, const char *plain, double size, bool bold, struct bead_rgb colour)
+{
+    char markup[5 * 1024 + 1];
+    bead_text_escape(plain, markup, sizeof markup);
+    draw_line(c, markup, size, bold, colour);
 }
 
 /* "Shown 3 600 times slower: 1 ms takes 3.6 s" */
@@ -71,7 +78,7 @@ static void draw_chains(struct card *c, const struct bead_facts *facts, double r
             char more[64];
             snprintf(more, sizeof more, "and %zu more chains", named - shown);
             if (c->y + step <= bottom + 0.5)
-                draw_line(c, more, look->label, false, look->faint);
+                draw_plain(c, more, look->label, false, look->faint);
             return;
         }
         struct bead_rect rect = {(int)c->left, (int)c->y, (int)c->width, (int)step};
@@ -99,9 +106,12 @@ void bead_card_draw(cairo_t *cr, const struct bead_look *look, const struct bead
     cairo_paint(cr);
     card.y = round(fmax(0, 0.46 * (height - fixed - room)));
     if (has_title)
-        draw_line(&card, title, large, true, look->ink);
-    if (has_text)
-        draw_line(&card, text, 1.1 * look->title, false, look->faint);
+        draw_plain(&card, title, large, true, look->ink);
+    if (has_text) {
+        char markup[LONGEST];
+        bead_markup(text, markup, sizeof markup);
+        draw_line(&card, markup, 1.1 * look->title, false, look->faint);
+    }
     card.y += look->title;
     cairo_set_source_rgb(cr, look->accent.r, look->accent.g, look->accent.b);
     cairo_rectangle(cr, card.left, round(card.y), 3 * large, line);
@@ -111,6 +121,6 @@ void bead_card_draw(cairo_t *cr, const struct bead_look *look, const struct bead
     draw_chains(&card, facts, room);
     card.y = below;
     for (size_t i = 0; i < count; i++)
-        draw_line(&card, words[i], small, false, look->faint);
+        draw_plain(&card, words[i], small, false, look->faint);
     cairo_restore(cr);
 }

@@ -18,7 +18,8 @@ struct bead_composer {
     double magnify;
     struct bead_movie_wants wants;
     struct bead_movie_layout layout;
-    struct bead_view **views; /* of chain c: from c * wants.view_count on */
+    struct bead_camera **cameras; /* of the chains; NULL: none follows */
+    struct bead_view **views;     /* of chain c: from c * wants.view_count on */
     struct bead_canvas *canvas;
     struct bead_frame frame, background;
     cairo_surface_t *surface; /* of the frame */

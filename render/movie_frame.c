@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "render/camera.h"
 #include "render/captions.h"
 #include "render/colour_range.h"
 #include "render/magnify.h"
@@ -17,7 +18,7 @@ unsigned bead_composer_fields(const struct bead_output *output)
         const struct bead_view_type *type = bead_view_find(output->views[i]);
         fields |= type ? type->fields(&setup) : 0;
     }
-    return fields;
+    return fields | (output->follow == BEAD_FOLLOW_FRONT ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0);
 }
 
 unsigned bead_composer_twin(const struct bead_output *output)
@@ -56,6 +57,16 @@ static struct bead_span span_of(const struct bead_composer *c, size_t chain)
     return span;
 }
 
+/* The same of beads, also where the field is one of contacts. */
+static struct bead_span beads_of(const struct bead_composer *c, size_t chain)
+{
+    size_t last = bead_chain_beads(c->setup.chains[chain]) - 1;
+    struct bead_span span = c->setup.output->beads;
+    span.last = span.last < last ? span.last : last;
+    span.first = span.first < span.last ? span.first : span.last;
+    return span;
+}
+
 static double reach(const struct bead_look *look, double low, double high, const char *unit, enum bead_scale scale, double length,
                     enum bead_side side, const char *title)
 {
@@ -83,6 +94,11 @@ static void measure_axes(struct bead_composer *c)
                    reach(look, time[0], time[1], "s", BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, "time"));
     w->left = fmax(w->left, reach(look, 0, most, "", BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, "bead"));
     w->below_beads = reach(look, 0, most, "", BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, "bead");
+    w->below_moving = reach(look, 0, most, "", BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, NULL);
+    for (size_t i = 0; w->follow && i < w->chain_count; i++) {
+        double radius, spacing = bead_chain_spacing(c->setup.chains[i], beads_of(c, i), &radius);
+        w->bead_height = fmax(w->bead_height, 0.9 * w->width * 2 * radius / (spacing * (double)c->setup.output->window));
+    }
     w->below_time = reach(look, time[0], time[1], "s", BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, "time");
     struct bead_rect bar = {0, 0, 20, (int)(4 * length)};
     w->bar = bead_colour_bar_draw(NULL, look, &c->colours, field->unit, field->title, bar, false, false);
@@ -105,6 +121,7 @@ static enum bead_error fill_wants(struct bead_composer *c, struct bead_message *
                                    .axes = output->axes,
                                    .title = c->setup.title && c->setup.title[0],
                                    .trust = output->trust,
+                                   .follow = output->follow == BEAD_FOLLOW_FRONT,
                                    .caption_lines = bead_captions_lines(output, &c->look, c->setup.width),
                                    .caption_line = bead_caption_height(&c->look)};
     for (size_t i = 0; i < output->view_count && i < BEAD_MOVIE_VIEWS; i++) {
@@ -115,10 +132,40 @@ static enum bead_error fill_wants(struct bead_composer *c, struct bead_message *
     }
     if (w->view_count == 0)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: views: at least one is needed", output->path);
-    for (size_t i = 0; i < w->chain_count; i++)
+    for (size_t i = 0; i < w->chain_count; i++) {
+        size_t sensors;
+        (void)bead_chain_sensors(c->setup.chains[i], &sensors);
+        w->sensors = w->sensors || sensors > 0;
         w->headings = w->headings || bead_heading_has(c->setup.chains[i]);
+    }
     measure_axes(c);
     return BEAD_OK;
+}
+
+/* All windows are of one length, so that all beads are drawn to one scale: as many beads as asked for, or more where these would be
+ * higher than their rows. */
+static enum bead_error create_cameras(struct bead_composer *c, struct bead_message *msg)
+{
+    size_t count = c->wants.chain_count;
+    double width = 0, radius, largest = 0;
+    c->cameras = calloc(count, sizeof(struct bead_camera *));
+    if (!c->cameras)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for cameras");
+    for (size_t i = 0; i < count; i++) {
+        width = fmax(width, bead_chain_spacing(c->setup.chains[i], beads_of(c, i), &radius) * (double)c->setup.output->window);
+        largest = fmax(largest, radius);
+    }
+    for (size_t v = 0; v < c->wants.view_count; v++) {
+        const struct bead_rect *plot = &c->layout.chains[0].plot[v];
+        bool named = c->wants.sensors || c->layout.chains[0].labels[v];
+        double names = named && plot->height > 2.6 * c->look.tick ? 1.35 * c->look.tick : 0;
+        if (c->wants.views[v]->kind == BEAD_VIEW_BEADS)
+            width = fmax(width, plot->width * 2 * largest / (0.9 * (plot->height - names)));
+    }
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < count; i++)
+        err = bead_camera_create(c->setup.chains[i], beads_of(c, i), width, c->setup.time, &c->cameras[i], msg);
+    return err;
 }
 
 static enum bead_error create_views(struct bead_composer *c, struct bead_message *msg)
@@ -144,6 +191,7 @@ static enum bead_error create_views(struct bead_composer *c, struct bead_message
                                         .time_shared = sensors && !labels,
                                         .fill = true,
                                         .magnify = c->magnify,
+                                        .camera = c->cameras ? c->cameras[chain] : NULL,
                                         .trust = output->trust};
         err = c->wants.views[view]->create(&setup, view_at(c, chain, view), msg);
     }
@@ -171,6 +219,8 @@ static enum bead_error fill(struct bead_composer *c, struct bead_message *msg)
     err = fill_wants(c, msg);
     if (!err)
         err = bead_movie_arrange(&c->wants, &c->layout, msg);
+    if (!err && c->wants.follow)
+        err = create_cameras(c, msg);
     if (!err)
         err = create_views(c, msg);
     if (!err)
@@ -329,6 +379,8 @@ enum bead_error bead_composer_feed(struct bead_composer *c, const struct bead_sa
     look_beyond(c, sample);
     if (c->lit)
         look_lit(c, sample);
+    if (c->cameras)
+        err = bead_camera_feed(c->cameras[sample->chain], sample, msg);
     for (size_t v = 0; !err && v < c->wants.view_count; v++)
         err = c->wants.views[v]->feed(*view_at(c, sample->chain, v), sample, msg);
     return err;
@@ -356,6 +408,8 @@ enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct 
         c->started = true;
     }
     enum bead_error err = BEAD_OK;
+    for (size_t i = 0; c->cameras && i < c->wants.chain_count; i++)
+        bead_camera_advance(c->cameras[i], time);
     for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++)
         err = c->wants.views[i % c->wants.view_count]->draw(c->views[i], time, &c->frame, &c->background, changes, msg);
     if (err)
@@ -396,6 +450,9 @@ void bead_composer_destroy(struct bead_composer *c)
         return;
     bead_composer_close(c);
     free(c->views);
+    for (size_t i = 0; c->cameras && i < c->wants.chain_count; i++)
+        bead_camera_destroy(c->cameras[i]);
+    free(c->cameras);
     free(c->lit);
     bead_movie_layout_free(&c->layout);
     bead_frame_free(&c->frame);

@@ -63,9 +63,24 @@ static struct measures measure(const struct bead_movie_wants *w, enum level leve
     return m;
 }
 
-static bool has_bead_axis(const struct bead_view_type *type)
+static bool moves(const struct bead_movie_wants *w, size_t view)
 {
-    return type->kind == BEAD_VIEW_PROFILE || type->kind == BEAD_VIEW_SPACETIME;
+    return w->follow && (w->views[view]->kind == BEAD_VIEW_PROFILE || w->views[view]->kind == BEAD_VIEW_BEADS);
+}
+
+static bool has_bead_axis(const struct bead_movie_wants *w, size_t view)
+{
+    enum bead_view_kind kind = w->views[view]->kind;
+    return !moves(w, view) && (kind == BEAD_VIEW_PROFILE || kind == BEAD_VIEW_SPACETIME);
+}
+
+/* Of the views that move, the last has the numbers. */
+static bool labels_window(const struct bead_movie_wants *w, size_t view)
+{
+    bool last = moves(w, view);
+    for (size_t i = view + 1; i < w->view_count; i++)
+        last = last && !moves(w, i);
+    return last;
 }
 
 /* The lowest view with a bead axis labels it for all above; beads alone number themselves. */
@@ -73,7 +88,7 @@ static bool labels_beads(const struct bead_movie_wants *w, size_t view)
 {
     size_t best = w->view_count;
     for (size_t i = 0; i < w->view_count; i++) {
-        if (has_bead_axis(w->views[i]))
+        if (has_bead_axis(w, i))
             best = i;
     }
     for (size_t i = 0; best == w->view_count && i < w->view_count; i++)
@@ -89,6 +104,8 @@ static bool labelled(const struct bead_movie_wants *w, const struct measures *m,
         return false;
     if (type->kind == BEAD_VIEW_SENSORS)
         return lowest;
+    if (moves(w, view))
+        return labels_window(w, view);
     bool one_for_all = w->same_beads ? lowest : m->level < FEW_LABELS;
     return labels_beads(w, view) && (one_for_all || type->kind == BEAD_VIEW_BEADS);
 }
@@ -97,6 +114,8 @@ static int below(const struct bead_movie_wants *w, const struct measures *m, siz
 {
     if (!labelled(w, m, chain, view) || w->views[view]->kind == BEAD_VIEW_BEADS)
         return 0;
+    if (moves(w, view))
+        return whole(w->below_moving);
     return whole(w->views[view]->kind == BEAD_VIEW_SENSORS ? w->below_time : w->below_beads);
 }
 
@@ -107,6 +126,14 @@ static const struct {
                                  [BEAD_VIEW_PROFILE] = {0.8, 0.25},
                                  [BEAD_VIEW_SPACETIME] = {1.25, 2},
                                  [BEAD_VIEW_SENSORS] = {1.2, 0.5}};
+
+static int most_height(const struct bead_movie_wants *w, const struct measures *m, size_t view)
+{
+    if (moves(w, view) && w->views[view]->kind == BEAD_VIEW_BEADS)
+        return whole((w->sensors || labels_window(w, view) ? 1.35 * w->look->tick : 0) +
+                     fmax(1.3 * w->bead_height, w->bead_height + w->look->gap));
+    return whole(heights_of[w->views[view]->kind].most * m->width);
+}
 
 /* Heights of one chain's views from what there is: by their shares, but no more than is good for them. */
 static int share_out(const struct bead_movie_wants *w, const struct measures *m, int height, int *heights)
@@ -121,7 +148,7 @@ static int share_out(const struct bead_movie_wants *w, const struct measures *m,
             free -= fixed[i] ? heights[i] : 0;
         }
         for (size_t i = 0; i < w->view_count; i++) {
-            int limit = whole(heights_of[w->views[i]->kind].most * m->width);
+            int limit = most_height(w, m, i);
             if (fixed[i])
                 continue;
             heights[i] = (int)floor(free * heights_of[w->views[i]->kind].share / shares);

@@ -23,12 +23,15 @@ struct bead_movie_wants {
     size_t view_count;
     bool axes; /* false: nothing but the views */
     bool title, headings;
-    bool trust;                                /* a line about the horizon: is left out after the other words */
-    int caption_lines;                         /* reserved at the bottom */
-    double caption_line;                       /* height of one */
-    bool same_beads;                           /* all chains have the same bead axis: only the lowest is labelled */
-    double time_width;                         /* of the widest time that is shown */
-    double left, below_beads, below_time, bar; /* how far the axes reach out of plots, and the bar's out of the bar */
+    bool trust;                                              /* a line about the horizon: is left out after the other words */
+    int caption_lines;                                       /* reserved at the bottom */
+    double caption_line;                                     /* height of one */
+    bool follow;                                             /* beads and profiles move: they have bead axes of their own */
+    bool sensors;                                            /* some bead has one, and a name to be shown */
+    double bead_height;                                      /* of the largest bead in a row that moves */
+    bool same_beads;                                         /* all chains have the same bead axis: only the lowest is labelled */
+    double time_width;                                       /* of the widest time that is shown */
+    double left, below_beads, below_moving, below_time, bar; /* how far the axes reach out of plots, and the bar's out of the bar */
 };
 
 struct bead_movie_chain {

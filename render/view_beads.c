@@ -39,6 +39,7 @@ static void beads_destroy(struct bead_view *v)
     free(v->colour);
     free(v->load);
     free(v->reached);
+    bead_moving_labels_destroy(v->labels);
     free_drawing(&v->row_drawing);
     free_drawing(&v->lens_drawing);
     if (v->canvas)
@@ -94,7 +95,6 @@ static void measure(struct bead_view *v)
     v->compression = bead_compression_scale(chain);
     v->striker = v->first == 0;
     v->wall = last + 1 == beads && bead_chain_spec(chain)->wall != BEAD_WALL_NONE;
-    v->drawn_time = NAN;
     v->newest = 0;
 }
 
@@ -136,9 +136,7 @@ static enum bead_error beads_place(struct bead_view *v, struct bead_rect plot, s
 
 static enum bead_error beads_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
-    (void)msg;
-    bead_beads_decorate(v, cr);
-    return BEAD_OK;
+    return bead_beads_decorate(v, cr, msg);
 }
 
 /* A bead's value of a field of contacts is the mean of its two. */
@@ -260,6 +258,8 @@ static enum bead_error paint_row(struct bead_view *v, struct bead_frame *frame, 
 /* The place of the lens on the row, and the way down to it. */
 static void compose_zoom(struct bead_view *v)
 {
+    if (v->zoom.height == 0)
+        return;
     double from = fmax(0, bead_window_x(&v->row, v->lens.from));
     double to = fmin(v->area.width, bead_window_x(&v->row, v->lens.from + v->lens.rect.width / v->lens.scale));
     double wider = fmax(0, 0.5 * (4 - (to - from))); /* in a row of thousands */
@@ -290,7 +290,7 @@ static enum bead_error paint_lens(struct bead_view *v, struct bead_frame *frame,
 {
     static const struct bead_drawing nothing = {0};
     enum bead_error err = BEAD_OK;
-    if (!v->drawn || memcmp(&v->zoom_mark, &v->old_zoom_mark, sizeof v->zoom_mark) != 0) {
+    if (v->zoom.height > 0 && (!v->drawn || memcmp(&v->zoom_mark, &v->old_zoom_mark, sizeof v->zoom_mark) != 0)) {
         int left = v->zoom.x < (int)v->look.gap ? v->zoom.x : (int)v->look.gap;
         struct bead_rect rect = {v->zoom.x - left, v->zoom.y, v->zoom.width + left, v->zoom.height};
         err = paint(v, &nothing, &v->zoom_mark, rect, frame, changes, msg);
@@ -318,7 +318,7 @@ static enum bead_error beads_draw(struct bead_view *v, double time, struct bead_
     if (v->strip) {
         struct bead_changes own = {0};
         bead_beads_strip(v, frame, background, changes ? changes : &own);
-    } else {
+    } else if (v->row.scale > 0) {
         bead_beads_compose(v, &v->row, &v->row_drawing);
         err = paint_row(v, frame, changes, msg);
     }
@@ -327,6 +327,8 @@ static enum bead_error beads_draw(struct bead_view *v, double time, struct bead_
         compose_zoom(v);
         err = paint_lens(v, frame, changes, msg);
     }
+    if (!err && v->labels)
+        err = bead_moving_labels_draw(v->labels, v->lens.from, frame, background, changes, msg);
     v->drawn = !err;
     return err;
 }
@@ -337,7 +339,8 @@ static enum bead_error beads_vector(struct bead_view *v, double time, cairo_t *c
     if (v->fed == 0)
         return BEAD_OK;
     bead_beads_advance(v, time);
-    bead_beads_compose(v, &v->row, &v->row_drawing);
+    if (v->row.scale > 0)
+        bead_beads_compose(v, &v->row, &v->row_drawing);
     if (v->lens.scale > 0)
         bead_beads_compose(v, &v->lens, &v->lens_drawing);
     bead_beads_vector(v, cr);

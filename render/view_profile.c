@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/camera.h"
+#include "render/moving_labels.h"
 #include "render/profile_scan.h"
 #include "render/views.h"
 
@@ -18,6 +20,10 @@ struct bead_view {
     double *value[2], time[2];
     int fed, newest;
     float *x, *y, *old_y; /* px of the plot */
+    double *place;        /* m along the chain: with a camera */
+    double left;          /* m: the camera's, as drawn last */
+    size_t from, to;      /* values in the plot, and one more on each side; `to` exclusive */
+    struct bead_moving_labels *labels;
     struct bead_axis axis;
     double base; /* value that the area reaches to */
     struct bead_rect plot;
@@ -38,6 +44,8 @@ static void profile_destroy(struct bead_view *v)
     free(v->x);
     free(v->y);
     free(v->old_y);
+    free(v->place);
+    bead_moving_labels_destroy(v->labels);
     free(v);
 }
 
@@ -57,8 +65,10 @@ static enum bead_error profile_create(const struct bead_view_setup *setup, struc
         v->x = calloc(n, sizeof *v->x);
         v->y = calloc(n, sizeof *v->y);
         v->old_y = calloc(n, sizeof *v->old_y);
+        v->place = calloc(n, sizeof *v->place);
+        v->to = n;
     }
-    if (!v || !v->value[0] || !v->value[1] || !v->x || !v->y || !v->old_y) {
+    if (!v || !v->value[0] || !v->value[1] || !v->x || !v->y || !v->old_y || !v->place) {
         profile_destroy(v);
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a profile of %zu beads", n);
     }
@@ -88,6 +98,36 @@ static float y_of(const struct bead_view *v, double value)
     return (float)(round(y * steps_per_pixel) / steps_per_pixel);
 }
 
+/* Where values belong along the chain: a contact is at the right of its bead. */
+static void find_places(struct bead_view *v)
+{
+    const struct bead_chain *chain = v->setup.chain;
+    bool contacts = bead_field_info(v->setup.field)->of_contacts;
+    for (size_t i = 0; i < v->count; i++) {
+        size_t bead = v->first + i;
+        v->place[i] = bead_chain_position(chain)[bead] + (contacts ? bead_chain_radius(chain)[bead] : 0);
+    }
+}
+
+/* x of all values where the camera is now; which of them are in the plot. */
+static void follow(struct bead_view *v)
+{
+    double left = bead_camera_left(v->setup.camera), scale = v->plot.width / bead_camera_width(v->setup.camera);
+    size_t from = v->count, to = 0;
+    for (size_t i = 0; i < v->count; i++) {
+        double x = (v->place[i] - left) * scale;
+        v->x[i] = (float)x;
+        if (x < 0 || x > v->plot.width)
+            continue;
+        from = i < from ? i : from;
+        to = i + 1;
+    }
+    v->from = from > 0 && from < to ? from - 1 : 0;
+    v->to = to < v->count ? to + 1 : v->count;
+    v->drawn = v->drawn && left == v->left;
+    v->left = left;
+}
+
 static enum bead_error profile_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas,
                                      struct bead_message *msg)
 {
@@ -95,6 +135,8 @@ static enum bead_error profile_place(struct bead_view *v, struct bead_rect plot,
     (void)msg;
     v->plot = plot;
     make_axis(v);
+    if (v->setup.camera)
+        find_places(v);
     for (size_t i = 0; i < v->count; i++)
         v->x[i] = (float)(((double)i + 0.5) * plot.width / (double)v->count);
     if (v->count == 1) { /* a level line */
@@ -103,9 +145,24 @@ static enum bead_error profile_place(struct bead_view *v, struct bead_rect plot,
     return BEAD_OK;
 }
 
+/* Numbers below the plot that move with the camera; what they count stands at their left. */
+static enum bead_error move_labels(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
+{
+    struct bead_text_style style = {.family = v->look.family,
+                                    .size = 0.95 * v->look.tick,
+                                    .colour = v->look.faint,
+                                    .across = BEAD_ALIGN_END,
+                                    .down = BEAD_ALIGN_BASELINE};
+    const char *name = bead_field_info(v->setup.field)->of_contacts ? "contact" : "bead";
+    bead_text_draw(cr, &style, v->plot.x - 0.4 * v->look.tick, v->plot.y + v->plot.height + 1.38 * v->look.tick, name);
+    struct bead_rect strip = {v->plot.x, v->plot.y + v->plot.height, v->plot.width, (int)ceil(1.8 * v->look.tick)};
+    double width = bead_camera_width(v->setup.camera);
+    enum bead_error err = bead_moving_labels_create(&v->look, strip, v->plot.width / width, &v->labels, msg);
+    return err ? err : bead_moving_labels_count(v->labels, v->place, v->first, v->count, width, BEAD_LABEL_TICK, msg);
+}
+
 static enum bead_error profile_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
-    (void)msg;
     const struct bead_look *look = &v->look;
     double y = v->plot.y + y_of(v, v->base);
     cairo_set_source_rgb(cr, look->panel.r, look->panel.g, look->panel.b);
@@ -119,6 +176,8 @@ static enum bead_error profile_decorate(struct bead_view *v, cairo_t *cr, struct
     const struct bead_field_info *field = bead_field_info(v->setup.field);
     const char *title = strrchr(field->title, ' '); /* short: "force" for "bead force" */
     bead_axis_draw(cr, look, &v->axis, v->plot, BEAD_SIDE_LEFT, false, true, title ? title + 1 : field->title);
+    if (v->setup.bead_labels && v->setup.camera)
+        return move_labels(v, cr, msg);
     if (v->setup.bead_labels) {
         struct bead_axis beads;
         bead_axis_make(&beads, (double)v->first - 0.5, (double)(v->first + v->count) - 0.5, "1", BEAD_SCALE_LINEAR, v->plot.width,
@@ -155,9 +214,9 @@ static void advance(struct bead_view *v, double time)
 
 static struct bead_curve curve_of(const struct bead_view *v)
 {
-    return (struct bead_curve){.x = v->x,
-                               .y = v->y,
-                               .count = v->count,
+    return (struct bead_curve){.x = v->x + v->from,
+                               .y = v->y + v->from,
+                               .count = v->to - v->from,
                                .base = y_of(v, v->base),
                                .width = (float)fmax(1.6, 1.8 * v->look.line),
                                .line = v->look.accent,
@@ -177,8 +236,8 @@ static void draw_span(const struct bead_view *v, const struct bead_curve *curve,
 static void span_of(const struct bead_view *v, const struct bead_curve *curve, size_t i, int *from, int *to)
 {
     int reach = bead_curve_reach(curve);
-    *from = i == 0 ? 0 : (int)floorf(v->x[i - 1]) - reach;
-    *to = i + 1 == v->count ? v->plot.width : (int)ceilf(v->x[i + 1]) + reach;
+    *from = i == v->from ? 0 : (int)floorf(v->x[i - 1]) - reach;
+    *to = i + 1 == v->to ? v->plot.width : (int)ceilf(v->x[i + 1]) + reach;
     *from = *from < 0 ? 0 : *from;
     *to = *to > v->plot.width ? v->plot.width : *to;
 }
@@ -186,18 +245,21 @@ static void span_of(const struct bead_view *v, const struct bead_curve *curve, s
 static enum bead_error profile_draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
                                     struct bead_changes *changes, struct bead_message *msg)
 {
-    (void)msg;
     if (v->fed == 0)
         return BEAD_OK;
     advance(v, time);
+    if (v->setup.camera)
+        follow(v);
     struct bead_curve curve = curve_of(v);
     int from = 0, to = 0; /* waiting to be drawn */
     size_t spans = 0;
-    for (size_t i = 0; i < v->count; i++) {
+    for (size_t i = v->from; i < v->to; i++) {
         int a, b;
         if (v->drawn && changes && v->y[i] == v->old_y[i])
             continue;
         span_of(v, &curve, i, &a, &b);
+        if (b <= a)
+            continue;
         if (to > from && a > to + MERGE_GAP && spans < MOST_SPANS) {
             draw_span(v, &curve, from, to, frame, background, changes);
             spans++;
@@ -210,7 +272,7 @@ static enum bead_error profile_draw(struct bead_view *v, double time, struct bea
     if (to > from)
         draw_span(v, &curve, from, to, frame, background, changes);
     v->drawn = true;
-    return BEAD_OK;
+    return v->labels ? bead_moving_labels_draw(v->labels, v->left, frame, background, changes, msg) : BEAD_OK;
 }
 
 static enum bead_error profile_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)

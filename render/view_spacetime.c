@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "render/area.h"
+#include "render/camera.h"
 #include "render/horizon.h"
 #include "render/views.h"
 
@@ -23,6 +24,7 @@ struct bead_view {
     uint8_t *indices;             /* [plot.height][plot.width], colours of the columns (or rows) done */
     int first, done;              /* time columns first <= c < done have their final colours */
     int shown;                    /* columns up to here are in the frame */
+    int mark[2];                  /* pixels across that the cursor shows the camera's window at */
     bool drawn, finished;
     uint32_t colour[256]; /* as in frames */
 };
@@ -192,15 +194,59 @@ static void show_columns(const struct bead_view *v, int from, int to, struct bea
     }
 }
 
+static uint32_t pixel_of(struct bead_rgb c)
+{
+    return (uint32_t)lround(c.r * 255) << 16 | (uint32_t)lround(c.g * 255) << 8 | (uint32_t)lround(c.b * 255);
+}
+
+/* The bead, with parts, at a place along the chain (m): cells as in the image, from j - 1/2 to j + 1/2. */
+static double bead_at(const struct bead_view *v, double place)
+{
+    const double *position = bead_chain_position(v->setup.chain);
+    size_t low = v->setup.beads.first, high = v->setup.beads.last, most = bead_chain_beads(v->setup.chain) - 1;
+    high = high < most ? high : most;
+    if (place <= position[low] || low == high)
+        return (double)low - 0.5;
+    if (place >= position[high])
+        return (double)v->setup.beads.last + 0.5;
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (position[middle] <= place)
+            low = middle;
+        else
+            high = middle;
+    }
+    return (double)low + (place - position[low]) / (position[high] - position[low]);
+}
+
+/* Where the camera's window lies across the picture; true where it has moved. */
+static bool find_mark(struct bead_view *v)
+{
+    int mark[2] = {0, 0};
+    if (!v->setup.camera || !v->setup.fill)
+        return false;
+    double left = bead_camera_left(v->setup.camera), ends[2] = {left, left + bead_camera_width(v->setup.camera)};
+    for (int k = 0; k < 2; k++) {
+        double part = (bead_at(v, ends[k]) - (double)v->setup.beads.first + 0.5) /
+                      ((double)v->setup.beads.last - (double)v->setup.beads.first + 1);
+        mark[k] = (int)lround(v->across * fmin(1, fmax(0, part)));
+    }
+    bool moved = mark[0] != v->mark[0] || mark[1] != v->mark[1];
+    memcpy(v->mark, mark, sizeof mark);
+    return moved;
+}
+
 static void draw_cursor(const struct bead_view *v, int at, int thickness, struct bead_frame *frame)
 {
-    struct bead_rgb ink = v->look.ink;
-    uint32_t colour = (uint32_t)lround(ink.r * 255) << 16 | (uint32_t)lround(ink.g * 255) << 8 | (uint32_t)lround(ink.b * 255);
+    uint32_t ink = pixel_of(v->look.ink), accent = pixel_of(v->look.accent);
     int width = v->setup.time_down ? v->plot.width : thickness, height = v->setup.time_down ? thickness : v->plot.height;
     int left = v->plot.x + (v->setup.time_down ? 0 : at), top = v->plot.y + (v->setup.time_down ? at : 0);
     for (int y = top; y < top + height; y++) {
-        for (int x = left; x < left + width; x++)
-            memcpy(frame->pixels + (size_t)y * frame->stride + 4 * (size_t)x, &colour, 4);
+        for (int x = left; x < left + width; x++) {
+            int across = v->setup.time_down ? x - v->plot.x : v->plot.y + v->plot.height - 1 - y;
+            bool marked = across >= v->mark[0] && across < v->mark[1];
+            memcpy(frame->pixels + (size_t)y * frame->stride + 4 * (size_t)x, marked ? &accent : &ink, 4);
+        }
     }
 }
 
@@ -260,9 +306,10 @@ static struct bead_rect columns_rect(const struct bead_view *v, int from, int to
 static enum bead_error draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
                             struct bead_changes *changes, struct bead_message *msg)
 {
-    int until = columns_until(v, time), thickness = smaller((int)v->look.line, v->along), last = v->along - thickness;
-    bool cursor = v->setup.fill && time < v->setup.time[1];
-    if (v->drawn && until == v->shown && (cursor || v->finished))
+    int line_width = (int)v->look.line * (v->setup.camera ? 2 : 1); /* wide enough that its colours tell */
+    int until = columns_until(v, time), thickness = smaller(line_width, v->along), last = v->along - thickness;
+    bool cursor = v->setup.fill && time < v->setup.time[1], moved = find_mark(v);
+    if (v->drawn && until == v->shown && ((cursor && !moved) || v->finished))
         return BEAD_OK;
     enum bead_error err = v->area ? colour_columns(v, until, msg) : BEAD_OK;
     if (err)

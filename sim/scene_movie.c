@@ -1,4 +1,4 @@
-/* Keys of movies that explain what is to be seen: captions, title card, poster. */
+/* Keys of movies that explain what is to be seen: captions, title card, poster, camera. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,7 +23,8 @@ static const struct bead_option caption_rows[] = {
      .type = BEAD_OPTION_TEXT,
      .offset = CAPTION(text),
      .required = true,
-     .help = "what it says; x_{0} and x^{2} lower and raise, \\alpha and its like are Greek letters"},
+     .help = "what it says; *x* is in italics, _0 or _{max} lowered, ^2 or ^{3/2} raised; a backslash takes the next character as "
+             "it is"},
     {.key = "until",
      .offset = CAPTION(until),
      .unit = "s",
@@ -164,7 +165,16 @@ static enum bead_error check_captions(const struct bead_reader *reader, const st
 enum bead_error bead_output_check_movie(const struct bead_reader *reader, const struct bead_at *at,
                                         const struct bead_output *output)
 {
-    struct bead_at where = bead_at_key(at, "poster-at");
+    struct bead_at where = bead_at_key(at, "window");
+    bool moves = false;
+    for (size_t i = 0; i < output->view_count; i++)
+        moves = moves || output->views[i] == BEAD_VIEW_BEADS || output->views[i] == BEAD_VIEW_PROFILE;
+    if (output->follow != BEAD_FOLLOW_FRONT && where.node != at->node)
+        return bead_wrong(reader, &where, "belongs to `follow: front`");
+    where = bead_at_key(at, "follow");
+    if (output->follow == BEAD_FOLLOW_FRONT && !moves)
+        return bead_wrong(reader, &where, "is front, but no view moves with it: add beads or profile to `views`");
+    where = bead_at_key(at, "poster-at");
     if (!isnan(output->poster_at) && !output->poster[0])
         return bead_wrong(reader, &where, "is given, but no `poster`");
     if (output->poster_at > fmin(reader->scene->simulate.until, output->time[1]) || output->poster_at < output->time[0])

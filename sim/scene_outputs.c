@@ -26,6 +26,7 @@ static const char *const samplings[] = {"area", "max", NULL};
 static const char *const qualities[] = {"draft", "standard", "high", "lossless", NULL};
 static const char *const styles[] = {"auto", "paper", "slide", "movie", NULL};
 static const char *const themes[] = {"auto", "light", "dark", NULL};
+static const char *const follows[] = {"all", "front", NULL};
 static const char *const fields[] = {
 #define FIELD_NAME(id, name, unit, title, place) name,
     BEAD_FIELDS(FIELD_NAME)
@@ -263,6 +264,22 @@ static const struct bead_option rows[] = {
      .help = "before the motion, title, chains and scale of time; true: for 3 s. See outputs.card",
      .forms = MOVIE,
      .read = bead_output_read_card},
+    {.key = "follow",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(follow),
+     .initial = "all",
+     .choices = follows,
+     .help = "what beads and profile show: all beads, or a window of them that moves with the front, each chain its own; "
+             "spacetime marks the window at the present",
+     .forms = MOVIE},
+    {.key = "window",
+     .type = BEAD_OPTION_COUNT,
+     .offset = OUTPUT(window),
+     .initial = "40",
+     .low = 4,
+     .high = 1000,
+     .help = "how many beads `follow: front` shows",
+     .forms = MOVIE},
     {.key = "poster",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "none",

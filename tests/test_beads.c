@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "beadreel/view.h"
+#include "render/camera.h"
 #include "render/magnify.h"
 #include "render/movie_frame.h"
 #include "render/sinks.h"
@@ -89,15 +90,19 @@ static void copy_changes(struct bead_frame *to, const struct bead_frame *from, c
 /* A view drawn by its changes, the same view drawn whole each time, and a copy kept up to date by what the first one told. */
 struct pair {
     struct bead_view *dirty, *full;
+    struct bead_camera *camera; /* NULL: none */
     struct bead_canvas *canvas;
     struct bead_frame background, frame, whole, copy;
     struct bead_colormap map;
     struct bead_look look;
 };
 
-static void make_pair(struct pair *p, const struct world *w, const struct bead_view_type *type, struct bead_rect plot)
+/* `window`: m that a camera shows, 0: there is none. */
+static void make_pair(struct pair *p, const struct world *w, const struct bead_view_type *type, struct bead_rect plot,
+                      double window)
 {
     struct bead_message msg = {""};
+    *p = (struct pair){.camera = NULL};
     const int width = 900, height = 200;
     bead_look_screen(&p->look, 1280, 720, true);
     require(bead_colormap_load("inferno", &p->map, &msg), &msg);
@@ -108,7 +113,13 @@ static void make_pair(struct pair *p, const struct world *w, const struct bead_v
                                     .colours = {&p->map, BEAD_SCALE_SQRT, 0, 35},
                                     .look = &p->look,
                                     .axes = true,
+                                    .bead_labels = window > 0,
+                                    .time_down = true,
+                                    .fill = true,
                                     .magnify = 200};
+    if (window > 0)
+        require(bead_camera_create(w->chains[0], setup.beads, window, setup.time, &p->camera, &msg), &msg);
+    setup.camera = p->camera;
     require(bead_canvas_create(NULL, width, height, &p->canvas, &msg), &msg);
     require(bead_frame_create(width, height, &p->background, &msg), &msg);
     require(bead_frame_create(width, height, &p->frame, &msg), &msg);
@@ -117,10 +128,15 @@ static void make_pair(struct pair *p, const struct world *w, const struct bead_v
     for (size_t i = 0; i < p->background.stride * (size_t)height; i++)
         p->background.pixels[i] = (uint8_t)(20 + i * 7 % 31);
     struct bead_view **views[2] = {&p->dirty, &p->full};
+    cairo_surface_t *paper = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
+    cairo_t *cr = cairo_create(paper);
     for (int k = 0; k < 2; k++) {
         require(type->create(&setup, views[k], &msg), &msg);
         require(type->place(*views[k], plot, p->canvas, &msg), &msg);
+        require(type->decorate(*views[k], cr, &msg), &msg);
     }
+    cairo_destroy(cr);
+    cairo_surface_destroy(paper);
     struct bead_rect all = {0, 0, width, height};
     bead_frame_copy(&p->frame, &p->background, all);
     bead_frame_copy(&p->whole, &p->background, all);
@@ -131,6 +147,7 @@ static void free_pair(struct pair *p, const struct bead_view_type *type)
 {
     type->destroy(p->dirty);
     type->destroy(p->full);
+    bead_camera_destroy(p->camera);
     bead_canvas_destroy(p->canvas);
     bead_frame_free(&p->background);
     bead_frame_free(&p->frame);
@@ -138,18 +155,22 @@ static void free_pair(struct pair *p, const struct bead_view_type *type)
     bead_frame_free(&p->copy);
 }
 
-static void compare_dirty_with_full(const struct bead_view_type *type, struct bead_rect plot)
+static void compare_dirty_with_full(const struct bead_view_type *type, struct bead_rect plot, double window)
 {
     struct world w = make_world();
     struct pair p;
     struct bead_message msg = {""};
     double u[BEADS], f[BEADS];
-    make_pair(&p, &w, type, plot);
+    make_pair(&p, &w, type, plot, window);
     size_t small = 0;
     for (size_t i = 0; i < FRAMES; i++) {
         struct bead_sample sample;
         struct bead_changes changes = {0};
         make_sample(0, i, u, f, &sample);
+        if (p.camera) {
+            require(bead_camera_feed(p.camera, &sample, &msg), &msg);
+            bead_camera_advance(p.camera, sample.time);
+        }
         require(type->feed(p.dirty, &sample, &msg), &msg);
         require(type->feed(p.full, &sample, &msg), &msg);
         require(type->draw(p.dirty, sample.time, &p.frame, &p.background, &changes, &msg), &msg);
@@ -164,7 +185,7 @@ static void compare_dirty_with_full(const struct bead_view_type *type, struct be
             area += (size_t)changes.rect[k].width * (size_t)changes.rect[k].height;
         small += area < (size_t)plot.width * (size_t)plot.height;
     }
-    assert_true(small > 0); /* and something was saved */
+    assert_true(window > 0 || small > 0); /* and something was saved */
     /* What stands still costs nothing. */
     struct bead_changes none = {0};
     struct bead_sample sample;
@@ -172,6 +193,10 @@ static void compare_dirty_with_full(const struct bead_view_type *type, struct be
     for (int k = 0; k < 60; k++) {
         none.count = 0;
         sample.time += 1e-4;
+        if (p.camera) {
+            require(bead_camera_feed(p.camera, &sample, &msg), &msg);
+            bead_camera_advance(p.camera, sample.time);
+        }
         require(type->feed(p.dirty, &sample, &msg), &msg);
         require(type->draw(p.dirty, sample.time, &p.frame, &p.background, &none, &msg), &msg);
     }
@@ -183,25 +208,34 @@ static void compare_dirty_with_full(const struct bead_view_type *type, struct be
 static void test_beads_with_lens(void **state)
 {
     (void)state;
-    compare_dirty_with_full(&bead_view_beads_type, (struct bead_rect){80, 20, 780, 160});
+    compare_dirty_with_full(&bead_view_beads_type, (struct bead_rect){80, 20, 780, 160}, 0);
 }
 
 static void test_beads_in_one_row(void **state)
 {
     (void)state;
-    compare_dirty_with_full(&bead_view_beads_type, (struct bead_rect){80, 60, 780, 30});
+    compare_dirty_with_full(&bead_view_beads_type, (struct bead_rect){80, 60, 780, 30}, 0);
 }
 
 static void test_beads_as_strip(void **state)
 {
     (void)state;
-    compare_dirty_with_full(&bead_view_beads_type, (struct bead_rect){80, 60, 100, 30});
+    compare_dirty_with_full(&bead_view_beads_type, (struct bead_rect){80, 60, 100, 30}, 0);
 }
 
 static void test_profile(void **state)
 {
     (void)state;
-    compare_dirty_with_full(&bead_view_profile_type, (struct bead_rect){80, 20, 780, 120});
+    compare_dirty_with_full(&bead_view_profile_type, (struct bead_rect){80, 20, 780, 120}, 0);
+}
+
+/* A window of 15 of the 47 beads. */
+static void test_views_that_move(void **state)
+{
+    (void)state;
+    const double window = 15 * 2 * 9.525e-3 / 2;
+    compare_dirty_with_full(&bead_view_beads_type, (struct bead_rect){80, 20, 780, 100}, window);
+    compare_dirty_with_full(&bead_view_profile_type, (struct bead_rect){80, 20, 780, 120}, window);
 }
 
 /* Mean brightness of a column of the frame. */
@@ -222,7 +256,7 @@ static void test_gaps_show(void **state)
     struct bead_message msg = {""};
     double u[BEADS] = {0}, f[BEADS] = {0};
     struct bead_rect plot = {80, 60, 780, 30};
-    make_pair(&p, &w, &bead_view_beads_type, plot);
+    make_pair(&p, &w, &bead_view_beads_type, plot, 0);
     memset(p.background.pixels, 0, p.background.stride * 200);
     struct bead_sample sample = {.active = BEADS};
     sample.field[BEAD_FIELD_FORCE] = f;
@@ -247,15 +281,20 @@ static void test_gaps_show(void **state)
 }
 
 /* Whole frames, all views: a copy that only gets what was told to have changed stays equal. */
-static void test_frames_tell_their_changes(void **state)
+static void compare_copies(enum bead_follow follow)
 {
-    (void)state;
     struct world w = make_world();
     struct bead_message msg = {""};
     struct bead_composer *composer;
     struct bead_frame copy;
     double u[BEADS], f[BEADS];
-    const struct bead_output *output = &w.scene->outputs[0];
+    struct bead_caption captions[] = {{1e-4, 3e-4, NAN, "F_{max}"}, {5e-4, NAN, NAN, "the last"}};
+    struct bead_output changed = w.scene->outputs[0];
+    const struct bead_output *output = &changed;
+    changed.follow = follow;
+    changed.window = 12;
+    changed.captions = captions;
+    changed.caption_count = 2;
     struct bead_composer_setup setup = {.output = output,
                                         .chains = (const struct bead_chain *const *)w.chains,
                                         .chain_count = 2,
@@ -269,6 +308,9 @@ static void test_frames_tell_their_changes(void **state)
     require(bead_composer_create(&setup, &composer, &msg), &msg);
     require(bead_composer_open(composer, &msg), &msg);
     require(bead_frame_create(640, 480, &copy, &msg), &msg);
+    struct bead_changes card = {0};
+    require(bead_composer_card(composer, &card, &msg), &msg);
+    copy_changes(&copy, bead_composer_frame(composer), &card);
     for (size_t i = 0; i < FRAMES; i++) {
         struct bead_changes changes = {0};
         struct bead_sample sample;
@@ -287,6 +329,13 @@ static void test_frames_tell_their_changes(void **state)
     free_world(&w);
 }
 
+static void test_frames_tell_their_changes(void **state)
+{
+    (void)state;
+    compare_copies(BEAD_FOLLOW_ALL);
+    compare_copies(BEAD_FOLLOW_FRONT);
+}
+
 static char *read_all(const char *path)
 {
     char *text = calloc(1, 1 << 16);
@@ -302,12 +351,17 @@ static char *read_all(const char *path)
 static char *run_with_threads(const char *directory, int threads, struct bead_grid native)
 {
     struct world w = make_world();
+    struct bead_caption captions[] = {{1e-4, NAN, NAN, "something happens"}};
     struct bead_output output = w.scene->outputs[0];
     struct bead_message msg = {""};
     struct bead_sink *sink;
     struct bead_needs needs;
     char name[] = "m.hash", result[300];
     double u[BEADS], f[BEADS];
+    output.follow = BEAD_FOLLOW_FRONT;
+    output.window = 10;
+    output.captions = captions;
+    output.caption_count = 1;
     output.path = name; /* a codec for tests; scenes may not ask for it */
     struct bead_stage stage = {.scene = w.scene,
                                .chains = (const struct bead_chain *const *)w.chains,
@@ -389,6 +443,7 @@ int main(void)
         cmocka_unit_test(test_beads_in_one_row),
         cmocka_unit_test(test_beads_as_strip),
         cmocka_unit_test(test_profile),
+        cmocka_unit_test(test_views_that_move),
         cmocka_unit_test(test_gaps_show),
         cmocka_unit_test(test_frames_tell_their_changes),
         cmocka_unit_test(test_frames_do_not_depend_on_threads),

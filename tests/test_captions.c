@@ -72,38 +72,6 @@ static void long_captions_take_two_lines(void **state)
     assert_int_equal(bead_captions_lines(&output, &look, 1280), 0);
 }
 
-/* ---- markup ---- */
-
-static void formulas(void **state)
-{
-    (void)state;
-    static const char *const pairs[][2] = {{"F_{max} = A d^{3/2}", "F<sub>max</sub> = A d<sup>3/2</sup>"},
-                                           {"\\alpha\\leq\\Omega", "\u03b1\u2264\u03a9"},
-                                           {"v_{\\mu}", "v<sub>\u03bc</sub>"},
-                                           {"<b> & \"x\"", "&lt;b&gt; &amp; \"x\""},
-                                           {"x_{<}", "x<sub>&lt;</sub>"},
-                                           {"large_steel, a^b, x_{open", "large_steel, a^b, x_{open"},
-                                           {"\\nothing \\", "\\nothing \\"},
-                                           {"\xff\xc3", "??"},
-                                           {"", ""}};
-    char out[200];
-    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
-        bead_text_formula(pairs[i][0], out, sizeof out);
-        assert_string_equal(out, pairs[i][1]);
-    }
-    for (size_t size = 1; size < 40; size++) { /* never more than there is room, never half a tag */
-        memset(out, '#', sizeof out);
-        bead_text_formula(pairs[0][0], out, size);
-        assert_true(strlen(out) < size && out[size] == '#');
-        size_t open = 0, closed = 0;
-        for (const char *c = out; *c; c++) {
-            open += *c == '<';
-            closed += *c == '>';
-        }
-        assert_true(open == closed && open % 2 == 0);
-    }
-}
-
 /* ---- movies ---- */
 
 #define SMALL "views: [beads, profile], size: [320, 180], fps: 20, duration: 1 s"
@@ -187,11 +155,8 @@ static void posters_are_frames(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(captions_come_and_go),
-        cmocka_unit_test(long_captions_stay_longer),
-        cmocka_unit_test(long_captions_take_two_lines),
-        cmocka_unit_test(formulas),
-        cmocka_unit_test(cards_come_first_and_take_their_time),
+        cmocka_unit_test(captions_come_and_go),         cmocka_unit_test(long_captions_stay_longer),
+        cmocka_unit_test(long_captions_take_two_lines), cmocka_unit_test(cards_come_first_and_take_their_time),
         cmocka_unit_test(posters_are_frames),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);

@@ -101,8 +101,10 @@ static void test_linear_ticks(void **state)
             double step = axis.ticks[t].value - axis.ticks[t - 1].value;
             assert_true(fabs(step - (axis.ticks[1].value - axis.ticks[0].value)) < 1e-6 * step);
         }
-        if (axis.count >= 2 && !is_round((axis.ticks[1].value - axis.ticks[0].value) * axis.factor))
-            fail_msg("step %g", axis.ticks[1].value - axis.ticks[0].value);
+        double step = axis.count >= 2 ? (axis.ticks[1].value - axis.ticks[0].value) * axis.factor : 1;
+        bool only_two = axis.count == 2 && (is_round(step / 3) || is_round(step / 4)); /* with no room for a round step */
+        if (!is_round(step) && !only_two)
+            fail_msg("step %g", step);
         double largest = fmax(fabs(axis.low), fabs(axis.high)) * axis.factor;
         assert_true(largest >= 0.999999 && largest < 1000.001);
         if (length > 12 * look.tick)

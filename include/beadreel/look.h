@@ -64,9 +64,6 @@ struct bead_text_watch {
 BEAD_API bool bead_text_watch(cairo_surface_t *surface, const struct bead_text_watch *watch);
 /* Plain text to markup: escapes & < >; `out` of `size` bytes; cut between characters where it is too long. */
 BEAD_API void bead_text_escape(const char *text, char *out, size_t size);
-/* The same for texts with formulas: x_{0} and x^{2} are lowered and raised, \alpha and the like are Greek letters. What is not
- * one of these stands as written. */
-BEAD_API void bead_text_formula(const char *text, char *out, size_t size);
 /* Markup of "M = 0.2" in mathematical italics. */
 BEAD_API void bead_text_magnetism(double magnetism, char *out, size_t size);
 

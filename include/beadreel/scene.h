@@ -127,6 +127,8 @@ enum bead_style { BEAD_STYLE_AUTO, BEAD_STYLE_PAPER, BEAD_STYLE_SLIDE, BEAD_STYL
 enum bead_theme { BEAD_THEME_AUTO, BEAD_THEME_LIGHT, BEAD_THEME_DARK };
 enum bead_view_kind { BEAD_VIEW_BEADS, BEAD_VIEW_PROFILE, BEAD_VIEW_SPACETIME, BEAD_VIEW_SENSORS, BEAD_VIEW_KINDS };
 
+enum bead_follow { BEAD_FOLLOW_ALL, BEAD_FOLLOW_FRONT };
+
 /* A text that a movie shows while something happens. */
 struct bead_caption {
     double at;    /* s of the motion: from when on */
@@ -173,8 +175,10 @@ struct bead_output {
     struct bead_caption *captions; /* by rising times: movie */
     size_t caption_count;
     struct bead_card card;
-    char *poster;     /* a PNG file of one frame, relative to the output directory; "": none */
-    double poster_at; /* s of the motion; NaN: where there is most to see */
+    enum bead_follow follow; /* what beads and profile show of a movie: all beads, or a window that moves with the front */
+    size_t window;           /* beads in it */
+    char *poster;            /* a PNG file of one frame, relative to the output directory; "": none */
+    double poster_at;        /* s of the motion; NaN: where there is most to see */
     struct bead_place place;
 };
 

@@ -20,6 +20,8 @@
 #include "beadreel/sample.h"
 #include "beadreel/scene.h"
 
+struct bead_camera;
+
 struct bead_view_setup {
     const struct bead_chain *chain;
     size_t chain_index;
@@ -33,9 +35,10 @@ struct bead_view_setup {
     bool time_down;   /* spacetime: time runs down and beads to the right (movies); else beads up, time to the right (papers) */
     bool time_shared; /* spacetime, sensors: no labels on the time axis; a view below has them */
     bool fill;        /* spacetime: show only what has passed, with a cursor at the present (movies) */
-    enum bead_sampling sampling; /* spacetime */
-    double magnify;              /* beads: factor on displacements, > 0 */
-    bool trust;                  /* spacetime, sensors: samples have a twin's values; mark where the two differ */
+    enum bead_sampling sampling;      /* spacetime */
+    double magnify;                   /* beads: factor on displacements, > 0 */
+    const struct bead_camera *camera; /* beads, profile: show its window; spacetime: mark it at the present. NULL: all beads */
+    bool trust;                       /* spacetime, sensors: samples have a twin's values; mark where the two differ */
 };
 
 struct bead_view; /* each type's own */
