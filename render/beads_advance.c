@@ -27,8 +27,7 @@ static double weight_of(const struct bead_view *v, double time)
 
 static void colour_bead(struct bead_view *v, size_t i, double value, double zero)
 {
-    const struct bead_scene *scene = bead_chain_scene(v->setup.chain);
-    const double *own = scene->materials[bead_chain_material(v->setup.chain)[v->first + i]].colour;
+    const double *own = bead_chain_colour(v->setup.chain, v->first + i);
     double place = between(bead_colours_place(&v->setup.colours, value), 0, 1);
     double weight = between(fabs(place - zero) / colour_full, 0, 1);
     weight = weight * weight * (3 - 2 * weight);

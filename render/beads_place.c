@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "render/along.h"
 #include "render/beads.h"
 #include "render/view_beads.h"
 
@@ -192,11 +193,11 @@ static void name_ends(struct names *names)
 static void name_numbers(struct names *names)
 {
     const struct bead_view *v = names->v;
+    const struct bead_along along = bead_chain_along(v->setup.chain, false);
     struct bead_axis axis;
-    bead_axis_make(&axis, (double)v->first - 0.5, (double)(v->first + v->count) - 0.5, "1", BEAD_SCALE_LINEAR, v->plot.width,
-                   v->look.tick, true);
+    bead_along_axis(&axis, v->setup.chain, false, v->first, v->first + v->count - 1, v->plot.width, v->look.tick, true);
     for (size_t i = 0; i < axis.count; i++) {
-        double bead = axis.ticks[i].value - (double)v->first;
+        double bead = (axis.ticks[i].value - along.first) / along.spacing - (double)v->first;
         if (bead >= 0 && bead < (double)v->count)
             add_name(names, v->area.x + bead_window_x(&v->row, v->position[(size_t)bead]), axis.ticks[i].label, BEAD_ALIGN_MIDDLE,
                      v->look.faint);

@@ -59,10 +59,11 @@ enum bead_error bead_colour_range_check(const struct bead_output *output, const 
     return BEAD_OK;
 }
 
-enum bead_error bead_colour_range_map(const struct bead_output *output, const char *file, const char *plain,
+enum bead_error bead_colour_range_map(const struct bead_output *output, const struct bead_chain *chain, const char *plain,
                                       struct bead_colormap *map, struct bead_message *msg)
 {
-    bool signs = output->field == BEAD_FIELD_VELOCITY || output->field == BEAD_FIELD_DISPLACEMENT;
+    const char *file = bead_chain_scene(chain)->file;
+    bool signs = bead_chain_signed(chain, output->field);
     bool automatic_map = !output->colormap || strcmp(output->colormap, "auto") == 0;
     struct bead_message why = {""};
     enum bead_error err = bead_colormap_load(!automatic_map ? output->colormap : signs ? "vik" : plain, map, &why);

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "beadreel/chain.h"
 #include "beadreel/colormap.h"
 #include "beadreel/scene.h"
 
@@ -19,7 +20,7 @@ BEAD_CHECK enum bead_error bead_colour_range_check(const struct bead_output *out
 
 /* The colour map asked for; "auto" (or NULL) is `plain`, and vik for fields of both signs. Errors: SCENE (with the output's place),
  * IO, FORMAT, MEMORY. */
-BEAD_CHECK enum bead_error bead_colour_range_map(const struct bead_output *output, const char *file, const char *plain,
-                                                 struct bead_colormap *map, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_colour_range_map(const struct bead_output *output, const struct bead_chain *chain,
+                                                 const char *plain, struct bead_colormap *map, struct bead_message *msg);
 
 #endif

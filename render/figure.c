@@ -172,7 +172,7 @@ static void choose_grid(struct bead_figure *f)
 static void explain(struct bead_figure *f)
 {
     char pixel[64];
-    bead_quantity((f->time[1] - f->time[0]) / time_pixels(f), "s", 3, pixel, sizeof pixel);
+    bead_quantity((f->time[1] - f->time[0]) / time_pixels(f), bead_chain_time_unit(f->stage.chains[0]), 3, pixel, sizeof pixel);
     if (f->collects)
         snprintf(f->why, sizeof f->why, "%d x %d pixels, %s each along time", f->page.width, f->page.height, pixel);
     else
@@ -182,14 +182,14 @@ static void explain(struct bead_figure *f)
 static enum bead_error prepare(struct bead_figure *f, const enum bead_view_kind *views, struct bead_message *msg)
 {
     const struct bead_output *output = f->output;
-    bool is_signed = output->field == BEAD_FIELD_VELOCITY || output->field == BEAD_FIELD_DISPLACEMENT;
+    bool is_signed = bead_chain_signed(f->stage.chains[0], output->field);
     enum bead_error err = bead_page_find(output, f->stage.scene->file, &f->page, msg);
     if (!err)
         err = bead_colour_range_check(output, f->stage.scene->file, msg);
     if (!err)
         err = find_times(f, msg);
     if (!err)
-        err = bead_colour_range_map(output, f->stage.scene->file, "viridis", &f->map, msg);
+        err = bead_colour_range_map(output, f->stage.chains[0], "viridis", &f->map, msg);
     if (err)
         return err;
     bead_page_look(&f->page, output, &f->look);

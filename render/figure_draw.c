@@ -145,17 +145,17 @@ bool bead_figure_heading(const struct bead_figure *f, const struct bead_cell *ce
 }
 
 /* No more digits than the time needs, five at most. */
-static void time_words(double time, char *text, size_t size)
+static void time_words(double time, const char *unit, char *text, size_t size)
 {
-    int exponent = bead_prefix_exponent(time, "s"), digits = 1;
+    int exponent = bead_prefix_exponent(time, unit), digits = 1;
     double shown = time / bead_power_of_ten(exponent);
     int whole = shown >= 100 ? 3 : shown >= 10 ? 2 : 1;
     for (digits = whole; digits < whole + 3; digits++) {
-        double unit = bead_power_of_ten(digits - whole);
-        if (fabs(round(shown * unit) / unit - shown) < 1e-6 * shown)
+        double part = bead_power_of_ten(digits - whole);
+        if (fabs(round(shown * part) / part - shown) < 1e-6 * shown)
             break;
     }
-    bead_quantity(time, "s", digits, text, size);
+    bead_quantity(time, unit, digits, text, size);
 }
 
 /* "t = 1.64 ms, displacements x 60": what beads and profiles are drawn with. */
@@ -165,7 +165,7 @@ static void moment_words(const struct bead_figure *f, char *markup, size_t size)
     markup[0] = '\0';
     if (!f->stills)
         return;
-    time_words(f->at, time, sizeof time);
+    time_words(f->at, bead_chain_time_unit(f->stage.chains[0]), time, sizeof time);
     snprintf(markup, size, "<span face=\"%s\"><i>t</i></span> = %s", f->page.paper ? "STIX" : f->look.family, time);
     for (size_t v = 0; v < f->view_count; v++) {
         const struct bead_panel *panel = &f->cells[0].panel[v];
@@ -203,7 +203,7 @@ bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
 /* Up to when the two runs of a cell's chain agree. */
 static void draw_trust(const struct bead_figure *f, const struct bead_cell *cell, cairo_t *cr)
 {
-    struct bead_trust trust = bead_trust_make(f->stage.scene, f->stage.twin);
+    struct bead_trust trust = bead_trust_make(f->stage.chains[0], f->stage.twin);
     trust.from = f->time[0];
     trust.until = cell->horizon;
     trust.bold = !f->page.paper;
@@ -212,7 +212,7 @@ static void draw_trust(const struct bead_figure *f, const struct bead_cell *cell
 
 void bead_figure_bar_title(const struct bead_figure *f, char *title, size_t size)
 {
-    const char *name = bead_field_info(f->output->field)->title;
+    const char *name = bead_chain_field(f->stage.chains[0], f->output->field)->title;
     bool largest = false;
     for (size_t v = 0; v < f->view_count; v++)
         largest = largest || f->cells[0].panel[v].type->kind == BEAD_VIEW_SPACETIME;
@@ -225,7 +225,7 @@ static void draw_bar(const struct bead_figure *f, cairo_t *cr)
 {
     struct bead_rect bar = f->bar;
     int point = (int)ceil(0.9 * bar.width);
-    const struct bead_field_info *field = bead_field_info(f->output->field);
+    const struct bead_field_info *field = bead_chain_field(f->stage.chains[0], f->output->field);
     bar.y += f->range.over ? point : 0;
     bar.height -= (f->range.over + f->range.under) * point;
     char title[64];

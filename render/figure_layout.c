@@ -118,7 +118,7 @@ static enum bead_error make_plan(const struct bead_figure *f, struct plan *plan,
 static double bar_labels(const struct bead_figure *f, int height)
 {
     struct bead_rect bar = {0, 0, (int)(bar_width * f->look.label), height};
-    const struct bead_field_info *field = bead_field_info(f->output->field);
+    const struct bead_field_info *field = bead_chain_field(f->stage.chains[0], f->output->field);
     struct bead_colours colours = f->colours;
     double widest = 0;
     char title[64];

@@ -99,7 +99,7 @@ static enum bead_error create_bare(struct bead_sink *sink, struct bead_message *
     if (!err)
         err = bead_colour_range_check(output, sink->stage.scene->file, msg);
     if (!err)
-        err = bead_colour_range_map(output, sink->stage.scene->file, "viridis", &b->map, msg);
+        err = bead_colour_range_map(output, sink->stage.chains[0], "viridis", &b->map, msg);
     if (!err)
         err = make_areas(sink, time, msg);
     if (err)

@@ -40,11 +40,16 @@ static void draw_plain(struct card *c, const char *plain, double size, bool bold
 static void say_slowness(const struct bead_facts *facts, char *out, size_t size)
 {
     char factor[64], motion[48], film[48];
+    const char *second = bead_chain_time_unit(facts->chains[0]);
     bool slower = facts->slowed >= 1;
     double unit = pow(10, floor(log10(5 / facts->slowed))); /* takes from 0.5 to 5 s */
     bead_round_number(slower ? facts->slowed : 1 / facts->slowed, factor, sizeof factor);
-    bead_quantity(unit, "s", 1, motion, sizeof motion);
+    bead_quantity(unit, second, 1, motion, sizeof motion);
     bead_quantity(unit * facts->slowed, "s", 2, film, sizeof film);
+    if (!*second) {
+        snprintf(out, size, "A time of %s takes %s", motion, film);
+        return;
+    }
     snprintf(out, size, "Shown %s times %s: %s takes %s", factor, slower ? "slower" : "faster", motion, film);
 }
 

@@ -1,3 +1,4 @@
+#include "render/along.h"
 #include "render/movie_composer.h"
 
 #include <math.h>
@@ -76,30 +77,40 @@ static double reach(const struct bead_look *look, double low, double high, const
     return bead_axis_draw(NULL, look, &axis, plot, side, false, true, title);
 }
 
+static double reach_along(const struct bead_composer *c, size_t chain, size_t last, double length, enum bead_side side)
+{
+    struct bead_axis axis;
+    struct bead_rect plot = {0, 0, (int)length, (int)length};
+    const struct bead_chain *own = c->setup.chains[chain];
+    const char *title = bead_along_axis(&axis, own, false, 0, last, length, c->look.tick, side == BEAD_SIDE_BOTTOM);
+    return bead_axis_draw(NULL, &c->look, &axis, plot, side, false, true, title);
+}
+
 /* How far axes will reach out of plots of about the size they will have. */
 static void measure_axes(struct bead_composer *c)
 {
     struct bead_movie_wants *w = &c->wants;
     const struct bead_look *look = &c->look;
-    const struct bead_field_info *field = bead_field_info(c->setup.output->field);
+    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->field);
+    const char *unit = bead_chain_time_unit(c->setup.chains[0]);
     double length = fmax(40, 0.12 * w->height), most = 1;
     w->same_beads = true;
     for (size_t i = 0; i < w->chain_count; i++) {
         struct bead_span span = span_of(c, i), first = span_of(c, 0);
         w->same_beads = w->same_beads && span.first == first.first && span.last == first.last;
         most = fmax(most, (double)span.last);
+        w->left = fmax(w->left, reach_along(c, i, span.last, length, BEAD_SIDE_LEFT));
+        w->below_beads = fmax(w->below_beads, reach_along(c, i, span.last, 8 * length, BEAD_SIDE_BOTTOM));
     }
     const double *range = c->setup.range, *time = c->setup.time;
-    w->left = fmax(reach(look, range[0], range[1], field->unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, field->title),
-                   reach(look, time[0], time[1], "s", BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, "time"));
-    w->left = fmax(w->left, reach(look, 0, most, "", BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, "bead"));
-    w->below_beads = reach(look, 0, most, "", BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, "bead");
-    w->below_moving = reach(look, 0, most, "", BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, NULL);
+    w->left = fmax(w->left, reach(look, range[0], range[1], field->unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, field->title));
+    w->left = fmax(w->left, reach(look, time[0], time[1], unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, "time"));
+    w->below_moving = reach(look, 0, most, "1", BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, NULL);
     for (size_t i = 0; w->follow && i < w->chain_count; i++) {
         double radius, spacing = bead_chain_spacing(c->setup.chains[i], beads_of(c, i), &radius);
         w->bead_height = fmax(w->bead_height, 0.9 * w->width * 2 * radius / (spacing * (double)c->setup.output->window));
     }
-    w->below_time = reach(look, time[0], time[1], "s", BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, "time");
+    w->below_time = reach(look, time[0], time[1], unit, BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, "time");
     struct bead_rect bar = {0, 0, 20, (int)(4 * length)};
     w->bar = bead_colour_bar_draw(NULL, look, &c->colours, field->unit, field->title, bar, false, false);
     char text[256];
@@ -202,11 +213,11 @@ static enum bead_error fill(struct bead_composer *c, struct bead_message *msg)
 {
     const struct bead_output *output = c->setup.output;
     bead_look_screen(&c->look, c->setup.width, c->setup.height, output->theme != BEAD_THEME_LIGHT);
-    enum bead_error err = bead_colour_range_map(output, bead_chain_scene(c->setup.chains[0])->file, "inferno", &c->map, msg);
+    enum bead_error err = bead_colour_range_map(output, c->setup.chains[0], "inferno", &c->map, msg);
     if (err)
         return err;
     c->colours = (struct bead_colours){&c->map, output->scale, c->setup.range[0], c->setup.range[1]};
-    c->clock = bead_clock_make(c->setup.time[1], c->setup.step);
+    c->clock = bead_clock_make(c->setup.time[1], c->setup.step, bead_chain_time_unit(c->setup.chains[0]));
     double span = c->setup.time[1] - c->setup.time[0];
     c->slowed = span > 0 ? output->duration / span : 1;
     c->caption = SIZE_MAX;

@@ -11,7 +11,7 @@
 
 void bead_overlay_draw_bar(struct bead_composer *c, cairo_t *cr)
 {
-    const struct bead_field_info *field = bead_field_info(c->setup.output->field);
+    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->field);
     if (c->layout.bar.width > 0)
         bead_colour_bar_draw(cr, &c->look, &c->colours, field->unit, field->title, c->layout.bar, c->bar_over, c->bar_under);
 }
@@ -64,7 +64,7 @@ void bead_overlay_time(struct bead_composer *c, double time, struct bead_changes
 /* Whose horizon is the earliest, of what has been drawn. */
 static struct bead_trust find_trust(const struct bead_composer *c)
 {
-    struct bead_trust trust = bead_trust_make(c->setup.scene, c->setup.twin);
+    struct bead_trust trust = bead_trust_make(c->setup.chains[0], c->setup.twin);
     trust.from = c->setup.time[0];
     trust.bold = true;
     for (size_t i = 0; i < c->wants.chain_count * c->wants.view_count; i++) {

@@ -8,16 +8,16 @@
 #define FIGURE_SPACE "\u2007"
 #define ELLIPSIS     "\u2026"
 
-struct bead_clock bead_clock_make(double end, double step)
+struct bead_clock bead_clock_make(double end, double step, const char *unit)
 {
     static const struct {
         double unit;
         const char *sign;
     } units[] = {{1, "s"}, {1e-3, "ms"}, {1e-6, "\u00b5s"}, {1e-9, "ns"}};
     size_t u = 0;
-    while (u < 3 && !(end >= 0.0995 * units[u].unit))
+    while (*unit && u < 3 && !(end >= 0.0995 * units[u].unit))
         u++;
-    struct bead_clock clock = {units[u].unit, units[u].sign, 1, 0};
+    struct bead_clock clock = {units[u].unit, *unit ? units[u].sign : "", 1, 0};
     double most = fabs(end) / clock.unit, small = step / clock.unit;
     clock.digits = most >= 1 ? 1 + (int)fmin(9, floor(log10(most + 1e-9))) : 1;
     clock.decimals = small > 0 ? (int)fmax(0, fmin(4, ceil(-log10(small) - 1e-9))) : 0;
@@ -104,6 +104,14 @@ void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size)
     char name[160], other[160], speed[40];
     bool same_beads = true, same_speed = true;
     out[0] = '\0';
+    if (bead_chain_spec(facts->chains[0])->equation.name) {
+        bead_chain_describe(facts->chains[0], out, size);
+        for (size_t c = 1; c < facts->chain_count; c++) { /* of one equation only */
+            bead_chain_describe(facts->chains[c], other, sizeof other);
+            out[0] = strcmp(out, other) == 0 ? out[0] : '\0';
+        }
+        return;
+    }
     name_beads(facts->chains[0], name, sizeof name);
     double velocity = bead_chain_spec(facts->chains[0])->striker_velocity;
     for (size_t c = 1; c < facts->chain_count; c++) {
@@ -130,8 +138,12 @@ static size_t gather(const struct bead_facts *facts, char text[MOST_FACTS][256])
     char number[64];
     size_t count = 0;
     bool slower = facts->slowed >= 1;
-    bead_round_number(slower ? facts->slowed : 1 / facts->slowed, number, sizeof number);
-    snprintf(text[count++], 256, "%s %s \u00d7", slower ? "slowed" : "sped up", number);
+    bool plain = !*bead_chain_time_unit(facts->chains[0]); /* times that are not seconds pass, but neither slower nor faster */
+    bead_round_number(slower && !plain ? facts->slowed : 1 / facts->slowed, number, sizeof number);
+    if (plain)
+        snprintf(text[count++], 256, "a time of %s in 1 s", number);
+    else
+        snprintf(text[count++], 256, "%s %s \u00d7", slower ? "slowed" : "sped up", number);
     if (facts->magnify > 0) {
         bead_round_number(facts->magnify, number, sizeof number);
         snprintf(text[count++], 256, "displacements \u00d7 %s", number);

@@ -17,7 +17,7 @@ struct bead_clock {
 };
 
 /* For times up to `end`, `step` apart, s. */
-struct bead_clock bead_clock_make(double end, double step);
+struct bead_clock bead_clock_make(double end, double step, const char *unit);
 /* Markup of "t = 1.640 ms", padded to constant width. */
 void bead_clock_text(const struct bead_clock *clock, double time, const struct bead_look *look, char *out, size_t size);
 struct bead_text_style bead_clock_style(const struct bead_look *look);

@@ -64,10 +64,13 @@ void bead_page_notes(const struct bead_page *page, const struct bead_output *out
                      char *description, size_t size, struct bead_picture_notes *notes)
 {
     bool sensors = output->kind == BEAD_OUTPUT_PLOT;
-    snprintf(description, size, "%s in %zu chain%s of beads",
-             sensors ? (output->show == BEAD_SHOW_PEAKS ? "peak force of contacts" : "force of sensors")
-                     : bead_field_info(output->field)->title,
-             scene->chain_count, scene->chain_count == 1 ? "" : "s");
+    const char *equation = scene->chains[0].equation.name;
+    const char *what = sensors ? (output->show == BEAD_SHOW_PEAKS ? "peak force of contacts" : "force of sensors")
+                               : bead_field_info(output->field)->title;
+    if (equation)
+        snprintf(description, size, "%s of the equation %s", sensors ? "numbers" : what, equation);
+    else
+        snprintf(description, size, "%s in %zu chain%s of beads", what, scene->chain_count, scene->chain_count == 1 ? "" : "s");
     *notes = (struct bead_picture_notes){.dpi = page->dpi,
                                          .title = scene->title,
                                          .description = description,

@@ -10,20 +10,25 @@
 /* In units of the label's size: the piece of line before the words. */
 static const double key_length = 1.6, key_gap = 0.5;
 
-struct bead_trust bead_trust_make(const struct bead_scene *scene, double twin)
+struct bead_trust bead_trust_make(const struct bead_chain *chain, double twin)
 {
-    const struct bead_simulate *asked = &scene->simulate;
+    const struct bead_simulate *asked = &bead_chain_scene(chain)->simulate;
     bool steps = asked->step > 0;
     double first = steps ? asked->step : asked->accuracy;
-    return (struct bead_trust){.until = INFINITY, .chain = "", .steps = steps, .first = first, .second = twin * first};
+    return (struct bead_trust){.until = INFINITY,
+                               .chain = "",
+                               .steps = steps,
+                               .first = first,
+                               .second = twin * first,
+                               .unit = bead_chain_time_unit(chain)};
 }
 
 /* Three digits, and never more than it is. */
-static void time_words(double time, char *text, size_t size)
+static void time_words(double time, const char *unit, char *text, size_t size)
 {
-    double shown = time / bead_power_of_ten(bead_prefix_exponent(time, "s"));
+    double shown = time / bead_power_of_ten(bead_prefix_exponent(time, unit));
     double digit = bead_power_of_ten(shown >= 100 ? 0 : shown >= 10 ? -1 : -2);
-    bead_quantity(time > 0 ? floor(shown / digit * (1 + 1e-12)) * digit * (time / shown) : 0, "s", 3, text, size);
+    bead_quantity(time > 0 ? floor(shown / digit * (1 + 1e-12)) * digit * (time / shown) : 0, unit, 3, text, size);
 }
 
 /* "1e-5" */
@@ -38,8 +43,8 @@ static void runs_words(const struct bead_trust *trust, char *text, size_t size)
 {
     char first[64] = "", second[64] = "";
     if (trust->steps) {
-        bead_quantity(trust->first, "s", 3, first, sizeof first);
-        bead_quantity(trust->second, "s", 3, second, sizeof second);
+        bead_quantity(trust->first, trust->unit, 3, first, sizeof first);
+        bead_quantity(trust->second, trust->unit, 3, second, sizeof second);
     } else {
         accuracy_words(trust->first, first, sizeof first);
         accuracy_words(trust->second, second, sizeof second);
@@ -66,7 +71,7 @@ static void say(const struct bead_trust *trust, int shorter, char *markup, size_
     const char *const *rest = throughout ? nowhere : never ? at_once : beyond, *at = strstr(rest[shorter], "%s");
     int before = at ? (int)(at - rest[shorter]) : 0;
     if (!throughout && !never)
-        time_words(trust->until, time, sizeof time);
+        time_words(trust->until, trust->unit, time, sizeof time);
     runs_words(trust, runs, sizeof runs);
     bead_text_escape(trust->chain, name, sizeof name);
     if (*name)

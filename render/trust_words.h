@@ -16,10 +16,11 @@ struct bead_trust {
     bool bold;            /* what matters most */
     bool steps;           /* the runs differ by their steps, not their accuracy */
     double first, second; /* s, or relative */
+    const char *unit;     /* of times */
 };
 
 /* The two runs of a scene. */
-struct bead_trust bead_trust_make(const struct bead_scene *scene, double twin);
+struct bead_trust bead_trust_make(const struct bead_chain *chain, double twin);
 /* As much of it as has room in `rect`, beginning at its left or ending at its right. */
 void bead_trust_draw(cairo_t *cr, const struct bead_look *look, const struct bead_trust *trust, struct bead_rect rect, bool right);
 

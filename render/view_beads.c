@@ -93,7 +93,7 @@ static void measure(struct bead_view *v)
         v->ends[1] = fmax(v->ends[1], v->position[i] + v->radius[i]);
     }
     v->compression = bead_compression_scale(chain);
-    v->striker = v->first == 0;
+    v->striker = v->first == 0 && !bead_chain_spec(chain)->equation.name;
     v->wall = last + 1 == beads && bead_chain_spec(chain)->wall != BEAD_WALL_NONE;
     v->newest = 0;
 }

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/along.h"
 #include "render/camera.h"
 #include "render/moving_labels.h"
 #include "render/profile_scan.h"
@@ -86,7 +87,8 @@ static void make_axis(struct bead_view *v)
         high += air;
         low -= low < 0 ? air : 0;
     }
-    bead_axis_make(&v->axis, low, high, bead_field_info(v->setup.field)->unit, scale, v->plot.height, v->look.tick, false);
+    bead_axis_make(&v->axis, low, high, bead_chain_field(v->setup.chain, v->setup.field)->unit, scale, v->plot.height, v->look.tick,
+                   false);
     v->base = scale == BEAD_SCALE_LOG ? low : fmin(high, fmax(low, 0));
 }
 
@@ -173,16 +175,16 @@ static enum bead_error profile_decorate(struct bead_view *v, cairo_t *cr, struct
     cairo_fill(cr);
     if (!v->setup.axes)
         return BEAD_OK;
-    const struct bead_field_info *field = bead_field_info(v->setup.field);
+    const struct bead_field_info *field = bead_chain_field(v->setup.chain, v->setup.field);
     const char *title = strrchr(field->title, ' '); /* short: "force" for "bead force" */
     bead_axis_draw(cr, look, &v->axis, v->plot, BEAD_SIDE_LEFT, false, true, title ? title + 1 : field->title);
     if (v->setup.bead_labels && v->setup.camera)
         return move_labels(v, cr, msg);
     if (v->setup.bead_labels) {
         struct bead_axis beads;
-        bead_axis_make(&beads, (double)v->first - 0.5, (double)(v->first + v->count) - 0.5, "1", BEAD_SCALE_LINEAR, v->plot.width,
-                       look->tick, true);
-        bead_axis_draw(cr, look, &beads, v->plot, BEAD_SIDE_BOTTOM, false, true, field->of_contacts ? "contact" : "bead");
+        const char *name = bead_along_axis(&beads, v->setup.chain, field->of_contacts, v->first, v->first + v->count - 1,
+                                           v->plot.width, look->tick, true);
+        bead_axis_draw(cr, look, &beads, v->plot, BEAD_SIDE_BOTTOM, false, true, name);
     }
     return BEAD_OK;
 }

@@ -3,6 +3,7 @@
  * Which way it lies: in papers and stills time runs to the right and beads go up; in movies (time_down) time runs down and beads
  * go to the right, below the beads themselves. With `fill` only what has passed is shown, with a line at the present. */
 #include "render/view_spacetime.h"
+#include "render/along.h"
 
 #include <limits.h>
 #include <math.h>
@@ -98,10 +99,10 @@ static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_me
     if (!s->axes)
         return BEAD_OK;
     struct bead_axis time, beads;
-    const char *name = bead_field_info(s->field)->of_contacts ? "contact" : "bead";
-    bead_axis_make(&time, s->time[0], s->time[1], "s", BEAD_SCALE_LINEAR, v->along, v->look.tick, !s->time_down);
-    bead_axis_make(&beads, (double)s->beads.first - 0.5, (double)s->beads.last + 0.5, "1", BEAD_SCALE_LINEAR, v->across,
-                   v->look.tick, s->time_down);
+    const char *unit = bead_chain_time_unit(s->chain);
+    bead_axis_make(&time, s->time[0], s->time[1], unit, BEAD_SCALE_LINEAR, v->along, v->look.tick, !s->time_down);
+    const char *name = bead_along_axis(&beads, s->chain, bead_field_info(s->field)->of_contacts, s->beads.first, s->beads.last,
+                                       v->across, v->look.tick, s->time_down);
     enum bead_side time_side = s->time_down ? BEAD_SIDE_LEFT : BEAD_SIDE_BOTTOM;
     enum bead_side bead_side = s->time_down ? BEAD_SIDE_BOTTOM : BEAD_SIDE_LEFT;
     if (!v->look.dark)

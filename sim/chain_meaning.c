@@ -1,4 +1,6 @@
 /* What the numbers of a chain mean: fields, times and places, of beads and of equations. */
+#include <stdio.h>
+
 #include "sim/chain_data.h"
 #include "sim/equation.h"
 #include "sim/scene_private.h"
@@ -35,6 +37,37 @@ const struct bead_field_info *bead_chain_field(const struct bead_chain *chain, e
     if (!(bead_chain_fields(chain) & BEAD_FIELD_BIT(field)))
         return NULL;
     return chain->equation ? chain->equation->field(&chain->spec->equation, field) : bead_field_info(field);
+}
+
+/* Pulses and solitons have the sign of their amplitude as long as they keep together. */
+static bool one_sided(const struct bead_equation_spec *spec, enum bead_field field)
+{
+    const struct bead_equation *equation = bead_equation_find(spec->name);
+    bool unknown = equation->fields ? field == BEAD_FIELD_STRAIN : field == spec->variable;
+    bool positive = spec->start == BEAD_START_SOLITONS || (spec->start == BEAD_START_PULSE && spec->amplitude > 0);
+    return field == BEAD_FIELD_ENERGY || (unknown && positive);
+}
+
+bool bead_chain_signed(const struct bead_chain *chain, enum bead_field field)
+{
+    if (chain->equation)
+        return !one_sided(&chain->spec->equation, field);
+    return field == BEAD_FIELD_VELOCITY || field == BEAD_FIELD_DISPLACEMENT;
+}
+
+const double *bead_chain_colour(const struct bead_chain *chain, size_t bead)
+{
+    static const double grey[] = {0.62, 0.67, 0.74};
+    return chain->equation ? grey : chain->scene->materials[chain->material[bead]].colour;
+}
+
+void bead_chain_describe(const struct bead_chain *chain, char *text, size_t size)
+{
+    text[0] = 0;
+    if (chain->equation && chain->equation->describe)
+        chain->equation->describe(&chain->spec->equation, text, size);
+    else if (chain->equation)
+        snprintf(text, size, "%s", chain->equation->name);
 }
 
 const char *bead_chain_time_unit(const struct bead_chain *chain)

@@ -45,6 +45,8 @@ struct bead_equation {
     const struct bead_field_info *(*field)(const struct bead_equation_spec *spec, enum bead_field field);
     /* Everything that does not fit together in the settings, and the key it is about; NULL: nothing is wrong. */
     const char *(*check)(const struct bead_equation_spec *spec, const char **key);
+    /* Its formula with its numbers, in a line of plain text; NULL: the name says it. */
+    void (*describe)(const struct bead_equation_spec *spec, char *text, size_t size);
     /* Number of points for this accuracy (the same for twin runs of another accuracy), and the first of them and their spacing. */
     size_t (*points)(const struct bead_equation_spec *spec, double accuracy);
     void (*places)(const struct bead_equation_spec *spec, size_t points, double *first, double *spacing);

@@ -65,6 +65,16 @@ static const char *check(const struct bead_equation_spec *spec, const char **key
     return NULL;
 }
 
+static void describe(const struct bead_equation_spec *spec, char *text, size_t size)
+{
+    char alpha[48] = "", beta[48] = "";
+    if (spec->alpha != 0)
+        snprintf(alpha, sizeof alpha, " %s %.4g r\u00b2", spec->alpha < 0 ? "\u2212" : "+", fabs(spec->alpha));
+    if (spec->beta != 0)
+        snprintf(beta, sizeof beta, " %s %.4g r\u00b3", spec->beta < 0 ? "\u2212" : "+", fabs(spec->beta));
+    snprintf(text, size, "%zu masses, tension r%s%s", spec->points, alpha, beta);
+}
+
 static size_t points(const struct bead_equation_spec *spec, double accuracy)
 {
     (void)accuracy;
@@ -422,6 +432,7 @@ const struct bead_equation bead_equation_fput = {
     .beads = true,
     .field = field,
     .check = check,
+    .describe = describe,
     .points = points,
     .places = places,
     .create = create,

@@ -73,13 +73,17 @@ static enum bead_error check_times(const struct bead_reader *reader, const struc
 {
     struct bead_at where = bead_at_key(at, "time");
     double until = reader->scene->simulate.until;
+    const char *unit = bead_scene_plain(reader->scene) ? "" : " s";
     if (output->time[0] >= output->time[1])
-        return bead_wrong(reader, &where, "is [%g, %g] s; the first must be before the second", output->time[0], output->time[1]);
+        return bead_wrong(reader, &where, "is [%g, %g]%s; the first must be before the second", output->time[0], output->time[1],
+                          unit);
     if (output->time[0] >= until)
-        return bead_wrong(reader, &where, "begins at %g s; must begin before the run ends at %g s", output->time[0], until);
+        return bead_wrong(reader, &where, "begins at %g%s; must begin before the run ends at %g%s", output->time[0], unit, until,
+                          unit);
     where = bead_at_key(at, "at");
     if (output->at > until)
-        return bead_wrong(reader, &where, "is %g s; must not be later than the end of the run at %g s", output->at, until);
+        return bead_wrong(reader, &where, "is %g%s; must not be later than the end of the run at %g%s", output->at, unit, until,
+                          unit);
     return BEAD_OK;
 }
 
@@ -153,6 +157,9 @@ static enum bead_error check_equations(const struct bead_reader *reader, const s
     bool shows = output->kind == BEAD_OUTPUT_TABLE || output->kind == BEAD_OUTPUT_PLOT;
     if (bead_scene_plain(reader->scene) && shows && (output->show == BEAD_SHOW_PEAKS || output->show == BEAD_SHOW_BEAD_PEAKS))
         return bead_wrong(reader, &where, "peaks are those of contacts between beads, which equations do not have");
+    where = bead_at_key(at, "follow");
+    if (bead_scene_plain(reader->scene) && output->kind == BEAD_OUTPUT_MOVIE && output->follow == BEAD_FOLLOW_FRONT)
+        return bead_wrong(reader, &where, "is set, but there is no front of a wave in a chain at rest that could be followed");
     where = bead_at_key(at, "views");
     for (size_t i = 0; i < output->view_count; i++) {
         if (output->views[i] == BEAD_VIEW_BEADS && !has_beads(reader->scene))

@@ -53,6 +53,13 @@ BEAD_API const struct bead_field_info *bead_chain_field(const struct bead_chain 
 BEAD_API unsigned bead_chain_fields(const struct bead_chain *chain);       /* BEAD_FIELD_BITs of those it has */
 BEAD_API const char *bead_chain_time_unit(const struct bead_chain *chain); /* "s"; "" where times have no unit */
 
+/* May its values have either sign: is a colour map for both wanted? */
+BEAD_API bool bead_chain_signed(const struct bead_chain *chain, enum bead_field field);
+/* Colour of a bead, sRGB 0..1 [3]. */
+BEAD_API const double *bead_chain_colour(const struct bead_chain *chain, size_t bead);
+/* What moves, in a few words: of equations their formula, of beads "". */
+BEAD_API void bead_chain_describe(const struct bead_chain *chain, char *text, size_t size);
+
 /* The axis along a chain: value i of a field stands at first + i * spacing. */
 struct bead_along {
     const char *title; /* "bead", "contact", or "x" */
