@@ -18,7 +18,7 @@ MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 endif
 
 # Debian 12 packages: to build, to build and run the tests, and what .ci/run uses beyond those.
-BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libpng-dev \
+BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libfftw3-dev libpng-dev \
              libosmesa6-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri libavformat-dev libavcodec-dev libavutil-dev libcairo2-dev libpango1.0-dev fonts-stix fonts-lato
 TEST_DEPS  = libcmocka-dev binutils hdf5-tools
 CI_DEPS    = clang-format cppcheck shellcheck ffmpeg poppler-utils man-db
@@ -27,7 +27,7 @@ CI_DEPS    = clang-format cppcheck shellcheck ffmpeg poppler-utils man-db
 once              = $(eval $(1) := $(2))$($(1))
 # Plain `hdf5` may be a build for MPI, where one is installed beside the serial one.
 hdf5              = $(call once,hdf5,$(shell pkg-config --exists hdf5-serial 2>/dev/null && echo hdf5-serial || echo hdf5))
-SIM_PACKAGES      = $(hdf5) yaml-0.1 udunits
+SIM_PACKAGES      = $(hdf5) yaml-0.1 udunits fftw3
 # Opened at run time where they are, linked by nothing; only their headers are needed.
 OPENED_PACKAGES   = osmesa egl
 RENDER_PACKAGES   = libpng libavformat libavcodec libavutil cairo pangocairo

@@ -75,6 +75,7 @@ struct bead_equation {
 };
 
 extern const struct bead_equation bead_equation_fput;
+extern const struct bead_equation bead_equation_kdv;
 
 /* NULL: there is no such equation. */
 const struct bead_equation *bead_equation_find(const char *name);

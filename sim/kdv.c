@@ -1,0 +1,153 @@
+/* The equation `kdv`: what its settings mean, what is watched on the way and measured at the end. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/equation.h"
+#include "sim/kdv_measures.h"
+#include "sim/kdv_solver.h"
+#include "sim/kdv_start.h"
+
+struct bead_motion {
+    struct bead_kdv kdv;
+    struct bead_kdv_watch watch;
+};
+
+/* Any field may stand for the unknown: that of the scene's `variable`. */
+static const enum bead_field fields[] = {BEAD_FIELD_DISPLACEMENT, BEAD_FIELD_COUNT};
+
+static const struct bead_field_info *field(const struct bead_equation_spec *spec, enum bead_field field)
+{
+    static const struct bead_field_info info = {"displacement", "", "u", 0};
+    (void)spec, (void)field;
+    return &info;
+}
+
+static const char *check(const struct bead_equation_spec *spec, const char **key)
+{
+    *key = "dispersion";
+    if (spec->dispersion == 0 && spec->nonlinearity != 0)
+        return "must not be 0 beside a nonlinearity: the wave would break";
+    if (spec->start != BEAD_START_SOLITONS)
+        return NULL;
+    if (!(spec->dispersion > 0))
+        return "must be above 0 for solitons of these speeds";
+    *key = "nonlinearity";
+    if (spec->nonlinearity == 0)
+        return "must not be 0 for solitons";
+    *key = "start";
+    for (size_t i = 0; i < spec->soliton_count; i++) {
+        if (!(spec->solitons[i].at >= spec->low && spec->solitons[i].at < spec->low + spec->length))
+            return "has a soliton outside the domain: must be low <= at < low + length";
+    }
+    return NULL;
+}
+
+static void places(const struct bead_equation_spec *spec, size_t points, double *first, double *spacing)
+{
+    *first = spec->low;
+    *spacing = spec->length / (double)points;
+}
+
+static void destroy(struct bead_motion *m)
+{
+    if (!m)
+        return;
+    bead_kdv_destroy(&m->kdv);
+    free(m);
+}
+
+static enum bead_error create(const struct bead_motion_settings *settings, struct bead_motion **motion, struct bead_message *msg)
+{
+    struct bead_motion *m = calloc(1, sizeof *m);
+    *motion = NULL;
+    if (!m)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an equation");
+    enum bead_error err = bead_kdv_create(settings, &m->kdv, msg);
+    if (err) {
+        free(m);
+        return err;
+    }
+    bead_kdv_watch_begin(&m->watch, &m->kdv);
+    *motion = m;
+    return BEAD_OK;
+}
+
+/* A quarter of the time in which the fastest wave of the largest height passes over the narrowest feature. */
+static void pace(const struct bead_motion *m, struct bead_pace *pace)
+{
+    const struct bead_equation_spec *spec = m->kdv.spec;
+    double sharp = fmax(bead_kdv_sharpest(spec), 2 * 3.14 / spec->length),
+           speed = fabs(spec->nonlinearity) * bead_kdv_highest(spec);
+    speed += fabs(spec->drift) + fabs(spec->dispersion) * sharp * sharp;
+    *pace = (struct bead_pace){"etdrk4", m->kdv.h, 0.25 / (sharp * speed), !m->kdv.fixed};
+}
+
+static double time_of(const struct bead_motion *m)
+{
+    return m->kdv.end.t;
+}
+
+static enum bead_error step(struct bead_motion *m, struct bead_message *msg)
+{
+    enum bead_error err = bead_kdv_step(&m->kdv, msg);
+    if (!err)
+        bead_kdv_watch_step(&m->watch, &m->kdv);
+    return err;
+}
+
+static enum bead_error sample(struct bead_motion *m, double t, unsigned wanted, double *const value[BEAD_FIELD_COUNT],
+                              struct bead_message *msg)
+{
+    (void)msg;
+    if (!(wanted & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT)))
+        return BEAD_OK;
+    bead_kdv_values(&m->kdv, t);
+    memcpy(value[BEAD_FIELD_DISPLACEMENT], m->kdv.spectral.grid, m->kdv.spectral.points * sizeof(double));
+    return BEAD_OK;
+}
+
+static uint64_t evaluations(const struct bead_motion *m)
+{
+    return m->kdv.evaluations * m->kdv.spectral.points;
+}
+
+static const double *state(const struct bead_motion *m, size_t *count)
+{
+    *count = 2 * (m->kdv.spectral.modes + 1);
+    return &m->kdv.end.u[0].re;
+}
+
+static double energy(const struct bead_motion *m)
+{
+    struct bead_kdv_integrals now;
+    bead_kdv_integrals(&m->kdv, &now);
+    return now.momentum;
+}
+
+static size_t measures(const struct bead_motion *m, struct bead_measure *to, size_t room)
+{
+    return bead_kdv_measures(&m->watch, &m->kdv, to, room);
+}
+
+const struct bead_equation bead_equation_kdv = {
+    .name = "kdv",
+    .help = "u_t + drift u_x + nonlinearity u u_x + dispersion u_xxx = 0, of Korteweg and de Vries, on a ring (the thesis's Eq. 1 "
+            "and 12)",
+    .fields = fields,
+    .field = field,
+    .check = check,
+    .points = bead_kdv_points,
+    .places = places,
+    .create = create,
+    .destroy = destroy,
+    .pace = pace,
+    .time = time_of,
+    .step = step,
+    .sample = sample,
+    .evaluations = evaluations,
+    .state = state,
+    .energy = energy,
+    .measures = measures,
+};

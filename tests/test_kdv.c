@@ -1,0 +1,342 @@
+/* The Korteweg-de Vries equation: solitons and their collisions against exact solutions, the recurrence of Zabusky and Kruskal. */
+#include "tests/motions.h"
+
+static const struct bead_equation *const kdv = &bead_equation_kdv;
+
+static const struct bead_equation_spec one_soliton = {.name = "kdv",
+                                                      .low = -20,
+                                                      .length = 40,
+                                                      .nonlinearity = 6,
+                                                      .dispersion = 1,
+                                                      .start = BEAD_START_SOLITONS,
+                                                      .solitons = {{4, 0}},
+                                                      .soliton_count = 1};
+
+/* N. J. Zabusky, M. D. Kruskal, Phys. Rev. Lett. 15, 240 (1965). */
+static const struct bead_equation_spec zabusky_kruskal = {.name = "kdv",
+                                                          .length = 2,
+                                                          .nonlinearity = 1,
+                                                          .dispersion = 0.022 * 0.022,
+                                                          .start = BEAD_START_COSINE,
+                                                          .mode = 1,
+                                                          .amplitude = 1};
+
+/* The thesis's Eq. 4 with mu^2 = 6, c = 4. */
+static double soliton(double x, double t)
+{
+    double d = x - 4 * t - 40 * round((x - 4 * t) / 40), c = cosh(d);
+    return 2 / (c * c);
+}
+
+static double error_of_soliton(struct bead_motion *motion, size_t points, double t)
+{
+    double worst = 0, *u = field_at(kdv, motion, points, t, BEAD_FIELD_DISPLACEMENT);
+    for (size_t i = 0; i < points; i++)
+        worst = fmax(worst, fabs(u[i] - soliton(-20 + 40 * (double)i / (double)points, t)));
+    free(u);
+    return worst;
+}
+
+/* Over the whole time, samples within steps included. */
+static double worst_error_of_soliton(double accuracy, double end)
+{
+    double worst = 0;
+    size_t points = kdv->points(&one_soliton, accuracy);
+    struct bead_motion *motion = start_motion(kdv, &one_soliton, accuracy, 0, end);
+    for (int i = 0; i <= 97; i++) {
+        double t = end * i / 97;
+        move_until(kdv, motion, t);
+        worst = fmax(worst, error_of_soliton(motion, points, t));
+    }
+    kdv->destroy(motion);
+    return worst;
+}
+
+static void a_soliton_keeps_its_shape(void **state)
+{
+    (void)state;
+    assert_below(worst_error_of_soliton(1e-6, 2), 2e-6);
+    assert_below(worst_error_of_soliton(4e-9, 2), 1e-8);
+    assert_below(worst_error_of_soliton(1e-4, 2), 2e-4);
+}
+
+static void a_soliton_has_its_integrals(void **state)
+{
+    (void)state;
+    struct bead_motion *motion = start_motion(kdv, &one_soliton, 1e-9, 0, 2);
+    move_until(kdv, motion, 2);
+    assert_close(measure(kdv, motion, "mass"), 4, 1e-12);
+    assert_close(measure(kdv, motion, "momentum"), 16. / 3, 1e-8);
+    assert_close(measure(kdv, motion, "hamiltonian"), 32. / 5, 1e-8); /* the integral of u^3 - u_x^2 / 2 */
+    assert_true(measure(kdv, motion, "change of the mass") == 0);
+    assert_below(fabs(measure(kdv, motion, "change of the momentum, relative")), 1e-9);
+    assert_below(fabs(measure(kdv, motion, "change of the hamiltonian, relative")), 1e-9);
+    assert_close(measure(kdv, motion, "soliton 1: place"), 8, 1e-8);
+    assert_close(measure(kdv, motion, "soliton 1: amplitude"), 2, 1e-8);
+    assert_below(fabs(measure(kdv, motion, "soliton 1: shift from free motion")), 1e-8);
+    kdv->destroy(motion);
+}
+
+/* Half of the height is where cosh^2 = 2. */
+static void a_soliton_has_its_width(void **state)
+{
+    (void)state;
+    struct bead_equation_spec spec = one_soliton;
+    spec.points = 4096;
+    struct bead_motion *motion = start_motion(kdv, &spec, 1e-6, 1e-4, 2e-4);
+    double *u = field_at(kdv, motion, 4096, 0, BEAD_FIELD_DISPLACEMENT), cell = 40. / 4096, ends[2] = {0, 0};
+    for (size_t i = 1; i < 4096; i++) {
+        double x = -20 + cell * ((double)i - 1 + (1 - u[i - 1]) / (u[i] - u[i - 1]));
+        if (u[i - 1] < 1 && u[i] >= 1)
+            ends[0] = x;
+        else if (u[i - 1] >= 1 && u[i] < 1)
+            ends[1] = x;
+    }
+    assert_close(ends[1] - ends[0], 1.76275, 2e-5);
+    free(u);
+    kdv->destroy(motion);
+}
+
+/* G. B. Whitham, Linear and Nonlinear Waves (1974), section 17.2: the fast one gains ln 9 / sqrt(16), the slow loses ln 9 /
+ * sqrt(4). */
+static void solitons_collide_and_only_shift(void **state)
+{
+    (void)state;
+    struct bead_equation_spec spec = one_soliton;
+    spec.solitons[0] = (struct bead_soliton){16, -10};
+    spec.solitons[1] = (struct bead_soliton){4, 0};
+    spec.soliton_count = 2;
+    struct bead_motion *motion = start_motion(kdv, &spec, 1e-6, 0, 1.6);
+    double shift, middle = (10 - 0.75 * log(3)) / 12; /* when their mean ways meet */
+    move_until(kdv, motion, 0.3);
+    assert_below(fabs(measure(kdv, motion, "soliton 1: shift from free motion")), 1e-4);
+    move_until(kdv, motion, 1.6);
+    assert_close(measure(kdv, motion, "soliton 1: shift from free motion"), log(3) / 2, 1e-4);
+    assert_close(measure(kdv, motion, "soliton 2: shift from free motion"), -log(3), 1e-4);
+    assert_close(measure(kdv, motion, "soliton 1: amplitude"), 8, 1e-4);
+    assert_close(measure(kdv, motion, "soliton 2: amplitude"), 2, 1e-4);
+    kdv->destroy(motion);
+    /* In the middle of the collision there is one crest, and it is no soliton. */
+    motion = start_motion(kdv, &spec, 1e-6, 0, middle);
+    move_until(kdv, motion, middle);
+    assert_false(has_measure(kdv, motion, "soliton 1: place", &shift));
+    kdv->destroy(motion);
+}
+
+/* Started in the middle of the collision, by Hirota's formula, they part as those that met. */
+static void solitons_start_where_they_overlap(void **state)
+{
+    (void)state;
+    struct bead_equation_spec spec = one_soliton;
+    spec.solitons[0] = (struct bead_soliton){16, -0.5};
+    spec.solitons[1] = (struct bead_soliton){4, 0};
+    spec.soliton_count = 2;
+    struct bead_motion *motion = start_motion(kdv, &spec, 1e-6, 0, 1);
+    move_until(kdv, motion, 1);
+    assert_close(measure(kdv, motion, "soliton 1: shift from free motion"), log(3) / 2, 1e-4);
+    assert_close(measure(kdv, motion, "soliton 2: shift from free motion"), -log(3), 1e-4);
+    kdv->destroy(motion);
+}
+
+/* They go left and down with other signs of the equation, and a drift carries them along. */
+static void signs_and_drift(void **state)
+{
+    (void)state;
+    struct bead_equation_spec spec = one_soliton;
+    spec.nonlinearity = -6;
+    spec.drift = -7;
+    struct bead_motion *motion = start_motion(kdv, &spec, 1e-7, 0, 1);
+    move_until(kdv, motion, 1);
+    assert_close(measure(kdv, motion, "soliton 1: place"), -3, 1e-6);
+    assert_close(measure(kdv, motion, "soliton 1: amplitude"), -2, 1e-6);
+    kdv->destroy(motion);
+}
+
+static void zabusky_and_kruskal_see_eight_solitons(void **state)
+{
+    (void)state;
+    struct bead_motion *motion = start_motion(kdv, &zabusky_kruskal, 1e-6, 0, 3.6 / M_PI);
+    move_until(kdv, motion, 3.6 / M_PI);
+    assert_true(measure(kdv, motion, "crests at the end") == 8);
+    kdv->destroy(motion);
+}
+
+static void zabusky_and_kruskal_see_the_start_again(void **state)
+{
+    (void)state;
+    struct bead_motion *motion = start_motion(kdv, &zabusky_kruskal, 1e-6, 0, 31 / M_PI);
+    move_until(kdv, motion, 31 / M_PI);
+    assert_close(measure(kdv, motion, "recurrence time") * M_PI, 29.96, 0.02);
+    assert_close(measure(kdv, motion, "amplitude at recurrence, relative"), 0.926, 1e-3);
+    assert_below(fabs(measure(kdv, motion, "change of the momentum, relative")), 1e-7);
+    kdv->destroy(motion);
+}
+
+/* The recurrence is that of the equation, not of grid or step. */
+static void recurrence_is_as_exact_as_asked(void **state)
+{
+    (void)state;
+    static const double accuracies[] = {1e-4, 1e-7};
+    double *u[2], worst = 0;
+    struct bead_equation_spec spec = zabusky_kruskal;
+    spec.points = 432;
+    for (size_t i = 0; i < 2; i++) {
+        struct bead_motion *motion = start_motion(kdv, &spec, accuracies[i], 0, 10 / M_PI);
+        move_until(kdv, motion, 10 / M_PI);
+        u[i] = field_at(kdv, motion, spec.points, 10 / M_PI, BEAD_FIELD_DISPLACEMENT);
+        kdv->destroy(motion);
+    }
+    for (size_t i = 0; i < spec.points; i++)
+        worst = fmax(worst, fabs(u[0][i] - u[1][i]));
+    assert_below(worst, 2.5e-4); /* u is up to 2.5 high */
+    free(u[0]);
+    free(u[1]);
+}
+
+static void errors_fall_with_the_fourth_power_of_the_step(void **state)
+{
+    (void)state;
+    struct bead_equation_spec spec = one_soliton;
+    spec.points = 512;
+    double error[3];
+    for (int i = 0; i < 3; i++) {
+        struct bead_motion *motion = start_motion(kdv, &spec, 1e-6, 0.004 / (1 << i), 1);
+        move_until(kdv, motion, 1);
+        error[i] = error_of_soliton(motion, spec.points, 1);
+        kdv->destroy(motion);
+    }
+    for (int i = 0; i < 2; i++) {
+        double order = log2(error[i] / error[i + 1]);
+        if (!(order > 3.8 && order < 4.6))
+            fail_msg("errors %.3g %.3g: order %.3g", error[i], error[i + 1], order);
+    }
+}
+
+/* By the same number of points more the error falls by the same factor: 32 points are 10.67 modes, exp(-pi^2 / 40 10.67) = 0.07. */
+static void errors_fall_exponentially_with_the_points(void **state)
+{
+    (void)state;
+    struct bead_equation_spec spec = one_soliton;
+    double before = 0;
+    for (spec.points = 160; spec.points <= 288; spec.points += 32) {
+        struct bead_motion *motion = start_motion(kdv, &spec, 1e-6, 2.5e-4, 0.5);
+        move_until(kdv, motion, 0.5);
+        double error = error_of_soliton(motion, spec.points, 0.5);
+        if (before > 0)
+            assert_below(error, before * 0.15);
+        before = error;
+        kdv->destroy(motion);
+    }
+}
+
+/* Samples between steps are as exact as those at their ends, and change nothing. */
+static void samples_are_as_exact_as_steps(void **state)
+{
+    (void)state;
+    struct bead_equation_spec spec = one_soliton;
+    spec.points = 384;
+    struct bead_motion *sampled = start_motion(kdv, &spec, 1e-6, 2e-3, 0.2), *plain = start_motion(kdv, &spec, 1e-6, 2e-3, 0.2);
+    size_t count;
+    while (kdv->time(sampled) < 0.2) {
+        double from = kdv->time(sampled);
+        move_until(kdv, sampled, from + 1e-9);
+        move_until(kdv, plain, from + 1e-9);
+        double to = kdv->time(sampled), limit = error_of_soliton(sampled, spec.points, to) + 1e-10;
+        for (int i = 0; i < 4; i++)
+            assert_below(error_of_soliton(sampled, spec.points, from + (to - from) * i / 4), 2 * limit);
+    }
+    assert_memory_equal(kdv->state(sampled, &count), kdv->state(plain, &count), 2 * 128 * sizeof(double));
+    kdv->destroy(sampled);
+    kdv->destroy(plain);
+}
+
+/* With no nonlinearity a wave keeps its form and has the speed drift - b k^2, for any step. */
+static void linear_waves_are_exact(void **state)
+{
+    (void)state;
+    struct bead_equation_spec spec = zabusky_kruskal;
+    spec.nonlinearity = 0;
+    spec.dispersion = 0.01;
+    spec.drift = 0.3;
+    spec.mode = 3;
+    struct bead_motion *motion = start_motion(kdv, &spec, 1e-6, 0, 5);
+    size_t points = kdv->points(&spec, 1e-6);
+    move_until(kdv, motion, 5);
+    double *u = field_at(kdv, motion, points, 5, BEAD_FIELD_DISPLACEMENT), k = 3 * M_PI;
+    for (size_t i = 0; i < points; i++)
+        assert_close(u[i], cos(k * (2 * (double)i / (double)points - (0.3 - 0.01 * k * k) * 5)), 1e-12);
+    free(u);
+    kdv->destroy(motion);
+}
+
+static void a_grid_too_coarse_is_told(void **state)
+{
+    (void)state;
+    struct bead_equation_spec spec = zabusky_kruskal;
+    spec.points = 64;
+    struct bead_message msg = {""};
+    struct bead_motion *motion = start_motion(kdv, &spec, 1e-6, 0, 3);
+    enum bead_error err = BEAD_OK;
+    while (!err && kdv->time(motion) < 3)
+        err = kdv->step(motion, &msg);
+    assert_int_equal(err, BEAD_ERROR_NUMBERS);
+    assert_non_null(strstr(msg.text, "needs more points"));
+    kdv->destroy(motion);
+}
+
+static void steps_too_long_are_told(void **state)
+{
+    (void)state;
+    struct bead_equation_spec spec = one_soliton;
+    spec.points = 512;
+    struct bead_message msg = {""};
+    struct bead_motion *motion = start_motion(kdv, &spec, 1e-6, 0.1, 10);
+    enum bead_error err = BEAD_OK;
+    while (!err && kdv->time(motion) < 10)
+        err = kdv->step(motion, &msg);
+    assert_int_equal(err, BEAD_ERROR_NUMBERS);
+    assert_non_null(strstr(msg.text, "too long"));
+    kdv->destroy(motion);
+}
+
+static void wrong_settings_are_told(void **state)
+{
+    (void)state;
+    const char *key = "";
+    struct bead_equation_spec spec = one_soliton;
+    spec.dispersion = -1;
+    assert_non_null(kdv->check(&spec, &key));
+    assert_string_equal(key, "dispersion");
+    spec = one_soliton;
+    spec.nonlinearity = 0;
+    assert_non_null(kdv->check(&spec, &key));
+    assert_string_equal(key, "nonlinearity");
+    spec = one_soliton;
+    spec.solitons[0].at = 21;
+    assert_non_null(kdv->check(&spec, &key));
+    assert_string_equal(key, "start");
+    spec = zabusky_kruskal;
+    spec.dispersion = 0;
+    assert_non_null(kdv->check(&spec, &key));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_soliton_keeps_its_shape),
+                                       cmocka_unit_test(a_soliton_has_its_integrals),
+                                       cmocka_unit_test(a_soliton_has_its_width),
+                                       cmocka_unit_test(solitons_collide_and_only_shift),
+                                       cmocka_unit_test(solitons_start_where_they_overlap),
+                                       cmocka_unit_test(signs_and_drift),
+                                       cmocka_unit_test(zabusky_and_kruskal_see_eight_solitons),
+                                       cmocka_unit_test(zabusky_and_kruskal_see_the_start_again),
+                                       cmocka_unit_test(recurrence_is_as_exact_as_asked),
+                                       cmocka_unit_test(errors_fall_with_the_fourth_power_of_the_step),
+                                       cmocka_unit_test(errors_fall_exponentially_with_the_points),
+                                       cmocka_unit_test(samples_are_as_exact_as_steps),
+                                       cmocka_unit_test(linear_waves_are_exact),
+                                       cmocka_unit_test(a_grid_too_coarse_is_told),
+                                       cmocka_unit_test(steps_too_long_are_told),
+                                       cmocka_unit_test(wrong_settings_are_told)};
+    return cmocka_run_group_tests_name("kdv", tests, NULL, NULL);
+}
