@@ -14,18 +14,23 @@ struct bead_motion {
     struct bead_kdv_watch watch;
 };
 
-/* Any field may stand for the unknown: that of the scene's `variable`. */
-static const enum bead_field fields[] = {BEAD_FIELD_DISPLACEMENT, BEAD_FIELD_COUNT};
-
+/* The unknown is shown as the field that the scene wants; u it is called anyhow. */
 static const struct bead_field_info *field(const struct bead_equation_spec *spec, enum bead_field field)
 {
-    static const struct bead_field_info info = {"displacement", "", "u", 0};
-    (void)spec, (void)field;
-    return &info;
+    static const struct bead_field_info infos[] = {
+#define BEAD_KDV_FIELD(id, name, unit, title, place) {name, "", "u", 0},
+        BEAD_FIELDS(BEAD_KDV_FIELD)
+#undef BEAD_KDV_FIELD
+    };
+    (void)spec;
+    return &infos[field];
 }
 
 static const char *check(const struct bead_equation_spec *spec, const char **key)
 {
+    *key = "variable";
+    if (spec->variable == BEAD_FIELD_CONTACT_FORCE)
+        return "must be a field of points, not of contacts";
     *key = "dispersion";
     if (spec->dispersion == 0 && spec->nonlinearity != 0)
         return "must not be 0 beside a nonlinearity: the wave would break";
@@ -101,10 +106,11 @@ static enum bead_error sample(struct bead_motion *m, double t, unsigned wanted, 
                               struct bead_message *msg)
 {
     (void)msg;
-    if (!(wanted & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT)))
+    enum bead_field shown = m->kdv.spec->variable;
+    if (!(wanted & BEAD_FIELD_BIT(shown)))
         return BEAD_OK;
     bead_kdv_values(&m->kdv, t);
-    memcpy(value[BEAD_FIELD_DISPLACEMENT], m->kdv.spectral.grid, m->kdv.spectral.points * sizeof(double));
+    memcpy(value[shown], m->kdv.spectral.grid, m->kdv.spectral.points * sizeof(double));
     return BEAD_OK;
 }
 
@@ -135,7 +141,6 @@ const struct bead_equation bead_equation_kdv = {
     .name = "kdv",
     .help = "u_t + drift u_x + nonlinearity u u_x + dispersion u_xxx = 0, of Korteweg and de Vries, on a ring (the thesis's Eq. 1 "
             "and 12)",
-    .fields = fields,
     .field = field,
     .check = check,
     .points = bead_kdv_points,

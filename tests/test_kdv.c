@@ -4,6 +4,7 @@
 static const struct bead_equation *const kdv = &bead_equation_kdv;
 
 static const struct bead_equation_spec one_soliton = {.name = "kdv",
+                                                      .variable = BEAD_FIELD_DISPLACEMENT,
                                                       .low = -20,
                                                       .length = 40,
                                                       .nonlinearity = 6,
@@ -14,6 +15,7 @@ static const struct bead_equation_spec one_soliton = {.name = "kdv",
 
 /* N. J. Zabusky, M. D. Kruskal, Phys. Rev. Lett. 15, 240 (1965). */
 static const struct bead_equation_spec zabusky_kruskal = {.name = "kdv",
+                                                          .variable = BEAD_FIELD_DISPLACEMENT,
                                                           .length = 2,
                                                           .nonlinearity = 1,
                                                           .dispersion = 0.022 * 0.022,
