@@ -45,6 +45,7 @@ struct bead_view {
 
     /* As of the time drawn. */
     double *shift; /* m: magnified displacement */
+    double *shown; /* field */
     uint8_t (*colour)[4];
     double *load;                  /* compression of the contact at the right of each bead, in units of `compression` */
     double *reached;               /* largest load so far, up to `reaching` */
@@ -58,6 +59,7 @@ struct bead_view {
     struct bead_moving_labels *labels; /* above it; NULL: none */
     struct bead_rect zoom;             /* between row and lens, px of the area */
     bool strip;                        /* the row's beads are too small to be drawn one by one */
+    double (*base)[3];                 /* colour of the materials in each of the strip's columns, 0..1; NULL: no strip */
     struct bead_drawing row_drawing, lens_drawing;
     struct bead_mark zoom_mark, old_zoom_mark;
 
@@ -74,6 +76,10 @@ void bead_beads_advance(struct bead_view *v, double time);
 void bead_beads_compose(struct bead_view *v, const struct bead_window *window, struct bead_drawing *drawing);
 /* x in a window, px, of a place along the chain, m. */
 double bead_window_x(const struct bead_window *window, double position);
+/* How much of a bead's colour is that of the field, 0..1; the rest is its material's. */
+double bead_colour_weight(const struct bead_view *v, double value);
+/* Colours of the materials along the strip. False: out of memory. */
+BEAD_CHECK bool bead_beads_prepare_strip(struct bead_view *v);
 /* The row as a density strip into the frame; adds the columns that changed. */
 void bead_beads_strip(struct bead_view *v, struct bead_frame *frame, const struct bead_frame *background,
                       struct bead_changes *changes);

@@ -25,12 +25,21 @@ static double weight_of(const struct bead_view *v, double time)
     return v->fed < 2 || !(span > 0) ? 1 : between((time - before) / span, 0, 1);
 }
 
+static double weight_from(double place, double zero)
+{
+    double weight = between(fabs(between(place, 0, 1) - zero) / colour_full, 0, 1);
+    return weight * weight * (3 - 2 * weight);
+}
+
+double bead_colour_weight(const struct bead_view *v, double value)
+{
+    return weight_from(bead_colours_place(&v->setup.colours, value), between(bead_colours_place(&v->setup.colours, 0), 0, 1));
+}
+
 static void colour_bead(struct bead_view *v, size_t i, double value, double zero)
 {
     const double *own = bead_chain_colour(v->setup.chain, v->first + i);
-    double place = between(bead_colours_place(&v->setup.colours, value), 0, 1);
-    double weight = between(fabs(place - zero) / colour_full, 0, 1);
-    weight = weight * weight * (3 - 2 * weight);
+    double weight = weight_from(bead_colours_place(&v->setup.colours, value), zero);
     const uint8_t *force = v->map.rgb[bead_colours_index(&v->setup.colours, value)];
     for (int c = 0; c < 3; c++)
         v->colour[i][c] = (uint8_t)lround((1 - weight) * 255 * between(own[c], 0, 1) + weight * force[c]);
@@ -71,7 +80,8 @@ void bead_beads_advance(struct bead_view *v, double time)
     double weight = weight_of(v, time), zero = between(bead_colours_place(&v->setup.colours, 0), 0, 1);
     for (size_t i = 0; i < v->count; i++) {
         v->shift[i] = v->setup.magnify * value_at(v, (const double *const *)v->u, i, weight);
-        colour_bead(v, i, value_at(v, (const double *const *)v->value, i, weight), zero);
+        v->shown[i] = value_at(v, (const double *const *)v->value, i, weight);
+        colour_bead(v, i, v->shown[i], zero);
     }
     double span = v->time[v->newest] - v->time[1 - v->newest];
     v->speed = bead_chain_spec(v->setup.chain)->striker_velocity;

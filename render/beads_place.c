@@ -8,7 +8,7 @@
 #include "render/view_beads.h"
 
 /* Rows of smaller beads are drawn as a strip, px of diameter. */
-static const double strip_below = 2.5;
+static const double strip_below = 3;
 
 void bead_beads_margins(const struct bead_look *look, int *left, int *right)
 {
@@ -68,11 +68,12 @@ void bead_beads_divide(struct bead_view *v)
     }
     v->strip = diameter < strip_below;
     v->lens = (struct bead_window){.scale = 0};
-    double row = v->strip ? fmax(6, 0.5 * look->tick) : ceil(diameter + fmax(4, 0.9 * diameter)), zoom = round(1.2 * look->gap);
+    double row = v->strip ? fmax(8, 0.9 * look->tick) : ceil(diameter + fmax(4, 0.9 * diameter)), zoom = round(1.2 * look->gap);
     double height = v->plot.height - top - row - zoom, large = fmin(0.8 * height, v->plot.width / 14.0);
     bool worth = large > fmax(14, 1.7 * diameter) && v->plot.width / large < 0.8 * (double)v->count;
     if (diameter >= 1.25 * look->label || !worth) {
         only_row(v, scale, top);
+        row = fmin(2.2 * row, v->row.rect.height);
         v->row.rect.height = v->strip ? (int)row : v->row.rect.height;
         v->row.middle = v->strip ? v->row.rect.y + 0.5 * row : v->row.middle;
         return;
@@ -99,7 +100,8 @@ static void draw_wall(const struct bead_view *v, cairo_t *cr)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(v->setup.chain);
     double r = fmax(v->largest * v->row.scale, 3), x = v->area.x + bead_window_x(&v->row, v->ends[1]);
-    double half = fmin(1.9 * r, 0.5 * v->row.rect.height), y = v->area.y + v->row.middle - half;
+    double half = v->strip ? 0.5 * v->row.rect.height : fmin(1.9 * r, 0.5 * v->row.rect.height),
+           y = v->area.y + v->row.middle - half;
     double width = fmin(v->area.x + v->area.width - x, fmax(4, v->look.gap));
     cairo_rectangle(cr, x, y, width, 2 * half);
     if (spec->wall == BEAD_WALL_MATERIAL) {

@@ -36,6 +36,8 @@ static void beads_destroy(struct bead_view *v)
         free(v->value[k]);
     }
     free(v->shift);
+    free(v->shown);
+    free(v->base);
     free(v->colour);
     free(v->load);
     free(v->reached);
@@ -69,11 +71,12 @@ static bool make_arrays(struct bead_view *v)
         good = good && v->u[k] && v->value[k];
     }
     v->shift = calloc(n, sizeof *v->shift);
+    v->shown = calloc(n, sizeof *v->shown);
     v->colour = calloc(n, sizeof *v->colour);
     v->load = calloc(n, sizeof *v->load);
     v->reached = calloc(n, sizeof *v->reached);
     size_t marks = n + sensors + 8;
-    return good && v->shift && v->colour && v->load && v->reached && make_drawing(&v->row_drawing, n, marks) &&
+    return good && v->shift && v->shown && v->colour && v->load && v->reached && make_drawing(&v->row_drawing, n, marks) &&
            make_drawing(&v->lens_drawing, n, marks);
 }
 
@@ -131,6 +134,8 @@ static enum bead_error beads_place(struct bead_view *v, struct bead_rect plot, s
     if (canvas && (v->area.width > canvas->width || v->area.height > canvas->height))
         return bead_fail(msg, BEAD_ERROR_GRAPHICS, "beads need a canvas of %d x %d pixels", v->area.width, v->area.height);
     bead_beads_divide(v);
+    if (v->strip && !bead_beads_prepare_strip(v))
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a strip of %zu beads", v->count);
     return BEAD_OK;
 }
 
