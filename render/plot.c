@@ -1,16 +1,18 @@
-/* Sink for `plot:` outputs: curves of sensors, one plot for each chain that has some; or peaks of contacts. */
+/* Sink for `plot:` outputs: curves of sensors, one panel for each chain that has some; or peaks of contacts. */
 #include <math.h>
 #include <stdlib.h>
 
 #include "beadreel/file.h"
-#include "render/figure.h"
-#include "render/peaks_plot.h"
+#include "render/markup.h"
+#include "render/page.h"
+#include "render/plot_data.h"
 #include "render/sinks.h"
 
 struct bead_sink {
-    struct bead_figure *figure; /* or */
-    struct bead_peaks_plot *peaks;
-    struct bead_output output; /* as the scene has it, with the settings that plots do not have at rest */
+    const struct bead_output *output;
+    const struct bead_scene *scene;
+    struct bead_plot_data *data;
+    struct bead_page page;
     char *path;
     uint64_t bytes;
 };
@@ -19,8 +21,7 @@ static void destroy(struct bead_sink *sink)
 {
     if (!sink)
         return;
-    bead_figure_destroy(sink->figure);
-    bead_peaks_plot_destroy(sink->peaks);
+    bead_plot_data_destroy(sink->data);
     free(sink->path);
     free(sink);
 }
@@ -28,37 +29,26 @@ static void destroy(struct bead_sink *sink)
 static enum bead_error create(const struct bead_output *output, const struct bead_stage *stage, struct bead_sink **sink,
                               struct bead_message *msg)
 {
-    static const enum bead_view_kind views[] = {BEAD_VIEW_SENSORS};
-    *sink = NULL;
-    bool peaks = output->show == BEAD_SHOW_PEAKS;
-    struct bead_sink *s = calloc(1, sizeof *s);
+    struct bead_sink *s = *sink = calloc(1, sizeof *s);
     if (!s)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot");
-    s->output = *output;
-    s->output.field = BEAD_FIELD_FORCE;
-    s->output.beads = (struct bead_span){0, SIZE_MAX};
-    s->output.axes = true;
-    s->output.range[0] = s->output.range[1] = s->output.at = NAN;
-    s->output.scale = peaks ? output->scale : BEAD_SCALE_LINEAR;
-    s->output.colormap = NULL;
+    s->output = output;
+    s->scene = stage->scene;
     enum bead_error err = bead_file_join(stage->directory, output->path, &s->path, msg);
-    if (!err && peaks)
-        err = bead_peaks_plot_create(&s->output, stage, &s->peaks, msg);
-    else if (!err)
-        err = bead_figure_create(&s->output, stage, views, 1, &s->figure, msg);
-    if (err)
+    if (!err)
+        err = bead_page_find(output, stage->scene->file, &s->page, msg);
+    if (!err)
+        err = bead_plot_data_create(output, stage, SIZE_MAX, &s->data, msg);
+    if (err) {
         destroy(s);
-    else
-        *sink = s;
+        *sink = NULL;
+    }
     return err;
 }
 
 static void needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
-    if (sink->peaks)
-        bead_peaks_plot_needs(sink->peaks, needs);
-    else
-        bead_figure_needs(sink->figure, needs);
+    bead_plot_data_needs(sink->data, needs);
 }
 
 static enum bead_error begin(struct bead_sink *sink, struct bead_range range, struct bead_message *msg)
@@ -69,14 +59,22 @@ static enum bead_error begin(struct bead_sink *sink, struct bead_range range, st
 
 static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
 {
-    return sink->figure ? bead_figure_feed(sink->figure, sample, msg) : BEAD_OK;
+    return bead_plot_data_feed(sink->data, sample, msg);
 }
 
 static enum bead_error end(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
-    if (sink->peaks)
-        return bead_peaks_plot_write(sink->peaks, outcomes, sink->path, &sink->bytes, msg);
-    return bead_figure_write(sink->figure, sink->path, &sink->bytes, msg);
+    const int least = 240; /* px of height where a title is worth its room */
+    char title[2048] = "";
+    struct bead_graph graph = {.title = title, .caption = sink->output->caption, .share_x = true, .share_y = true};
+    enum bead_error err = bead_plot_data_finish(sink->data, outcomes, msg);
+    if (err)
+        return err;
+    if (!sink->page.paper && sink->page.height >= least)
+        bead_markup_quote(sink->scene->title, title, sizeof title);
+    graph.letters = sink->page.paper;
+    graph.panels = bead_plot_data_panels(sink->data, &graph.panel_count);
+    return bead_graph_write(&graph, sink->output, sink->scene, sink->path, &sink->bytes, msg);
 }
 
 static void result(const struct bead_sink *sink, uint64_t *bytes, uint64_t *items)
