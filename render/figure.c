@@ -44,17 +44,16 @@ static enum bead_error find_span(const struct bead_figure *f, size_t chain, stru
     return BEAD_OK;
 }
 
-static enum bead_error find_times(struct bead_figure *f, struct bead_message *msg)
+enum bead_error bead_figure_times(const struct bead_output *output, const struct bead_stage *stage, double time[2],
+                                  struct bead_message *msg)
 {
-    const struct bead_output *output = f->output;
-    double end = f->stage.end;
-    f->time[0] = isnan(output->time[0]) ? 0 : output->time[0];
-    f->time[1] = isnan(output->time[1]) ? end : fmin(output->time[1], end);
-    f->at = isnan(output->at) ? f->time[1] : fmin(output->at, end);
-    if (!(f->time[1] > f->time[0]) || !isfinite(f->time[1]))
+    double end = stage->end;
+    time[0] = isnan(output->time[0]) ? 0 : output->time[0];
+    time[1] = isnan(output->time[1]) ? end : fmin(output->time[1], end);
+    if (!(time[1] > time[0]) || !isfinite(time[1]))
         return bead_fail(msg, BEAD_ERROR_SCENE,
-                         "%s:%zu:%zu: time: from %g s to %g s there is nothing to show; the run ends at %g s", f->stage.scene->file,
-                         output->place.line, output->place.column, f->time[0], f->time[1], end);
+                         "%s:%zu:%zu: time: from %g s to %g s there is nothing to show; the run ends at %g s", stage->scene->file,
+                         output->place.line, output->place.column, time[0], time[1], end);
     return BEAD_OK;
 }
 
@@ -187,7 +186,8 @@ static enum bead_error prepare(struct bead_figure *f, const enum bead_view_kind 
     if (!err)
         err = bead_colour_range_check(output, f->stage.scene->file, msg);
     if (!err)
-        err = find_times(f, msg);
+        err = bead_figure_times(output, &f->stage, f->time, msg);
+    f->at = isnan(output->at) ? f->time[1] : fmin(output->at, f->stage.end);
     if (!err)
         err = bead_colour_range_map(output, f->stage.chains[0], "viridis", &f->map, msg);
     if (err)

@@ -23,6 +23,9 @@ BEAD_CHECK enum bead_error bead_figure_feed(struct bead_figure *figure, const st
 /* To a .png, .pdf or .svg. Errors: IO, MEMORY, GRAPHICS. */
 BEAD_CHECK enum bead_error bead_figure_write(struct bead_figure *figure, const char *path, uint64_t *bytes,
                                              struct bead_message *msg);
+/* From when to when an output shows the run. Errors: SCENE (with the output's place). */
+BEAD_CHECK enum bead_error bead_figure_times(const struct bead_output *output, const struct bead_stage *stage, double time[2],
+                                             struct bead_message *msg);
 /* Times at which a picture with `pixels` along `time` wants samples: two or more a pixel, and every oscillation; those there are
  * where the stage has given ones. */
 struct bead_grid bead_figure_grid(const struct bead_stage *stage, const struct bead_output *output, const double time[2],

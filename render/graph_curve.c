@@ -151,7 +151,9 @@ static void lift(struct pen *pen)
 
 /* Of many points in one column of pixels, the first, the lowest, the highest and the last are the same picture. */
 struct column {
-    double first, last, low, high, x;
+    struct px {
+        double x, y;
+    } first, last, low, high;
     size_t count;
     bool low_first;
 };
@@ -159,32 +161,33 @@ struct column {
 static void flush(struct pen *pen, struct column *column)
 {
     if (column->count > 0)
-        line_to(pen, column->x, column->first);
+        line_to(pen, column->first.x, column->first.y);
     if (column->count > 2) {
-        line_to(pen, column->x, column->low_first ? column->low : column->high);
-        line_to(pen, column->x, column->low_first ? column->high : column->low);
+        struct px a = column->low_first ? column->low : column->high, b = column->low_first ? column->high : column->low;
+        line_to(pen, a.x, a.y);
+        line_to(pen, b.x, b.y);
     }
     if (column->count > 1)
-        line_to(pen, column->x, column->last);
+        line_to(pen, column->last.x, column->last.y);
     column->count = 0;
 }
 
-static void gather(struct pen *pen, struct column *column, double x, double y)
+static void gather(struct pen *pen, struct column *column, struct px at)
 {
-    if (column->count > 0 && floor(x) != floor(column->x))
+    if (column->count > 0 && floor(at.x) != floor(column->first.x))
         flush(pen, column);
     if (column->count++ == 0) {
-        *column = (struct column){y, y, y, y, x, 1, true};
+        *column = (struct column){at, at, at, at, 1, true};
         return;
     }
-    if (y < column->low) {
-        column->low = y;
+    if (at.y < column->low.y) {
+        column->low = at;
         column->low_first = false;
-    } else if (y > column->high) {
-        column->high = y;
+    } else if (at.y > column->high.y) {
+        column->high = at;
         column->low_first = true;
     }
-    column->last = y;
+    column->last = at;
 }
 
 static void trace(cairo_t *cr, const struct graph_cell *cell, const struct bead_series *series, double margin)
@@ -205,7 +208,7 @@ static void trace(cairo_t *cr, const struct graph_cell *cell, const struct bead_
             flush(&pen, &column);
             lift(&pen);
         } else if (dense) {
-            gather(&pen, &column, px_x(cell, series->x[i]), y);
+            gather(&pen, &column, (struct px){px_x(cell, series->x[i]), y});
         } else {
             line_to(&pen, px_x(cell, series->x[i]), y);
         }
@@ -223,13 +226,22 @@ double graph_full_point(const struct bead_look *look)
     return point_radius * look->label;
 }
 
+static bool is_rising(const struct bead_series *series)
+{
+    for (size_t i = 1; i < series->count; i++) {
+        if (!(series->x[i] > series->x[i - 1]))
+            return false;
+    }
+    return true;
+}
+
 double graph_point_size(const struct bead_series *series, const struct graph_cell *cell, const struct bead_look *look)
 {
     double size = graph_full_point(look), least = fmax(0.7 * look->line, 0.4 * size);
-    if (series->mark == BEAD_MARK_POINTS)
+    if (series->mark == BEAD_MARK_POINTS && !is_rising(series))
         return fmax(least, size * fmin(1, sqrt(many_points / (double)(series->count + 1))));
     double spacing = series->count > 1 ? cell->plot.width / (double)(series->count - 1) : cell->plot.width;
-    return fmin(size, 0.35 * spacing);
+    return fmax(series->mark == BEAD_MARK_POINTS ? 0.5 * least : 0, fmin(size, 0.35 * spacing));
 }
 
 void graph_stroke_style(cairo_t *cr, const struct bead_look *look, const struct bead_series *series)

@@ -13,21 +13,29 @@ static size_t contacts_of(const struct bead_plot_data *data, size_t chain)
     return plot_shows(data, chain) ? bead_chain_contacts(data->stage.chains[chain]) : 0;
 }
 
+/* One chain alone is named above the panel, several are in the legend (SIZE_MAX). */
+static size_t only_chain(const struct bead_plot_data *data)
+{
+    return data->stage.chain_count == 1 ? 0 : data->chain;
+}
+
 static enum bead_error create(struct bead_plot_data *data, struct bead_message *msg)
 {
     enum bead_error err = plot_reserve(data, 1, msg);
     if (err)
         return err;
     size_t most = 1;
+    const struct bead_field_info *own = bead_chain_field(data->stage.chains[0], BEAD_FIELD_CONTACT_FORCE);
+    const char *unit = own ? own->unit : bead_field_info(BEAD_FIELD_CONTACT_FORCE)->unit;
     for (size_t c = 0; c < data->stage.chain_count; c++)
         most = contacts_of(data, c) > most ? contacts_of(data, c) : most;
     data->count = 1;
-    data->panels[0] = (struct bead_panel){
-        .x = {"contact", "1", -0.5, (double)most - 0.5, BEAD_SCALE_LINEAR, false},
-        .y = {"peak force", bead_field_info(BEAD_FIELD_FORCE)->unit, data->output->range[0], data->output->range[1],
-              data->output->scale, true}};
-    if (plot_shows(data, data->chain)) /* a panel of its own says whose peaks it has */
-        plot_heading(data->stage.chains[data->chain], data->parts[0].title, sizeof data->parts[0].title);
+    data->panels[0] =
+        (struct bead_panel){.x = {"contact", "1", -0.5, (double)most - 0.5, BEAD_SCALE_LINEAR, false},
+                            .y = {"peak force", unit, data->output->range[0], data->output->range[1], data->output->scale, true}};
+    size_t only = only_chain(data);
+    if (only != SIZE_MAX)
+        plot_heading(data->stage.chains[only], data->parts[0].title, sizeof data->parts[0].title);
     snprintf(data->why, sizeof data->why, "peaks of contacts");
     return BEAD_OK;
 }
@@ -88,7 +96,7 @@ static size_t fill(const struct bead_plot_data *data, const struct bead_outcome 
                                          .mark = s ? BEAD_MARK_POINTS : BEAD_MARK_LINE_POINTS,
                                          .hollow = s,
                                          .arrows = true};
-        plot_tell_apart(&series[s], data->chain == SIZE_MAX ? chain : 0);
+        plot_tell_apart(&series[s], only_chain(data) == SIZE_MAX ? chain : 0);
         series[s].dashed = false;
     }
     return hollow;
@@ -115,7 +123,7 @@ static enum bead_error finish(struct bead_plot_data *data, const struct bead_out
         hollow += fill(data, &outcomes[c], c, part->values + used, part->series + series);
         used += 3 * contacts_of(data, c);
         plot_heading(data->stage.chains[c], part->labels[c], sizeof part->labels[c]);
-        if (data->chain == SIZE_MAX && *part->labels[c])
+        if (only_chain(data) == SIZE_MAX && *part->labels[c])
             part->series[series].label = part->labels[c];
         series += 2;
     }

@@ -13,6 +13,13 @@
 /* Times that a plot can tell apart. */
 static const double moments = 2000;
 
+/* Of the first chain shown: its scene's chains are of one kind. */
+static const struct bead_field_info *force_of(const struct bead_plot_data *data)
+{
+    const struct bead_field_info *own = bead_chain_field(data->stage.chains[data->parts[0].chain], BEAD_FIELD_FORCE);
+    return own ? own : bead_field_info(BEAD_FIELD_FORCE);
+}
+
 static const char *first_name(const struct bead_plot_data *data)
 {
     size_t sensors;
@@ -28,9 +35,14 @@ static const char *first_name(const struct bead_plot_data *data)
 /* What the forces are divided by. */
 static void name_axis(struct bead_plot_data *data)
 {
-    const char *title = bead_field_info(BEAD_FIELD_FORCE)->title, *first = first_name(data);
+    const char *title = force_of(data)->title, *first = first_name(data);
     char quoted[128];
-    bead_markup_quote(first ? first : "the first sensor", quoted, sizeof quoted);
+    snprintf(quoted, sizeof quoted, "the first sensor");
+    if (first) {
+        char name[96];
+        bead_markup_quote(first, name, sizeof name);
+        snprintf(quoted, sizeof quoted, "\u201c%s\u201d", name);
+    }
     if (data->output->normalise == BEAD_NORMALISE_NONE)
         snprintf(data->axis_title, sizeof data->axis_title, "%s", title);
     else if (data->output->normalise == BEAD_NORMALISE_MAX)
@@ -44,10 +56,10 @@ static void make_axes(struct bead_plot_data *data)
     const struct bead_output *output = data->output;
     bool plain = output->normalise == BEAD_NORMALISE_NONE;
     for (size_t p = 0; p < data->count; p++) {
-        data->panels[p] = (struct bead_panel){
-            .x = {"time", "s", data->time[0], data->time[1], BEAD_SCALE_LINEAR, false},
-            .y = {data->axis_title, plain ? bead_field_info(BEAD_FIELD_FORCE)->unit : "", output->range[0], output->range[1],
-                  BEAD_SCALE_LINEAR, true}};
+        data->panels[p] = (struct bead_panel){.x = {"time", bead_chain_time_unit(data->stage.chains[data->parts[p].chain]),
+                                                    data->time[0], data->time[1], BEAD_SCALE_LINEAR, false},
+                                              .y = {data->axis_title, plain ? force_of(data)->unit : "", output->range[0],
+                                                    output->range[1], BEAD_SCALE_LINEAR, true}};
         plot_heading(data->stage.chains[data->parts[p].chain], data->parts[p].title, sizeof data->parts[p].title);
         data->panels[p].title = *data->parts[p].title ? data->parts[p].title : NULL;
     }
@@ -72,7 +84,8 @@ static enum bead_error create(struct bead_plot_data *data, struct bead_message *
         most = sensors > most ? sensors : most;
     }
     if (!err && data->count == 0)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: there is no sensor to show; give a bead one: {bead: steel, sensor: first}",
+        return bead_fail(msg, BEAD_ERROR_SCENE,
+                         "%s:%zu:%zu: there is no sensor to show; give a bead one: {bead: steel, sensor: first}",
                          data->stage.scene->file, output->place.line, output->place.column);
     data->sample = err ? NULL : calloc(most, sizeof *data->sample);
     if (!err && !data->sample)
@@ -114,7 +127,8 @@ static enum bead_error add(struct bead_plot_data *data, struct plot_panel *part,
     size_t count;
     const struct bead_sensor *sensors = bead_chain_sensors(data->stage.chains[part->chain], &count);
     if (!force || (difference && !twin))
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no force%s", difference ? " of a twin to compare with" : "");
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no force%s",
+                         difference ? " of a twin to compare with" : "");
     enum bead_error err = bead_curves_reserve(curves, msg);
     for (size_t k = 0; !err && k < count; k++)
         data->sample[k] = force[sensors[k].bead] - (difference ? twin[sensors[k].bead] : 0);
@@ -220,7 +234,7 @@ static void tell_trust(struct bead_plot_data *data)
     double threshold = BEAD_HORIZON_PART * axis_length(data);
     for (size_t p = 0; p < data->count; p++) {
         struct plot_panel *part = &data->parts[p];
-        struct bead_trust trust = bead_trust_make(data->stage.scene, data->stage.twin);
+        struct bead_trust trust = bead_trust_make(data->stage.chains[part->chain], data->stage.twin);
         trust.from = data->time[0];
         trust.until = horizon_of(data, part, threshold);
         part->ruler = (struct bead_ruler){.vertical = true, .value = trust.until, .low = NAN, .high = NAN};

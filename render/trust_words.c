@@ -64,7 +64,7 @@ static const char *const nowhere[SHORTER] = {": two runs %s nowhere differ by mo
                                              ": runs %s differ by less than 1\u00a0%", ": two runs differ by less than 1\u00a0%",
                                              ""};
 
-static void say(const struct bead_trust *trust, int shorter, char *markup, size_t size)
+void bead_trust_say(const struct bead_trust *trust, int shorter, char *markup, size_t size)
 {
     char time[64] = "", runs[160], where[200] = "", name[120];
     bool throughout = !isfinite(trust->until), never = trust->until <= trust->from;
@@ -90,7 +90,7 @@ void bead_trust_draw(cairo_t *cr, const struct bead_look *look, const struct bea
     char markup[1024];
     double em = look->label, key = isfinite(trust->until) ? (key_length + key_gap) * em : 0, width = 0, height;
     for (int shorter = 0; shorter < SHORTER; shorter++) {
-        say(trust, shorter, markup, sizeof markup);
+        bead_trust_say(trust, shorter, markup, sizeof markup);
         bead_text_size(cr, &style, markup, &width, &height);
         if (key + width <= rect.width)
             break;

@@ -23,5 +23,7 @@ struct bead_trust {
 struct bead_trust bead_trust_make(const struct bead_chain *chain, double twin);
 /* As much of it as has room in `rect`, beginning at its left or ending at its right. */
 void bead_trust_draw(cairo_t *cr, const struct bead_look *look, const struct bead_trust *trust, struct bead_rect rect, bool right);
+/* Its markup: from all of it (0) to the verdict alone (3). */
+void bead_trust_say(const struct bead_trust *trust, int shorter, char *markup, size_t size);
 
 #endif

@@ -284,6 +284,7 @@ void bead_scene_free(struct bead_scene *scene)
     for (size_t i = 0; i < scene->output_count; i++) {
         free(scene->outputs[i].path);
         free(scene->outputs[i].colormap);
+        free(scene->outputs[i].caption);
         bead_output_free_movie(&scene->outputs[i]);
     }
     free(scene->materials);

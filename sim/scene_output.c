@@ -98,6 +98,9 @@ static enum bead_error check_shown(const struct bead_reader *reader, const struc
     where = bead_at_key(at, "scale");
     if (output->show == BEAD_SHOW_SENSORS && output->scale != BEAD_SCALE_LINEAR)
         return bead_wrong(reader, &where, "belongs to `show: peaks`; the axis of sensors is linear");
+    where = bead_at_key(at, "normalise");
+    if (output->show != BEAD_SHOW_SENSORS && output->normalise != BEAD_NORMALISE_NONE)
+        return bead_wrong(reader, &where, "belongs to `show: sensors`; peaks are shown as they are");
     for (size_t i = output->show == BEAD_SHOW_MEASURES; i < 2 && output->show != BEAD_SHOW_SENSORS; i++) {
         where = bead_at_key(at, of_samples[i]);
         if (where.node != at->node)

@@ -187,7 +187,8 @@ BEAD_OUTPUT_READER(bead_output_read_size)
 BEAD_OUTPUT_READER(bead_output_read_range)
 {
     struct bead_output *output = settings;
-    const char *unit = bead_scene_plain(reader->scene) ? "" : bead_field_info(output->field)->unit;
+    const char *unit =
+        bead_scene_plain(reader->scene) || output->normalise != BEAD_NORMALISE_NONE ? "" : bead_field_info(output->field)->unit;
     const struct bead_option number = {.unit = *unit ? unit : NULL, .word = option->word, .word_value = option->word_value};
     char shown[64];
     if (at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, option->word) == 0) {

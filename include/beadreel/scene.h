@@ -121,6 +121,7 @@ enum bead_output_kind {
 };
 enum bead_show { BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_BEAD_PEAKS, BEAD_SHOW_MEASURES };
 enum bead_scale { BEAD_SCALE_LINEAR, BEAD_SCALE_SQRT, BEAD_SCALE_LOG };
+enum bead_normalise { BEAD_NORMALISE_NONE, BEAD_NORMALISE_FIRST, BEAD_NORMALISE_MAX };
 enum bead_sampling { BEAD_SAMPLING_AREA, BEAD_SAMPLING_MAX };
 enum bead_quality { BEAD_QUALITY_DRAFT, BEAD_QUALITY_STANDARD, BEAD_QUALITY_HIGH, BEAD_QUALITY_LOSSLESS };
 enum bead_style { BEAD_STYLE_AUTO, BEAD_STYLE_PAPER, BEAD_STYLE_SLIDE, BEAD_STYLE_MOVIE };
@@ -160,8 +161,10 @@ struct bead_output {
     double dpi; /* of lengths, and of rasters in vector files */
     char *colormap;
     enum bead_scale scale;
-    double range[2];             /* SI; NaN: automatic */
-    enum bead_sampling sampling; /* what of the samples within a pixel is shown: mean or largest */
+    double range[2];               /* SI; NaN: automatic */
+    enum bead_normalise normalise; /* plots of sensors */
+    char *caption;                 /* text below a plot, or NULL */
+    enum bead_sampling sampling;   /* what of the samples within a pixel is shown: mean or largest */
     bool axes;
     bool trust;           /* say from when on two runs of different accuracy differ: image, movie, plot */
     double fps, duration; /* 1/s, s: movie; duration is that of the film, not of the motion */

@@ -1,0 +1,161 @@
+/* Plots of sensors: what forces are divided by, one axis for all chains, ranges, horizons. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "pictures.h"
+#include "render/graph_private.h"
+#include "render/plot_data.h"
+
+enum { CHAINS = 2, SENSORS = 2, SAMPLES = 200 };
+static const size_t sensor_beads[SENSORS] = {3, 6};
+static const double amplitudes[CHAINS][SENSORS] = {{10, 4}, {8, 20}}; /* N */
+
+struct run {
+    struct bead_scene *scene;
+    struct bead_chain *chains[CHAINS];
+    struct bead_stage stage;
+    struct bead_plot_data *data;
+    const struct bead_panel *panels;
+    size_t count;
+};
+
+/* A force that begins at the sensors' own times; its twin leaves it at 0.5 ms. */
+static double force(size_t chain, size_t sensor, double time, bool twin)
+{
+    double off = twin && time > 0.5e-3 ? 0.5 : 0;
+    return amplitudes[chain][sensor] * fabs(sin(2e4 * (time + 1e-5 * (double)sensor))) + off;
+}
+
+static struct run plot(const char *settings)
+{
+    char text[1024];
+    struct run run = {.count = 0};
+    struct bead_message msg = {""};
+    static const char beads[] = "[{bead: large-steel, count: 2}, {bead: large-steel, sensor: a_1}, {bead: large-steel, count: 2}, "
+                                "{bead: large-steel, sensor: b}, {bead: large-steel}]";
+    snprintf(text, sizeof text,
+             "chains:\n- {name: one, beads: %s}\n- {name: two, beads: %s}\nsimulate: {until: 1 ms}\n"
+             "outputs: [{plot: p.png, show: sensors%s}]\n",
+             beads, beads, settings);
+    if (bead_scene_parse("test", text, strlen(text), NULL, 0, &run.scene, &msg))
+        fail_msg("%s", msg.text);
+    for (size_t c = 0; c < CHAINS; c++)
+        assert_int_equal(bead_chain_create(run.scene, c, &run.chains[c], &msg), BEAD_OK);
+    run.stage =
+        (struct bead_stage){.scene = run.scene, .chain_count = CHAINS, .end = 1e-3, .resolution = 1e-6, .twin = 10, .threads = 1};
+    run.stage.chains = (const struct bead_chain *const *)run.chains;
+    assert_int_equal(bead_plot_data_create(&run.scene->outputs[0], &run.stage, SIZE_MAX, &run.data, &msg), BEAD_OK);
+    for (size_t i = 0; i < SAMPLES * CHAINS; i++) {
+        double values[2][8] = {{0}};
+        struct bead_sample sample = {.time = 1e-3 * (double)(i / CHAINS) / (SAMPLES - 1), .chain = i % CHAINS, .index = i / CHAINS};
+        for (size_t k = 0; k < SENSORS; k++) {
+            values[0][sensor_beads[k]] = force(sample.chain, k, sample.time, false);
+            values[1][sensor_beads[k]] = force(sample.chain, k, sample.time, true);
+        }
+        sample.field[BEAD_FIELD_FORCE] = values[0];
+        sample.twin[BEAD_FIELD_FORCE] = values[1];
+        assert_int_equal(bead_plot_data_feed(run.data, &sample, &msg), BEAD_OK);
+    }
+    assert_int_equal(bead_plot_data_finish(run.data, NULL, &msg), BEAD_OK);
+    run.panels = bead_plot_data_panels(run.data, &run.count);
+    assert_int_equal(run.count, CHAINS);
+    return run;
+}
+
+static void release(struct run *run)
+{
+    bead_plot_data_destroy(run->data);
+    for (size_t c = 0; c < CHAINS; c++)
+        bead_chain_destroy(run->chains[c]);
+    bead_scene_free(run->scene);
+}
+
+static double largest(const struct run *run, size_t panel, size_t sensor)
+{
+    double found = 0;
+    const struct bead_series *series = &run->panels[panel].series[sensor];
+    assert_true(series->count >= SAMPLES - 2);
+    for (size_t i = 0; i < series->count; i++)
+        found = fmax(found, series->y[i]);
+    return found;
+}
+
+static void test_forces_are_divided_as_asked(void **state)
+{
+    (void)state;
+    struct run plain = plot(""), first = plot(", normalise: first"), own = plot(", normalise: max");
+    for (size_t c = 0; c < CHAINS; c++) {
+        for (size_t k = 0; k < SENSORS; k++) {
+            double force_of = largest(&plain, c, k), first_of = largest(&plain, c, 0);
+            assert_true(fabs(force_of / amplitudes[c][k] - 1) < 0.01);
+            assert_true(fabs(largest(&first, c, k) - force_of / first_of) < 1e-12);
+            assert_true(fabs(largest(&own, c, k) - 1) < 1e-12);
+        }
+        assert_string_equal(plain.panels[c].y.unit, "N");
+        assert_string_equal(first.panels[c].y.unit, "");
+        assert_non_null(strstr(first.panels[c].y.title, "largest at \u201ca\\_1\u201d"));
+        assert_non_null(strstr(own.panels[c].y.title, "its largest"));
+    }
+    release(&plain);
+    release(&first);
+    release(&own);
+}
+
+static void test_chains_share_one_axis(void **state)
+{
+    (void)state;
+    static const char *const settings[] = {"", ", range: [0, 50 N]", ", range: [0, 2], normalise: max"};
+    static const double high[] = {20, 50, 2};
+    for (size_t s = 0; s < 3; s++) {
+        struct run run = plot(settings[s]);
+        struct bead_graph graph = {.panels = run.panels, .panel_count = run.count, .share_x = true, .share_y = true};
+        struct bead_look look;
+        struct graph_layout layout;
+        struct bead_message msg = {""};
+        bead_look_screen(&look, 800, 600, false);
+        assert_int_equal(graph_layout_make(&graph, &look, 800, 600, &layout, &msg), BEAD_OK);
+        for (size_t c = 0; c < CHAINS; c++) {
+            assert_true(layout.cells[c].low[1] == 0 && layout.cells[c].high[1] == layout.cells[0].high[1]);
+            assert_true(layout.cells[c].low[0] == 0 && layout.cells[c].high[0] == 1e-3);
+        }
+        assert_true(s > 0 ? layout.cells[0].high[1] == high[s]
+                          : layout.cells[0].high[1] > high[s] && layout.cells[0].high[1] < 1.2 * high[s]);
+        graph_layout_free(&layout);
+        release(&run);
+    }
+}
+
+/* 0.5 N is more than a hundredth of 21 N, and less than one of 100 N. */
+static void test_horizons_are_marked(void **state)
+{
+    (void)state;
+    struct run run = plot(", trust: true");
+    for (size_t c = 0; c < CHAINS; c++) {
+        assert_int_equal(run.panels[c].ruler_count, 1);
+        assert_true(fabs(run.panels[c].rulers[0].value - 0.5e-3) < 1e-5);
+        assert_non_null(strstr(run.panels[c].title, "predictable until"));
+    }
+    release(&run);
+    run = plot(", trust: true, range: [0, 100 N]");
+    assert_int_equal(run.panels[0].ruler_count, 0);
+    assert_non_null(strstr(run.panels[0].title, "predictable throughout"));
+    release(&run);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_forces_are_divided_as_asked),
+        cmocka_unit_test(test_chains_share_one_axis),
+        cmocka_unit_test(test_horizons_are_marked),
+    };
+    return cmocka_run_group_tests_name("plots", tests, NULL, NULL);
+}
