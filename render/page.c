@@ -65,8 +65,12 @@ void bead_page_notes(const struct bead_page *page, const struct bead_output *out
 {
     bool sensors = output->kind == BEAD_OUTPUT_PLOT;
     const char *equation = scene->chains[0].equation.name;
-    const char *what = sensors ? (output->show == BEAD_SHOW_PEAKS ? "peak force of contacts" : "force of sensors")
-                               : bead_field_info(output->field)->title;
+    static const char *const plots[] = {[BEAD_SHOW_SENSORS] = "force of sensors",
+                                        [BEAD_SHOW_PEAKS] = "peak force of contacts",
+                                        [BEAD_SHOW_SETUP] = "drawing of the experiment",
+                                        [BEAD_SHOW_CONTACT] = "drawing of a contact",
+                                        [BEAD_SHOW_CELL] = "drawing of the cells"};
+    const char *what = sensors ? plots[output->show] : bead_field_info(output->field)->title;
     if (equation)
         snprintf(description, size, "%s of the equation %s", sensors ? "numbers" : what, equation);
     else

@@ -1,4 +1,5 @@
-/* Sink for `plot:` outputs: curves of sensors, one panel for each chain that has some; or peaks of contacts. */
+/* Sink for `plot:` outputs: curves of sensors, one panel for each chain that has some; peaks of contacts; or schematic
+ * drawings, which need no data. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -6,12 +7,14 @@
 #include "render/markup.h"
 #include "render/page.h"
 #include "render/plot_data.h"
+#include "render/schematic.h"
 #include "render/sinks.h"
 
 struct bead_sink {
     const struct bead_output *output;
     const struct bead_scene *scene;
-    struct bead_plot_data *data;
+    struct bead_stage stage;
+    struct bead_plot_data *data; /* NULL: a drawing */
     struct bead_page page;
     char *path;
     uint64_t bytes;
@@ -34,10 +37,13 @@ static enum bead_error create(const struct bead_output *output, const struct bea
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot");
     s->output = output;
     s->scene = stage->scene;
+    s->stage = *stage;
     enum bead_error err = bead_file_join(stage->directory, output->path, &s->path, msg);
     if (!err)
         err = bead_page_find(output, stage->scene->file, &s->page, msg);
-    if (!err)
+    if (!err && bead_schematic_is(output->show))
+        err = bead_schematic_check(output, stage, msg);
+    else if (!err)
         err = bead_plot_data_create(output, stage, SIZE_MAX, &s->data, msg);
     if (err) {
         destroy(s);
@@ -48,7 +54,10 @@ static enum bead_error create(const struct bead_output *output, const struct bea
 
 static void needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
-    bead_plot_data_needs(sink->data, needs);
+    if (sink->data)
+        bead_plot_data_needs(sink->data, needs);
+    else
+        *needs = (struct bead_needs){.why = "a drawing of the scene; nothing is computed for it"};
 }
 
 static enum bead_error begin(struct bead_sink *sink, struct bead_range range, struct bead_message *msg)
@@ -59,7 +68,7 @@ static enum bead_error begin(struct bead_sink *sink, struct bead_range range, st
 
 static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
 {
-    return bead_plot_data_feed(sink->data, sample, msg);
+    return !sink->data ? BEAD_OK : bead_plot_data_feed(sink->data, sample, msg);
 }
 
 static enum bead_error end(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
@@ -67,6 +76,8 @@ static enum bead_error end(struct bead_sink *sink, const struct bead_outcome *ou
     const int least = 240; /* px of height where a title is worth its room */
     char title[2048] = "";
     struct bead_graph graph = {.title = title, .caption = sink->output->caption, .share_x = true, .share_y = true};
+    if (!sink->data)
+        return bead_schematic_write(sink->output, &sink->stage, sink->path, &sink->bytes, msg);
     enum bead_error err = bead_plot_data_finish(sink->data, outcomes, msg);
     if (err)
         return err;
@@ -87,7 +98,7 @@ static const char *const extensions[] = {"png", "pdf", "svg", NULL};
 
 const struct bead_sink_type bead_plot_sink = {
     .name = "plot",
-    .help = "force of sensors against time, or peaks of contacts: png, pdf, svg",
+    .help = "force of sensors against time, peaks of contacts, or schematic drawings: png, pdf, svg",
     .kind = BEAD_OUTPUT_PLOT,
     .extensions = extensions,
     .create = create,

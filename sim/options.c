@@ -216,7 +216,7 @@ static enum bead_error read_value(struct bead_reader *reader, const struct bead_
         err = bead_read_choice(reader, at, option->choices, &choice);
         _Static_assert(sizeof(enum bead_show) == sizeof choice, "enums are stored as unsigned");
         if (!err)
-            memcpy(field, &choice, sizeof choice);
+            memcpy(field, option->values ? &option->values[choice] : &choice, sizeof choice);
         return err;
     case BEAD_OPTION_CUSTOM:
         break;

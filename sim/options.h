@@ -55,6 +55,7 @@ struct bead_option {
     const char *word; /* may stand for a number, and means ... */
     double word_value;
     const char *const *choices; /* NULL-terminated */
+    const unsigned *values;     /* what the choices mean; NULL: their index */
     const char
         *shape; /* what a custom value looks like (NULL: not to be shown in help), or other words for the range of a number */
     const char *help;

@@ -172,6 +172,55 @@ static enum bead_error check_equations(const struct bead_reader *reader, const s
     return BEAD_OK;
 }
 
+static bool is_drawing(const struct bead_output *output)
+{
+    return output->kind == BEAD_OUTPUT_PLOT &&
+           (output->show == BEAD_SHOW_SETUP || output->show == BEAD_SHOW_CONTACT || output->show == BEAD_SHOW_CELL);
+}
+
+static bool has_cells(const struct bead_scene *scene)
+{
+    for (size_t c = 0; c < scene->chain_count; c++) {
+        for (size_t s = 0; s < scene->chains[c].segment_count; s++) {
+            if (scene->chains[c].segments[s].cell_beads > 1)
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Schematic drawings are of beads, and need no run. */
+static enum bead_error check_drawing(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+{
+    static const char *const of_runs[] = {"every", "time", "scale", "trust", "normalise", "range"}, *const of_contacts[] = {
+                                                                                                        "contact", "compression"};
+    const struct bead_scene *scene = reader->scene;
+    struct bead_at where;
+    for (size_t i = 0; i < 2 && output->kind == BEAD_OUTPUT_PLOT && output->show != BEAD_SHOW_CONTACT; i++) {
+        where = bead_at_key(at, of_contacts[i]);
+        if (where.node != at->node)
+            return bead_wrong(reader, &where, "belongs to `show: contact`");
+    }
+    for (size_t i = 0; i < 6 && is_drawing(output); i++) {
+        where = bead_at_key(at, of_runs[i]);
+        if (where.node != at->node)
+            return bead_wrong(reader, &where, "belongs to `show: sensors` or `show: peaks`; nothing is computed for a drawing");
+    }
+    where = bead_at_key(at, "show");
+    for (size_t c = 0; c < scene->chain_count && is_drawing(output); c++) {
+        if (scene->chains[c].equation.name)
+            return bead_wrong(reader, &where, "draws beads, but there are none in `%s`", scene->chains[c].equation.name);
+    }
+    if (is_drawing(output) && output->show == BEAD_SHOW_CELL && !has_cells(scene))
+        return bead_wrong(reader, &where, "draws cells, but no chain has a `cell` of two or more beads");
+    if (!is_drawing(output) || output->show != BEAD_SHOW_CONTACT || output->contact == BEAD_CONTACT_AUTO)
+        return BEAD_OK;
+    size_t last = bead_scene_count_beads(&scene->chains[0]) - (scene->chains[0].wall == BEAD_WALL_NONE);
+    where = bead_at_key(at, "contact");
+    return output->contact <= last ? BEAD_OK
+                                   : bead_wrong(reader, &where, "is %zu, but the last contact is %zu", output->contact, last);
+}
+
 /* Only fields that every chain has. */
 static enum bead_error check_fields(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
 {
@@ -294,6 +343,8 @@ static enum bead_error read_output(struct bead_reader *reader, const struct bead
     if (!err)
         err = check_times(reader, at, output);
     if (!err)
+        err = check_drawing(reader, at, output);
+    if (!err && !is_drawing(output))
         err = check_shown(reader, at, output);
     if (!err)
         err = check_trust(reader, at, output);

@@ -19,7 +19,8 @@ enum {
 };
 
 static const char *const form_names[] = {"trajectory", "image", "movie", "plot", "table", NULL};
-static const char *const plot_shows[] = {"sensors", "peaks", NULL};
+static const char *const plot_shows[] = {"sensors", "peaks", "setup", "contact", "cell", NULL};
+static const unsigned plot_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_SETUP, BEAD_SHOW_CONTACT, BEAD_SHOW_CELL};
 static const char *const table_shows[] = {"sensors", "peaks", "bead-peaks", "measures", NULL};
 static const char *const scales[] = {"linear", "sqrt", "log", NULL};
 static const char *const normalisings[] = {"none", "first", "max", NULL};
@@ -50,14 +51,35 @@ static const struct bead_option rows[] = {
     KIND("trajectory", TRAJECTORY, "FILE.h5", "samples of fields in an H5MD file"),
     KIND("image", IMAGE, "FILE.png, .pdf or .svg", "a picture of a field in space and time, or a still"),
     KIND("movie", MOVIE, "FILE.mp4, .mkv, .webm, .gif, .png or .apng", "a movie; a .png is an animated one"),
-    KIND("plot", PLOT, "FILE.png, .pdf or .svg", "curves of sensors against time, or of peaks along the chain"),
+    KIND("plot", PLOT, "FILE.png, .pdf or .svg",
+         "curves of sensors against time or of peaks along the chain; or a schematic drawing"),
     KIND("table", TABLE, "FILE.csv", "numbers"),
     {.key = "show",
      .type = BEAD_OPTION_CHOICE,
      .offset = OUTPUT(show),
      .initial = "sensors",
      .choices = plot_shows,
-     .help = "what to plot: the force at every sensor against time, or the peak force of every contact, chains in one plot",
+     .values = plot_values,
+     .help = "what to plot: the force at every sensor against time; the peak force of every contact, chains in one plot; or a "
+             "schematic drawing: of the experiment, of a contact, of the cells",
+     .forms = PLOT},
+    {.key = "contact",
+     .type = BEAD_OPTION_COUNT,
+     .offset = OUTPUT(contact),
+     .initial = "auto",
+     .low = 0,
+     .high = BEAD_SCENE_BEADS,
+     .word = "auto",
+     .word_value = BEAD_CONTACT_AUTO,
+     .help = "the contact of the first chain that `show: contact` draws; contact j is between beads j and j + 1, 0 is the striker",
+     .forms = PLOT},
+    {.key = "compression",
+     .offset = OUTPUT(compression),
+     .initial = "0.2",
+     .low = 0,
+     .high = 0.6,
+     .open = BEAD_OPEN_LOW,
+     .help = "of `show: contact`: what the smaller bead is flattened by, as a part of its radius",
      .forms = PLOT},
     {.key = "show",
      .type = BEAD_OPTION_CHOICE,

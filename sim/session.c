@@ -37,6 +37,8 @@ static const char *extension(const char *path)
 
 bool bead_output_needs_end(const struct bead_output *output)
 {
+    if (output->kind == BEAD_OUTPUT_PLOT)
+        return output->show == BEAD_SHOW_SENSORS || output->show == BEAD_SHOW_PEAKS;
     return output->kind != BEAD_OUTPUT_TABLE || output->show == BEAD_SHOW_SENSORS || output->show == BEAD_SHOW_MEASURES;
 }
 

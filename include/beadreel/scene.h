@@ -119,7 +119,16 @@ enum bead_output_kind {
     BEAD_OUTPUT_TABLE,
     BEAD_OUTPUT_KINDS
 };
-enum bead_show { BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_BEAD_PEAKS, BEAD_SHOW_MEASURES };
+enum bead_show {
+    BEAD_SHOW_SENSORS,
+    BEAD_SHOW_PEAKS,
+    BEAD_SHOW_BEAD_PEAKS,
+    BEAD_SHOW_MEASURES,
+    BEAD_SHOW_SETUP,
+    BEAD_SHOW_CONTACT,
+    BEAD_SHOW_CELL
+};
+enum { BEAD_CONTACT_AUTO = 1000000000 };
 enum bead_scale { BEAD_SCALE_LINEAR, BEAD_SCALE_SQRT, BEAD_SCALE_LOG };
 enum bead_normalise { BEAD_NORMALISE_NONE, BEAD_NORMALISE_FIRST, BEAD_NORMALISE_MAX };
 enum bead_sampling { BEAD_SAMPLING_AREA, BEAD_SAMPLING_MAX };
@@ -173,8 +182,10 @@ struct bead_output {
     enum bead_quality quality;
     enum bead_style style; /* preset of image and plot: size, type, colours */
     enum bead_theme theme;
-    double magnify;                /* factor on displacements; 0: automatic */
-    double at;                     /* s; time of a still with views other than spacetime; NaN: end */
+    double magnify;     /* factor on displacements; 0: automatic */
+    size_t contact;     /* `show: contact`: which; BEAD_CONTACT_AUTO: the first between beads of the chain, if it has one */
+    double compression; /* the same: of the smaller bead, as a part of its radius */
+    double at;          /* s; time of a still with views other than spacetime; NaN: end */
     struct bead_caption *captions; /* by rising times: movie */
     size_t caption_count;
     struct bead_card card;
