@@ -197,6 +197,7 @@ static enum bead_error create_views(struct bead_composer *c, struct bead_message
                                         .colours = c->colours,
                                         .look = &c->look,
                                         .axes = c->layout.axes,
+                                        .ticks_only = c->layout.ticks_only,
                                         .bead_labels = labels && !sensors,
                                         .time_down = true,
                                         .time_shared = sensors && !labels,

@@ -6,7 +6,7 @@
 #include "render/view_beads.h"
 
 /* What is left out, one after the other, until the rest has room. */
-enum level { EVERYTHING, NO_WORDS, FEW_LABELS, NO_HEADINGS, NO_AXES, VIEWS_ONLY, LEVELS };
+enum level { EVERYTHING, NO_WORDS, FEW_LABELS, TIGHT, NO_HEADINGS, NO_AXES, VIEWS_ONLY, LEVELS };
 
 /* Lengths of one level, px. */
 struct measures {
@@ -33,7 +33,9 @@ static struct measures measure(const struct bead_movie_wants *w, enum level leve
     bead_beads_margins(look, &beads_left, &beads_right);
     struct measures m = {
         .level = level, .axes = w->axes && level < NO_AXES, .headings = w->axes && w->headings && level < NO_HEADINGS};
-    m.view_gap = level == VIEWS_ONLY ? 0 : whole(level < FEW_LABELS ? 1.1 * look->tick : 0.7 * look->gap);
+    /* Half a label stands out at the ends of vertical axes; plots that are set tight have none. */
+    m.view_gap = whole(level < FEW_LABELS ? 1.1 * look->tick : m.axes && level != TIGHT ? look->tick : 0.7 * look->gap);
+    m.view_gap = level == VIEWS_ONLY ? 0 : m.view_gap;
     m.chain_gap = level == VIEWS_ONLY ? 0 : whole((level < FEW_LABELS ? 1.5 : 0.7) * look->gap);
     if (w->axes && level < VIEWS_ONLY) {
         m.margin = whole(1.3 * look->gap);
@@ -105,7 +107,7 @@ static bool labelled(const struct bead_movie_wants *w, const struct measures *m,
     if (type->kind == BEAD_VIEW_SENSORS)
         return lowest;
     if (moves(w, view))
-        return labels_window(w, view);
+        return labels_window(w, view) && m->level < FEW_LABELS;
     bool one_for_all = w->same_beads ? lowest : m->level < FEW_LABELS;
     return labels_beads(w, view) && (one_for_all || type->kind == BEAD_VIEW_BEADS);
 }
@@ -252,6 +254,7 @@ enum bead_error bead_movie_arrange(const struct bead_movie_wants *wants, struct 
         if (wants->chain_count > 100000 || !place_chains(wants, &m, layout))
             continue;
         layout->axes = m.axes;
+        layout->ticks_only = level == TIGHT;
         place_header(wants, &m, layout);
         place_bar(wants, &m, layout);
         if (m.caption > 0)

@@ -41,7 +41,7 @@ struct bead_movie_chain {
 };
 
 struct bead_movie_layout {
-    bool axes;
+    bool axes, ticks_only; /* vertical axes without labels */
     struct bead_rect time, title, facts, trust, bar, caption;
     struct bead_movie_chain *chains; /* of the layout */
     size_t chain_count;

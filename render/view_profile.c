@@ -177,7 +177,7 @@ static enum bead_error profile_decorate(struct bead_view *v, cairo_t *cr, struct
         return BEAD_OK;
     const struct bead_field_info *field = bead_chain_field(v->setup.chain, v->setup.field);
     const char *title = strrchr(field->title, ' '); /* short: "force" for "bead force" */
-    bead_axis_draw(cr, look, &v->axis, v->plot, BEAD_SIDE_LEFT, false, true, title ? title + 1 : field->title);
+    bead_axis_draw(cr, look, &v->axis, v->plot, BEAD_SIDE_LEFT, false, !v->setup.ticks_only, title ? title + 1 : field->title);
     if (v->setup.bead_labels && v->setup.camera)
         return move_labels(v, cr, msg);
     if (v->setup.bead_labels) {

@@ -190,6 +190,8 @@ static void draw_names(const struct bead_view *v, cairo_t *cr, const struct name
     for (size_t k = 0; k < v->count; k++) {
         double x = names[k].x, y = v->plot.y + (names[k].row + 0.65) * strip * em;
         struct bead_rgb colour = ink(v, k);
+        if ((names[k].row + 1) * strip * em > v->plot.height) /* half a name is none */
+            continue;
         style.colour = lines ? v->look.ink : colour;
         if (lines) {
             cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
@@ -233,7 +235,8 @@ static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_me
     bead_axis_make(&time, v->setup.time[0], v->setup.time[1], "s", BEAD_SCALE_LINEAR, v->plot.width, v->look.tick, true);
     if (!v->look.dark)
         bead_box_draw(cr, &v->look, v->plot);
-    bead_axis_draw(cr, &v->look, &v->force, v->plot, BEAD_SIDE_LEFT, false, true, bead_field_info(shown_field(&v->setup))->title);
+    bead_axis_draw(cr, &v->look, &v->force, v->plot, BEAD_SIDE_LEFT, false, !v->setup.ticks_only,
+                   bead_field_info(shown_field(&v->setup))->title);
     bead_axis_draw(cr, &v->look, &time, v->plot, BEAD_SIDE_BOTTOM, false, !v->setup.time_shared, "time");
     return BEAD_OK;
 }

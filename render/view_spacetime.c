@@ -107,7 +107,7 @@ static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_me
     enum bead_side bead_side = s->time_down ? BEAD_SIDE_BOTTOM : BEAD_SIDE_LEFT;
     if (!v->look.dark)
         bead_box_draw(cr, &v->look, v->plot);
-    bead_axis_draw(cr, &v->look, &time, v->plot, time_side, true, !s->time_shared, "time");
+    bead_axis_draw(cr, &v->look, &time, v->plot, time_side, true, !s->time_shared && !(s->ticks_only && s->time_down), "time");
     bead_axis_draw(cr, &v->look, &beads, v->plot, bead_side, false, s->bead_labels, name);
     return BEAD_OK;
 }

@@ -31,6 +31,7 @@ struct bead_view_setup {
     struct bead_colours colours; /* the range is that of all chains and all times */
     const struct bead_look *look;
     bool axes;        /* axes and labels around the plot */
+    bool ticks_only;  /* no labels on the vertical axis: plots are so low that they would run into those of the next */
     bool bead_labels; /* label the bead axis; false where a view below shares it */
     bool time_down;   /* spacetime: time runs down and beads to the right (movies); else beads up, time to the right (papers) */
     bool time_shared; /* spacetime, sensors: no labels on the time axis; a view below has them */
