@@ -11,9 +11,9 @@
 #include "render/movie_card.h"
 #include "render/view_beads.h"
 
-unsigned bead_composer_fields(const struct bead_output *output)
+unsigned bead_composer_fields(const struct bead_output *output, const struct bead_chain *chain)
 {
-    struct bead_view_setup setup = {.field = output->field};
+    struct bead_view_setup setup = {.chain = chain, .field = output->field};
     unsigned fields = 0;
     for (size_t i = 0; i < output->view_count; i++) {
         const struct bead_view_type *type = bead_view_find(output->views[i]);
@@ -188,7 +188,8 @@ static enum bead_error create_views(struct bead_composer *c, struct bead_message
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++) {
         size_t chain = i / c->wants.view_count, view = i % c->wants.view_count;
-        bool sensors = c->wants.views[view]->kind == BEAD_VIEW_SENSORS, labels = c->layout.chains[chain].labels[view];
+        const enum bead_view_kind kind = c->wants.views[view]->kind;
+        bool sensors = kind == BEAD_VIEW_SENSORS, labels = c->layout.chains[chain].labels[view];
         struct bead_view_setup setup = {.chain = c->setup.chains[chain],
                                         .chain_index = chain,
                                         .field = output->field,
@@ -204,6 +205,7 @@ static enum bead_error create_views(struct bead_composer *c, struct bead_message
                                         .fill = true,
                                         .magnify = c->magnify,
                                         .camera = c->cameras ? c->cameras[chain] : NULL,
+                                        .modes = output->modes,
                                         .trust = output->trust};
         err = c->wants.views[view]->create(&setup, view_at(c, chain, view), msg);
     }

@@ -104,7 +104,7 @@ static bool labelled(const struct bead_movie_wants *w, const struct measures *m,
     bool lowest = chain + 1 == w->chain_count;
     if (!m->axes)
         return false;
-    if (type->kind == BEAD_VIEW_SENSORS)
+    if (type->kind == BEAD_VIEW_SENSORS || type->kind == BEAD_VIEW_MODES)
         return lowest;
     if (moves(w, view))
         return labels_window(w, view) && m->level < FEW_LABELS;
@@ -127,7 +127,8 @@ static const struct {
 } heights_of[BEAD_VIEW_KINDS] = {[BEAD_VIEW_BEADS] = {1.45, 0.135},
                                  [BEAD_VIEW_PROFILE] = {0.8, 0.25},
                                  [BEAD_VIEW_SPACETIME] = {1.25, 2},
-                                 [BEAD_VIEW_SENSORS] = {1.2, 0.5}};
+                                 [BEAD_VIEW_SENSORS] = {1.2, 0.5},
+                                 [BEAD_VIEW_MODES] = {1, 0.3}};
 
 static int most_height(const struct bead_movie_wants *w, const struct measures *m, size_t view)
 {

@@ -173,7 +173,7 @@ static enum bead_error prepare(struct bead_sink *s, struct bead_message *msg)
         return err;
     settings = settings_of(s);
     err = bead_movie_check(s->output->path, &settings, msg);
-    s->fields = bead_composer_fields(s->output);
+    s->fields = bead_composer_fields(s->output, s->stage.chains[0]);
     s->twin = bead_composer_twin(s->output);
     for (size_t c = 0; c < s->stage.chain_count; c++) {
         size_t last = bead_chain_beads(s->stage.chains[c]) - 1;

@@ -100,6 +100,7 @@ const struct bead_sink_type bead_plot_sink = {
     .name = "plot",
     .help = "force of sensors against time, peaks of contacts, or schematic drawings: png, pdf, svg",
     .kind = BEAD_OUTPUT_PLOT,
+    .shows = 1 << BEAD_SHOW_SENSORS | 1 << BEAD_SHOW_PEAKS | 1 << BEAD_SHOW_SETUP | 1 << BEAD_SHOW_CONTACT | 1 << BEAD_SHOW_CELL,
     .extensions = extensions,
     .create = create,
     .needs = needs,

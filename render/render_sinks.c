@@ -2,10 +2,7 @@
 #include "render/sinks.h"
 
 static const struct bead_sink_type *const sinks[] = {
-    &bead_image_sink,
-    &bead_plot_sink,
-    &bead_movie_sink,
-    NULL,
+    &bead_image_sink, &bead_plot_sink, &bead_modes_plot_sink, &bead_profiles_plot_sink, &bead_movie_sink, NULL,
 };
 
 const struct bead_sink_type *const *bead_render_sinks(void)

@@ -4,6 +4,6 @@
 
 #include "beadreel/sink.h"
 
-extern const struct bead_sink_type bead_image_sink, bead_plot_sink, bead_movie_sink;
+extern const struct bead_sink_type bead_image_sink, bead_plot_sink, bead_movie_sink, bead_modes_plot_sink, bead_profiles_plot_sink;
 
 #endif

@@ -1,7 +1,7 @@
 #include "render/views.h"
 
 static const struct bead_view_type *const views[] = {
-    &bead_view_beads_type, &bead_view_profile_type, &bead_view_spacetime_type, &bead_view_sensors_type, NULL,
+    &bead_view_beads_type, &bead_view_profile_type, &bead_view_spacetime_type, &bead_view_sensors_type, &bead_view_modes_type, NULL,
 };
 
 const struct bead_view_type *bead_view_find(enum bead_view_kind kind)

@@ -5,6 +5,6 @@
 #include "beadreel/view.h"
 
 extern const struct bead_view_type bead_view_beads_type, bead_view_profile_type;
-extern const struct bead_view_type bead_view_spacetime_type, bead_view_sensors_type;
+extern const struct bead_view_type bead_view_spacetime_type, bead_view_sensors_type, bead_view_modes_type;
 
 #endif

@@ -70,6 +70,24 @@ void bead_chain_describe(const struct bead_chain *chain, char *text, size_t size
         snprintf(text, size, "%s", chain->equation->name);
 }
 
+unsigned bead_chain_mode_fields(const struct bead_chain *chain)
+{
+    if (!chain->equation || !chain->equation->modes)
+        return 0;
+    return chain->equation->fields ? chain->equation->mode_fields : BEAD_FIELD_BIT(chain->spec->equation.variable);
+}
+
+const char *bead_chain_mode_title(const struct bead_chain *chain)
+{
+    return chain->equation && chain->equation->mode_title ? chain->equation->mode_title : "energy of the mode";
+}
+
+void bead_chain_mode_energies(const struct bead_chain *chain, const double *const field[BEAD_FIELD_COUNT], size_t count,
+                              double *energy)
+{
+    chain->equation->modes(&chain->spec->equation, chain->beads, field, count, energy);
+}
+
 const char *bead_chain_time_unit(const struct bead_chain *chain)
 {
     return chain->equation ? "" : "s";

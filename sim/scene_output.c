@@ -87,30 +87,6 @@ static enum bead_error check_times(const struct bead_reader *reader, const struc
     return BEAD_OK;
 }
 
-static enum bead_error check_shown(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
-{
-    static const char *const of_samples[] = {"every", "time"};
-    struct bead_at where = bead_at_key(at, "show");
-    if (output->kind != BEAD_OUTPUT_TABLE && output->kind != BEAD_OUTPUT_PLOT)
-        return BEAD_OK;
-    if (output->show == BEAD_SHOW_SENSORS && !bead_scene_has_sensors(reader->scene))
-        return bead_wrong(reader, &where, "shows sensors, but no bead of the chain has a `sensor`");
-    where = bead_at_key(at, "scale");
-    if (output->show == BEAD_SHOW_SENSORS && output->scale != BEAD_SCALE_LINEAR)
-        return bead_wrong(reader, &where, "belongs to `show: peaks`; the axis of sensors is linear");
-    where = bead_at_key(at, "normalise");
-    if (output->show != BEAD_SHOW_SENSORS && output->normalise != BEAD_NORMALISE_NONE)
-        return bead_wrong(reader, &where, "belongs to `show: sensors`; peaks are shown as they are");
-    for (size_t i = output->show == BEAD_SHOW_MEASURES; i < 2 && output->show != BEAD_SHOW_SENSORS; i++) {
-        where = bead_at_key(at, of_samples[i]);
-        if (where.node != at->node)
-            return bead_wrong(reader, &where, "belongs to `show: sensors`; %s",
-                              output->show == BEAD_SHOW_MEASURES ? "measures are those of the whole run"
-                                                                 : "peaks are those of the whole first passage");
-    }
-    return BEAD_OK;
-}
-
 static bool is_given(const struct bead_at *at, const char *key)
 {
     return bead_at_key(at, key).node != at->node;
@@ -192,8 +168,8 @@ static bool has_cells(const struct bead_scene *scene)
 /* Schematic drawings are of beads, and need no run. */
 static enum bead_error check_drawing(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
 {
-    static const char *const of_runs[] = {"every", "time", "scale", "trust", "normalise", "range"}, *const of_contacts[] = {
-                                                                                                        "contact", "compression"};
+    static const char *const of_runs[] = {"every", "time", "scale", "trust", "normalise", "range", "modes", "field", "at"},
+                             *const of_contacts[] = {"contact", "compression"};
     const struct bead_scene *scene = reader->scene;
     struct bead_at where;
     for (size_t i = 0; i < 2 && output->kind == BEAD_OUTPUT_PLOT && output->show != BEAD_SHOW_CONTACT; i++) {
@@ -201,7 +177,7 @@ static enum bead_error check_drawing(const struct bead_reader *reader, const str
         if (where.node != at->node)
             return bead_wrong(reader, &where, "belongs to `show: contact`");
     }
-    for (size_t i = 0; i < 6 && is_drawing(output); i++) {
+    for (size_t i = 0; i < sizeof of_runs / sizeof *of_runs && is_drawing(output); i++) {
         where = bead_at_key(at, of_runs[i]);
         if (where.node != at->node)
             return bead_wrong(reader, &where, "belongs to `show: sensors` or `show: peaks`; nothing is computed for a drawing");
@@ -345,7 +321,7 @@ static enum bead_error read_output(struct bead_reader *reader, const struct bead
     if (!err)
         err = check_drawing(reader, at, output);
     if (!err && !is_drawing(output))
-        err = check_shown(reader, at, output);
+        err = bead_output_check_show(reader, at, output);
     if (!err)
         err = check_trust(reader, at, output);
     if (!err && output->kind == BEAD_OUTPUT_MOVIE)

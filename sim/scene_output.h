@@ -18,7 +18,12 @@ BEAD_OUTPUT_READER(bead_output_read_views);
 BEAD_OUTPUT_READER(bead_output_read_captions);
 BEAD_OUTPUT_READER(bead_output_read_card);
 BEAD_OUTPUT_READER(bead_output_read_poster);
+BEAD_OUTPUT_READER(bead_output_read_moments);
 BEAD_OUTPUT_READER(bead_scene_read_sweep);
+
+/* `show` of plots and tables, and the keys that go with it (scene_show.c). */
+BEAD_CHECK enum bead_error bead_output_check_show(const struct bead_reader *reader, const struct bead_at *at,
+                                                  const struct bead_output *output);
 
 /* What the keys of one movie must fit together in. */
 BEAD_CHECK enum bead_error bead_output_check_movie(const struct bead_reader *reader, const struct bead_at *at,

@@ -81,7 +81,7 @@ BEAD_OUTPUT_READER(bead_output_read_fields)
 
 BEAD_OUTPUT_READER(bead_output_read_views)
 {
-    static const char *const names[] = {"beads", "profile", "spacetime", "sensors", NULL};
+    static const char *const names[] = {"beads", "profile", "spacetime", "sensors", "modes", NULL};
     struct bead_output *output = settings;
     unsigned seen = 0, found = 0;
     enum bead_error err = need_list(reader, at, option);

@@ -19,9 +19,12 @@ enum {
 };
 
 static const char *const form_names[] = {"trajectory", "image", "movie", "plot", "table", NULL};
-static const char *const plot_shows[] = {"sensors", "peaks", "setup", "contact", "cell", NULL};
-static const unsigned plot_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_SETUP, BEAD_SHOW_CONTACT, BEAD_SHOW_CELL};
-static const char *const table_shows[] = {"sensors", "peaks", "bead-peaks", "measures", NULL};
+static const char *const plot_shows[] = {"sensors", "peaks", "setup", "contact", "cell", "modes", "profiles", NULL};
+static const unsigned plot_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_SETUP,   BEAD_SHOW_CONTACT,
+                                       BEAD_SHOW_CELL,    BEAD_SHOW_MODES, BEAD_SHOW_PROFILES};
+static const char *const table_shows[] = {"sensors", "peaks", "bead-peaks", "measures", "modes", NULL};
+static const unsigned table_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_BEAD_PEAKS, BEAD_SHOW_MEASURES,
+                                        BEAD_SHOW_MODES};
 static const char *const scales[] = {"linear", "sqrt", "log", NULL};
 static const char *const normalisings[] = {"none", "first", "max", NULL};
 static const char *const samplings[] = {"area", "max", NULL};
@@ -60,8 +63,10 @@ static const struct bead_option rows[] = {
      .initial = "sensors",
      .choices = plot_shows,
      .values = plot_values,
-     .help = "what to plot: the force at every sensor against time; the peak force of every contact, chains in one plot; or a "
-             "schematic drawing: of the experiment, of a contact, of the cells",
+     .help = "what to plot: the force at every sensor against time; the peak force of every contact, chains in one plot; energies "
+             "of modes against time; profiles, a field along the chain at several times; or a schematic drawing: of the "
+             "experiment, of a "
+             "contact, of the cells",
      .forms = PLOT},
     {.key = "contact",
      .type = BEAD_OPTION_COUNT,
@@ -86,8 +91,9 @@ static const struct bead_option rows[] = {
      .offset = OUTPUT(show),
      .initial = "peaks",
      .choices = table_shows,
-     .help = "what to list: the force at every sensor, the peak of every contact or of every bead, or measures of the run (--list "
-             "measures)",
+     .values = table_values,
+     .help = "what to list: the force at every sensor, the peak of every contact or of every bead, measures of the run (--list "
+             "measures), or the energies of modes",
      .forms = TABLE},
     {.key = "field",
      .type = BEAD_OPTION_CHOICE,
@@ -103,6 +109,31 @@ static const struct bead_option rows[] = {
      .help = "what to store",
      .forms = TRAJECTORY,
      .read = bead_output_read_fields},
+    {.key = "modes",
+     .type = BEAD_OPTION_COUNT,
+     .offset = OUTPUT(modes),
+     .initial = "5",
+     .low = 1,
+     .high = BEAD_MODES,
+     .help = "how many modes `show: modes` and the view modes show",
+     .forms = PLOT | TABLE | MOVIE},
+    {.key = "field",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(field),
+     .initial = "force",
+     .choices = fields,
+     .help = "what `show: profiles` shows",
+     .forms = PLOT},
+    {.key = "at",
+     .type = BEAD_OPTION_CUSTOM,
+     .unit = "s",
+     .of_motion = true,
+     .low = 0,
+     .high = 1e6,
+     .shape = "a list of times",
+     .help = "when `show: profiles` shows the chain; one curve each, 12 at most",
+     .forms = PLOT,
+     .read = bead_output_read_moments},
     {.key = "time",
      .type = BEAD_OPTION_PAIR,
      .offset = OUTPUT(time),
@@ -258,14 +289,14 @@ static const struct bead_option rows[] = {
     {.key = "views",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "[spacetime]",
-     .shape = "a list of beads, profile, spacetime, sensors",
+     .shape = "a list of beads, profile, spacetime, sensors, modes",
      .help = "what to draw, from top to bottom",
      .forms = IMAGE,
      .read = bead_output_read_views},
     {.key = "views",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "[beads, profile, spacetime]",
-     .shape = "a list of beads, profile, spacetime, sensors",
+     .shape = "a list of beads, profile, spacetime, sensors, modes",
      .help = "what to draw, from top to bottom",
      .forms = MOVIE,
      .read = bead_output_read_views},

@@ -57,7 +57,8 @@ static const struct bead_sink_type *find_type(const struct bead_job *job, const 
 {
     for (const struct bead_sink_type *const *const *list = job->sinks; list && *list; list++) {
         for (const struct bead_sink_type *const *type = *list; *type; type++) {
-            if ((*type)->kind == output->kind && has_extension(*type, output->path))
+            bool shows = !(*type)->shows || (*type)->shows >> output->show & 1;
+            if ((*type)->kind == output->kind && shows && has_extension(*type, output->path))
                 return *type;
         }
     }
@@ -179,13 +180,25 @@ static unsigned kept_fields(const struct bead_session *s)
     return all ? k->fields | BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE) : k->fields;
 }
 
+/* What an output reads of samples. */
+static unsigned fields_of(const struct bead_session *s, const struct bead_output *output)
+{
+    bool shows = output->kind == BEAD_OUTPUT_TABLE || output->kind == BEAD_OUTPUT_PLOT;
+    bool modes = shows && output->show == BEAD_SHOW_MODES;
+    unsigned fields = shows && output->show != BEAD_SHOW_PROFILES ? 0 : BEAD_FIELD_BIT(output->field);
+    for (size_t i = 0; i < output->view_count; i++)
+        modes = modes || output->views[i] == BEAD_VIEW_MODES;
+    for (size_t c = 0; modes && c < s->chain_count; c++)
+        fields |= bead_chain_mode_fields(s->chains[c]);
+    return fields ? fields : BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
+}
+
 static bool covers(const struct bead_session *s, const struct bead_output *output)
 {
     const struct bead_output *k = s->keeper;
     if (output->kind == BEAD_OUTPUT_TABLE && output->show == BEAD_SHOW_MEASURES)
         return false; /* no interval is close enough, but its own */
-    unsigned needs = output->kind == BEAD_OUTPUT_TABLE || output->kind == BEAD_OUTPUT_PLOT ? BEAD_FIELD_BIT(BEAD_FIELD_FORCE)
-                                                                                           : BEAD_FIELD_BIT(output->field);
+    unsigned needs = fields_of(s, output);
     double from = isnan(output->time[0]) ? 0 : output->time[0], to = isnan(output->time[1]) ? s->end : output->time[1];
     return k && (kept_fields(s) & needs) == needs && k->beads.first <= output->beads.first && k->beads.last >= output->beads.last &&
            s->native.start <= from && s->native.end >= fmin(to, s->end) * (1 - 1e-9) && s->native.every <= coarsest * s->resolution;

@@ -78,7 +78,7 @@ static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcome
 
 /* ---- sensors, sample by sample ---- */
 
-static char *column_name(const struct bead_sink *sink, size_t chain, const char *sensor)
+char *bead_table_column(const struct bead_sink *sink, size_t chain, const char *sensor)
 {
     char *name = NULL;
     const char *owner = several(sink) ? bead_chain_name(sink->stage.chains[chain]) : "";
@@ -99,7 +99,7 @@ static enum bead_error sensors_prepare(struct bead_sink *sink, struct bead_messa
     for (size_t c = 0; sink->columns && c < sink->stage.chain_count; c++) {
         const struct bead_sensor *sensors = bead_chain_sensors(sink->stage.chains[c], &count);
         for (size_t i = 0; i < count; i++) {
-            char *name = column_name(sink, c, sensors[i].name);
+            char *name = bead_table_column(sink, c, sensors[i].name);
             if (!name)
                 return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
             sink->columns[sink->column_count++] = (struct column){c, sensors[i].bead, name, 0};
@@ -160,10 +160,9 @@ static const struct table sensors = {"forces at the sensors", sensors_prepare, s
                           bead_peaks = {"largest force of every bead", NULL, peaks_needs, peaks_header, NULL, peaks_end};
 
 static const struct table *const tables[] = {
-    [BEAD_SHOW_SENSORS] = &sensors,
-    [BEAD_SHOW_PEAKS] = &peaks,
-    [BEAD_SHOW_BEAD_PEAKS] = &bead_peaks,
-    [BEAD_SHOW_MEASURES] = &bead_table_measures,
+    [BEAD_SHOW_SENSORS] = &sensors,        [BEAD_SHOW_PEAKS] = &peaks,
+    [BEAD_SHOW_BEAD_PEAKS] = &bead_peaks,  [BEAD_SHOW_MEASURES] = &bead_table_measures,
+    [BEAD_SHOW_MODES] = &bead_table_modes,
 };
 
 /* ---- the sink ---- */

@@ -45,5 +45,9 @@ void bead_table_text(FILE *file, const char *text);
 
 /* `show: measures` */
 extern const struct table bead_table_measures;
+/* `show: modes` */
+extern const struct table bead_table_modes;
+/* "chain/what", or "what" where there is one chain only; NULL: no memory. */
+char *bead_table_column(const struct bead_sink *sink, size_t chain, const char *what);
 
 #endif

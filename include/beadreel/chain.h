@@ -60,6 +60,13 @@ BEAD_API const double *bead_chain_colour(const struct bead_chain *chain, size_t 
 /* What moves, in a few words: of equations their formula, of beads "". */
 BEAD_API void bead_chain_describe(const struct bead_chain *chain, char *text, size_t size);
 
+/* Linear modes of an equation: which fields of a sample their energies follow from (0: it has no modes), what these are called, and
+ * the energies of modes 1..count; field arrays as those of a sample. */
+BEAD_API unsigned bead_chain_mode_fields(const struct bead_chain *chain);
+BEAD_API const char *bead_chain_mode_title(const struct bead_chain *chain);
+BEAD_API void bead_chain_mode_energies(const struct bead_chain *chain, const double *const field[BEAD_FIELD_COUNT], size_t count,
+                                       double *energy);
+
 /* The axis along a chain: value i of a field stands at first + i * spacing. */
 struct bead_along {
     const char *title; /* "bead", "contact", or "x" */

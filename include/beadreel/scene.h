@@ -126,16 +126,25 @@ enum bead_show {
     BEAD_SHOW_MEASURES,
     BEAD_SHOW_SETUP,
     BEAD_SHOW_CONTACT,
-    BEAD_SHOW_CELL
+    BEAD_SHOW_CELL,
+    BEAD_SHOW_MODES,
+    BEAD_SHOW_PROFILES
 };
-enum { BEAD_CONTACT_AUTO = 1000000000 };
+enum { BEAD_CONTACT_AUTO = 1000000000, BEAD_MODES = 64, BEAD_MOMENTS = 12 };
 enum bead_scale { BEAD_SCALE_LINEAR, BEAD_SCALE_SQRT, BEAD_SCALE_LOG };
 enum bead_normalise { BEAD_NORMALISE_NONE, BEAD_NORMALISE_FIRST, BEAD_NORMALISE_MAX };
 enum bead_sampling { BEAD_SAMPLING_AREA, BEAD_SAMPLING_MAX };
 enum bead_quality { BEAD_QUALITY_DRAFT, BEAD_QUALITY_STANDARD, BEAD_QUALITY_HIGH, BEAD_QUALITY_LOSSLESS };
 enum bead_style { BEAD_STYLE_AUTO, BEAD_STYLE_PAPER, BEAD_STYLE_SLIDE, BEAD_STYLE_MOVIE };
 enum bead_theme { BEAD_THEME_AUTO, BEAD_THEME_LIGHT, BEAD_THEME_DARK };
-enum bead_view_kind { BEAD_VIEW_BEADS, BEAD_VIEW_PROFILE, BEAD_VIEW_SPACETIME, BEAD_VIEW_SENSORS, BEAD_VIEW_KINDS };
+enum bead_view_kind {
+    BEAD_VIEW_BEADS,
+    BEAD_VIEW_PROFILE,
+    BEAD_VIEW_SPACETIME,
+    BEAD_VIEW_SENSORS,
+    BEAD_VIEW_MODES,
+    BEAD_VIEW_KINDS
+};
 
 enum bead_follow { BEAD_FOLLOW_ALL, BEAD_FOLLOW_FRONT };
 
@@ -189,10 +198,13 @@ struct bead_output {
     struct bead_caption *captions; /* by rising times: movie */
     size_t caption_count;
     struct bead_card card;
-    enum bead_follow follow; /* what beads and profile show of a movie: all beads, or a window that moves with the front */
-    size_t window;           /* beads in it */
-    char *poster;            /* a PNG file of one frame, relative to the output directory; "": none */
-    double poster_at;        /* s of the motion; NaN: where there is most to see */
+    enum bead_follow follow;      /* what beads and profile show of a movie: all beads, or a window that moves with the front */
+    size_t window;                /* beads in it */
+    char *poster;                 /* a PNG file of one frame, relative to the output directory; "": none */
+    double poster_at;             /* s of the motion; NaN: where there is most to see */
+    size_t modes;                 /* how many, `show: modes` and view modes */
+    double moments[BEAD_MOMENTS]; /* s, rising: `show: profiles` */
+    size_t moment_count;
     struct bead_place place;
 };
 

@@ -39,6 +39,7 @@ struct bead_view_setup {
     enum bead_sampling sampling;      /* spacetime */
     double magnify;                   /* beads: factor on displacements, > 0 */
     const struct bead_camera *camera; /* beads, profile: show its window; spacetime: mark it at the present. NULL: all beads */
+    size_t modes;                     /* modes: how many */
     bool trust;                       /* spacetime, sensors: samples have a twin's values; mark where the two differ */
 };
 
