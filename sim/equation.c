@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-static const struct bead_equation *const equations[] = {&bead_equation_fput, &bead_equation_kdv, NULL};
+static const struct bead_equation *const equations[] = {&bead_equation_fput, &bead_equation_kdv, &bead_equation_shock, NULL};
 
 const struct bead_equation *bead_equation_info(size_t index)
 {

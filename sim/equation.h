@@ -76,6 +76,7 @@ struct bead_equation {
 
 extern const struct bead_equation bead_equation_fput;
 extern const struct bead_equation bead_equation_kdv;
+extern const struct bead_equation bead_equation_shock;
 
 /* NULL: there is no such equation. */
 const struct bead_equation *bead_equation_find(const char *name);

@@ -137,7 +137,7 @@ size_t bead_kdv_points(const struct bead_equation_spec *spec, double accuracy)
     if (spec->points)
         return spec->points;
     /* The spectrum of sech^2(s x) falls as (k / s) exp(-pi k / (2 s)); as much again of digits for its other factors. */
-    double digits = log(1 / accuracy) + 5;
+    double digits = (double)logl(1 / (long double)accuracy) + 5;
     double modes = 2 / (double)pi * bead_kdv_sharpest(spec) * digits * spec->length / (2 * (double)pi);
     if (spec->start == BEAD_START_COSINE)
         modes = fmax(modes, 4 * (double)spec->mode);
