@@ -181,6 +181,8 @@ static enum bead_error trajectory_info(const struct command *command, FILE *out,
         err = bead_trajectory_outcome(trajectory, i, &outcome, msg);
         if (!err)
             print_outcome(out, i, bead_chain_time_unit(chains[i]), &outcome);
+        if (!err)
+            err = command_measures(out, trajectory, i, &outcome, msg);
     }
     bead_trajectory_close(trajectory);
     return err;

@@ -11,6 +11,7 @@
 #include "beadreel/error.h"
 #include "beadreel/session.h"
 #include "beadreel/sink.h"
+#include "beadreel/trajectory.h"
 
 /* One thing that --list can show: a line each with a name and a description. */
 struct command_list {
@@ -73,6 +74,10 @@ void command_meter_tell(void *context, const struct bead_progress *progress);
 void command_meter_clear(struct command_meter *meter);
 /* Seconds of a clock that only runs forward. */
 double command_clock(void);
+
+/* What the samples of a chain say in numbers (measure.h), where they have what that takes and are not too many. */
+enum bead_error command_measures(FILE *out, struct bead_trajectory *trajectory, size_t chain, const struct bead_outcome *outcome,
+                                 struct bead_message *msg);
 
 /* "4.76 mm", "470 kB": number with an SI prefix and unit into `text`; returns text. */
 const char *command_quantity(double value, const char *unit, char *text, size_t size);

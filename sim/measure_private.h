@@ -37,7 +37,7 @@ struct bead_measures {
 struct bead_pulse_found {
     double force, bead_force, velocity, compression; /* N, N, m/s, m: the largest in the cell */
     double beads_per_second, speed;                  /* at the probe: 1/s, m/s */
-    double force_time[2], velocity_time;             /* s: widths at half height and 1 % of the height; at half height */
+    double force_time[2], velocity_time[2];          /* s: widths at half height and 1 % of the height */
     double energy, momentum, kinetic, potential;     /* J, kg m/s, through the probe; J s of one cell */
 };
 

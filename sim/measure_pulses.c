@@ -17,9 +17,10 @@ enum bead_error bead_pulses_create(const struct bead_chain *chain, size_t probe,
     struct bead_pulses *p = *pulses = calloc(1, sizeof *p);
     if (p) {
         p->memory = calloc(contacts * BEAD_CURVE_POINTS + 1, sizeof *p->memory);
+        p->low = calloc(contacts + 1, sizeof *p->low);
         p->track = calloc(contacts + 1, sizeof *p->track);
     }
-    if (!p || !p->memory || !p->track) {
+    if (!p || !p->memory || !p->low || !p->track) {
         bead_pulses_destroy(p);
         *pulses = NULL;
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the pulses of %zu contacts", contacts);
@@ -40,6 +41,7 @@ void bead_pulses_destroy(struct bead_pulses *pulses)
     if (!pulses)
         return;
     free(pulses->memory);
+    free(pulses->low);
     free(pulses->track);
     free(pulses);
 }
@@ -75,6 +77,20 @@ static void look_ahead(struct bead_pulses *p, double x)
     }
 }
 
+/* A maximum of about this force changes what is known of a contact: most in what follows the front do not. */
+static bool matters(const struct bead_pulses *p, size_t contact, double force)
+{
+    const struct bead_track *track = &p->track[contact];
+    if (p->time - BEAD_CURVE_POINTS * p->spacing > p->struck)
+        return force > track->late.force;
+    if (track->count == 0)
+        return true;
+    const struct bead_pulse *last = &track->pulse[track->count - 1];
+    if (p->low[contact] > valley * fmin(last->force, force)) /* still the same pulse */
+        return force > last->force;
+    return track->count < BEAD_PULSES && force > least_follower * track->pulse[0].force;
+}
+
 static void note(struct bead_pulses *p, size_t contact, struct bead_pulse found, double x)
 {
     struct bead_track *track = &p->track[contact];
@@ -88,7 +104,7 @@ static void note(struct bead_pulses *p, size_t contact, struct bead_pulse found,
     if (track->count > 0 && found.force < least_follower * track->pulse[0].force)
         return;
     struct bead_pulse *last = track->count > 0 ? &track->pulse[track->count - 1] : NULL;
-    bool same = last && track->low > valley * fmin(last->force, found.force);
+    bool same = last && p->low[contact] > valley * fmin(last->force, found.force);
     if (same && found.force <= last->force)
         return;
     if (!same && track->count == BEAD_PULSES)
@@ -96,26 +112,35 @@ static void note(struct bead_pulses *p, size_t contact, struct bead_pulse found,
     if (!same)
         last = &track->pulse[track->count++];
     *last = found;
-    track->low = INFINITY;
+    p->low[contact] = INFINITY;
     if (contact == p->probe && track->count == 1)
         look_ahead(p, x);
 }
 
-static void look(struct bead_pulses *p, size_t contact)
+/* The contact has a maximum in the middle of the rows. */
+static void found_maximum(struct bead_pulses *p, size_t contact)
 {
-    double values[BEAD_CURVE_POINTS], force;
+    double values[BEAD_CURVE_POINTS];
     column(p, contact, values);
-    p->track[contact].low = fmin(p->track[contact].low, values[CENTRE]);
-    if (!(values[CENTRE] > values[CENTRE - 1] && values[CENTRE] >= values[CENTRE + 1] && values[CENTRE] > least * p->record))
-        return;
     struct bead_curve curve = bead_curve_through(values, BEAD_CURVE_POINTS);
-    double x = bead_curve_maximum(&curve, CENTRE - 1, CENTRE + 1);
-    force = bead_curve_value(&curve, x);
+    double x = bead_curve_maximum(&curve, CENTRE - 1, CENTRE + 1), force = bead_curve_value(&curve, x);
     if (!(force >= values[CENTRE])) { /* a kink close by */
         x = CENTRE;
         force = values[CENTRE];
     }
     note(p, contact, (struct bead_pulse){force, p->time + (x - (BEAD_CURVE_POINTS - 1)) * p->spacing}, x);
+}
+
+static void look(struct bead_pulses *p, size_t moving)
+{
+    /* Between samples a maximum is that much higher, at most. */
+    static const double higher = 1.1;
+    const double *before = p->row[CENTRE - 1], *here = p->row[CENTRE], *after = p->row[CENTRE + 1];
+    for (size_t k = 0; k < moving; k++) {
+        p->low[k] = here[k] < p->low[k] ? here[k] : p->low[k];
+        if (here[k] > before[k] && here[k] >= after[k] && here[k] > least * p->record && matters(p, k, higher * here[k]))
+            found_maximum(p, k);
+    }
 }
 
 void bead_pulses_feed(struct bead_pulses *p, const struct bead_sample *sample)
@@ -128,14 +153,12 @@ void bead_pulses_feed(struct bead_pulses *p, const struct bead_sample *sample)
     size_t moving = sample->active < p->contacts ? sample->active : p->contacts;
     for (size_t k = 0; k < moving; k++) {
         oldest[k] = force[k] - rest[k];
-        p->record = fmax(p->record, oldest[k]);
+        p->record = oldest[k] > p->record ? oldest[k] : p->record;
     }
     for (size_t k = moving; k < p->contacts; k++)
         oldest[k] = 0;
     p->spacing = sample->time - p->time;
     p->time = sample->time;
-    if (++p->fed < BEAD_CURVE_POINTS)
-        return;
-    for (size_t k = 0; k < moving; k++)
-        look(p, k);
+    if (++p->fed >= BEAD_CURVE_POINTS)
+        look(p, moving);
 }

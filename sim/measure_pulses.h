@@ -18,7 +18,6 @@ struct bead_pulse {
 struct bead_track {
     struct bead_pulse pulse[BEAD_PULSES]; /* in the order of time, none from behind the wall's reflection */
     size_t count;
-    double low;             /* N, least since the last of them */
     struct bead_pulse late; /* largest since the wall was struck; force 0: none */
 };
 
@@ -30,6 +29,7 @@ struct bead_pulses {
     double record;                           /* N, largest so far */
     double struck;                           /* s: first maximum of the wall's contact; NaN: none so far */
     double ahead[BEAD_PULSES_AHEAD];         /* forces 1, 2, ... contacts ahead as the probe's first pulse is highest; NaN */
+    double *low;                             /* [contacts] N, least force since the last pulse */
     struct bead_track *track;                /* [contacts] */
 };
 

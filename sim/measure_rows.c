@@ -70,10 +70,9 @@ static double force_width(const struct reading *r, int level)
     return r->pulse.force_time[level] * r->pulse.beads_per_second;
 }
 
-static double velocity_width(const struct reading *r, int n)
+static double velocity_width(const struct reading *r, int level)
 {
-    (void)n;
-    return r->pulse.velocity_time * r->pulse.beads_per_second;
+    return r->pulse.velocity_time[level] * r->pulse.beads_per_second;
 }
 
 static double energy_ratio(const struct reading *r, int n)
@@ -289,7 +288,9 @@ static const struct row {
     {{"front arrival", "s", "when the last contact's force exceeds 1e-4 of the largest so far"}, arrival, 0},
     {{"front speed", "m/s", "least squares of the times of the first maxima over the second half of the chain"}, front_speed, 0},
     {{"front speed in beads", "1/s", "the same in beads a second"}, front_speed, 1},
-    {{"local front speed", "m/s", "the same over two cells at each side of the probe"}, local_speed, 0},
+    {{"local front speed", "m/s", "the same over two cells at each side of the probe; ten beads where there are no cells"},
+     local_speed,
+     0},
     {{"peak contact force", "N", "of the leading pulse, the largest in the probe's cell"}, pulse_force, 0},
     {{"peak bead force", "N", "mean of a bead's two contacts"}, pulse_bead_force, 0},
     {{"peak velocity", "m/s", "of a bead"}, pulse_velocity, 0},
@@ -297,6 +298,7 @@ static const struct row {
     {{"force width", "beads", "of the contact force, at half its maximum"}, force_width, 0},
     {{"force width at 1 %", "beads", "where it falls to a hundredth"}, force_width, 1},
     {{"velocity width", "beads", "at half its maximum"}, velocity_width, 0},
+    {{"velocity width at 1 %", "beads", "where it falls to a hundredth"}, velocity_width, 1},
     {{"compression 1 bead ahead", "", "of the centre, as a part of the peak compression"}, ahead, 1},
     {{"compression 2 beads ahead", "", "the same two beads ahead"}, ahead, 2},
     {{"compression 3 beads ahead", "", "the same three beads ahead"}, ahead, 3},

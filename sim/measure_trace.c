@@ -11,6 +11,8 @@
 static const double begin_part = 1e-10, tail_rises = 3;
 /* Behind its maximum a pulse ends with the first minimum below this part of it. */
 static const double end_part = 0.05;
+/* Contacts at each side of the probe for the local speed, where nothing repeats itself. */
+enum { IRREGULAR = 10 };
 
 void bead_trace_free(struct bead_trace *trace)
 {
@@ -161,7 +163,8 @@ static void read_contact(const struct bead_measures *m, size_t i, struct bead_pu
     found->bead_force = fmax(found->bead_force, bead_force(m, i, end));
     if (velocity > found->velocity) {
         found->velocity = velocity;
-        found->velocity_time = width(t->velocity[i], end, t->spacing, 0.5);
+        found->velocity_time[0] = width(t->velocity[i], end, t->spacing, 0.5);
+        found->velocity_time[1] = width(t->velocity[i], end, t->spacing, 0.01);
     }
     if (first.force > found->force) {
         found->force = first.force;
@@ -177,6 +180,7 @@ void bead_front_speed(const struct bead_measures *m, size_t first, size_t last, 
 {
     const double *position = bead_chain_position(m->chain), *radius = bead_chain_radius(m->chain);
     double n = 0, k0 = 0, t0 = 0, x0 = 0, tt = 0, tk = 0, tx = 0;
+    last = last < m->places.links ? last : m->places.links - 1;
     for (int pass = 0; pass < 2; pass++) { /* means first, so that nothing is lost in the sums of squares */
         for (size_t k = first; k <= last; k += step) {
             double t = bead_pulses_first(m->pulses, k).time, x = position[k] + radius[k];
@@ -214,11 +218,13 @@ struct bead_pulse_found bead_trace_read(const struct bead_measures *m)
         found = (struct bead_pulse_found){.force = 0};
         for (size_t i = 0; i < cell; i++)
             read_contact(m, i, &found);
-        bead_front_speed(m, probe > 2 * cell ? probe - 2 * cell : 0, probe + 2 * cell, cell, 2, &found.beads_per_second,
-                         &found.speed);
+        size_t around = m->places.regular ? 2 * cell : IRREGULAR;
+        bead_front_speed(m, probe > around ? probe - around : 0, probe + around, cell, 2, &found.beads_per_second, &found.speed);
+        if (!(found.beads_per_second > 0))
+            found.beads_per_second = found.speed = NAN;
         return found;
     }
-    return (struct bead_pulse_found){NAN, NAN, NAN, NAN, NAN, NAN, {NAN, NAN}, NAN, NAN, NAN, NAN, NAN};
+    return (struct bead_pulse_found){NAN, NAN, NAN, NAN, NAN, NAN, {NAN, NAN}, {NAN, NAN}, NAN, NAN, NAN, NAN};
 }
 
 void bead_strike_feed(struct bead_measures *m, const struct bead_sample *sample)

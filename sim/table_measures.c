@@ -6,6 +6,8 @@
 #include "sim/table.h"
 
 enum { MOST_MEASURES = 128 };
+/* Polynomials through seven samples follow a pulse to six digits when they are this much further apart than pictures need. */
+static const double coarser = 2;
 
 static bool of_beads(const struct bead_chain *chain)
 {
@@ -28,7 +30,9 @@ static enum bead_error prepare(struct bead_sink *sink, struct bead_message *msg)
     }
     if (err || watched == 0)
         return err;
-    err = bead_sink_grid(sink->output, &sink->stage, &sink->grid, msg);
+    struct bead_stage stage = sink->stage;
+    stage.resolution *= coarser;
+    err = bead_sink_grid(sink->output, &stage, &sink->grid, msg);
     bead_time_text(sink->grid.every, bead_chain_time_unit(sink->stage.chains[0]), every, sizeof every);
     snprintf(sink->why, sizeof sink->why, "measures of the run, from %zu samples every %s", bead_grid_count(&sink->grid), every);
     return err;

@@ -36,6 +36,9 @@ ok "--only twice" bash -c "'$beadreel' scene.yaml -o two --only peaks.csv --only
 ok "... the same picture" cmp all/force.png two/force.png
 ok "the current directory is the default" bash -c "mkdir here && cd here && '$beadsim' ../scene.yaml --only beads && [ -s beads.csv ]"
 
+ok "--info of a trajectory" exits 0 "$beadreel" --info all/run.h5
+ok "... measures it" grep -qE '^  peak contact force +[0-9.]+ N$' out
+
 contents() { h5dump -d /particles/chain/velocity/value -d /particles/chain/force/value "$1" | tail -n +2; }
 for n in 1 2 3; do
     "$beadreel" scene.yaml -o "threads$n" --threads $n >/dev/null || continue
