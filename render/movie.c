@@ -124,6 +124,13 @@ enum bead_error bead_movie_add(struct bead_movie *movie, const struct bead_frame
     return err;
 }
 
+enum bead_error bead_movie_cover(struct bead_movie *movie, const uint8_t *png, size_t bytes, struct bead_message *msg)
+{
+    if (!movie->codec->covers || !movie->codec->way->cover || !movie->settings.cover)
+        return BEAD_OK;
+    return movie->codec->way->cover(movie, png, bytes, msg);
+}
+
 uint64_t bead_movie_frames(const struct bead_movie *movie)
 {
     return movie->shown;

@@ -46,13 +46,13 @@ static const struct bead_preset gif[] = {
     {"gif", AV_PIX_FMT_PAL8, ""}, {"gif", AV_PIX_FMT_PAL8, ""}, {"gif", AV_PIX_FMT_PAL8, ""}, {"gif", AV_PIX_FMT_PAL8, ""}};
 
 static const struct bead_codec codecs[CODECS] = {
-    [MP4] = {&bead_movie_libav, "mp4", "movflags=+faststart", h264, 0, 0},
-    [MKV] = {&bead_movie_libav, "matroska", "", h264_or_ffv1, 0, 0},
-    [WEBM] = {&bead_movie_libav, "webm", "", vp9, 0, 0},
-    [GIF] = {&bead_movie_libav, "gif", "loop=0", gif, 100, 50},
-    [APNG] = {&bead_movie_libav, "apng", "plays=0", apng, 1, 0},
-    [PNG] = {&bead_movie_libav, "apng", "plays=0", apng, 1, 0},
-    [HASH] = {&bead_movie_hashes, NULL, NULL, NULL, 0, 0},
+    [MP4] = {&bead_movie_libav, "mp4", "movflags=+faststart", h264, 0, true, 0},
+    [MKV] = {&bead_movie_libav, "matroska", "", h264_or_ffv1, 0, false, 0},
+    [WEBM] = {&bead_movie_libav, "webm", "", vp9, 0, false, 0},
+    [GIF] = {&bead_movie_libav, "gif", "loop=0", gif, 100, false, 50},
+    [APNG] = {&bead_movie_libav, "apng", "plays=0", apng, 1, false, 0},
+    [PNG] = {&bead_movie_libav, "apng", "plays=0", apng, 1, false, 0},
+    [HASH] = {&bead_movie_hashes, NULL, NULL, NULL, 0, false, 0},
 };
 
 const struct bead_codec_info *bead_movie_codecs(void)

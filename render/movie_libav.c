@@ -3,6 +3,7 @@
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
 #include <libavutil/opt.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,6 +22,7 @@ struct bead_encoder {
     AVCodecContext *codec;
     AVFrame *picture;        /* the frame as converted so far */
     AVPacket *packet, *held; /* a packet waits in `held` until the time of the next tells its duration */
+    AVPacket *cover;         /* written at the end; NULL: none */
     bead_convert convert;    /* or: */
     struct bead_palette *palette;
     AVRational frame_time; /* s: unit of all times here */
@@ -152,10 +154,42 @@ static int open_stream(struct bead_movie *movie)
     return code;
 }
 
+/* A picture beside the movie is a stream of its own, of one packet. */
+static int open_cover(struct bead_movie *movie)
+{
+    struct bead_encoder *e = movie->encoder;
+    AVStream *stream = avformat_new_stream(e->format, NULL);
+    if (!stream)
+        return AVERROR(ENOMEM);
+    stream->time_base = e->frame_time;
+    stream->disposition = AV_DISPOSITION_ATTACHED_PIC;
+    stream->codecpar->codec_type = AVMEDIA_TYPE_VIDEO;
+    stream->codecpar->codec_id = AV_CODEC_ID_PNG;
+    stream->codecpar->width = e->codec->width;
+    stream->codecpar->height = e->codec->height;
+    return 0;
+}
+
+static enum bead_error libav_cover(struct bead_movie *movie, const uint8_t *png, size_t bytes, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    av_packet_free(&e->cover);
+    e->cover = av_packet_alloc();
+    if (!e->cover || bytes > INT_MAX / 2 || av_new_packet(e->cover, (int)bytes) < 0)
+        return no_memory(movie, msg);
+    memcpy(e->cover->data, png, bytes);
+    e->cover->stream_index = 1;
+    e->cover->flags = AV_PKT_FLAG_KEY;
+    e->cover->pts = e->cover->dts = 0;
+    return BEAD_OK;
+}
+
 static enum bead_error open_file(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
     int code = open_stream(movie);
+    if (code >= 0 && movie->settings.cover && movie->codec->covers)
+        code = open_cover(movie);
     if (code < 0)
         return fail(movie, "no stream", code, msg);
     code = avio_open(&e->format->pb, e->format->url, AVIO_FLAG_WRITE);
@@ -359,6 +393,8 @@ static enum bead_error libav_finish(struct bead_movie *movie, struct bead_messag
     code = release(e, (int64_t)movie->shown);
     if (code >= 0)
         code = set_final_delay(movie);
+    if (code >= 0 && e->cover)
+        code = av_write_frame(e->format, e->cover);
     if (code >= 0) {
         e->begun = false;
         code = av_write_trailer(e->format);
@@ -378,6 +414,7 @@ static void libav_destroy(struct bead_movie *movie)
     if (!e)
         return;
     bead_palette_destroy(e->palette);
+    av_packet_free(&e->cover);
     av_packet_free(&e->held);
     av_packet_free(&e->packet);
     av_frame_free(&e->picture);
@@ -391,4 +428,4 @@ static void libav_destroy(struct bead_movie *movie)
     free(e);
 }
 
-const struct bead_movie_way bead_movie_libav = {libav_open, libav_add, libav_finish, libav_destroy};
+const struct bead_movie_way bead_movie_libav = {libav_open, libav_add, libav_cover, libav_finish, libav_destroy};

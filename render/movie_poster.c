@@ -1,6 +1,7 @@
 #include "render/movie_poster.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "beadreel/file.h"
@@ -44,11 +45,6 @@ void bead_poster_destroy(struct bead_poster *p)
     free(p);
 }
 
-const char *bead_poster_path(const struct bead_poster *p)
-{
-    return p->path;
-}
-
 enum bead_error bead_poster_offer(struct bead_poster *p, const struct bead_composer *composer, double time,
                                   struct bead_message *msg)
 {
@@ -66,8 +62,29 @@ enum bead_error bead_poster_offer(struct bead_poster *p, const struct bead_compo
     return BEAD_OK;
 }
 
-enum bead_error bead_poster_write(const struct bead_poster *p, struct bead_message *msg)
+static enum bead_error set_cover(const struct bead_poster *p, uint64_t bytes, struct bead_movie *movie, struct bead_message *msg)
+{
+    uint8_t *png = malloc((size_t)bytes + 1);
+    FILE *file = fopen(p->path, "rb");
+    enum bead_error err = BEAD_OK;
+    if (!png)
+        err = bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", p->path);
+    else if (!file || fread(png, 1, (size_t)bytes, file) != bytes)
+        err = bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read again", p->path);
+    if (file)
+        fclose(file);
+    if (!err)
+        err = bead_movie_cover(movie, png, (size_t)bytes, msg);
+    free(png);
+    return err;
+}
+
+enum bead_error bead_poster_write(const struct bead_poster *p, struct bead_movie *movie, struct bead_message *msg)
 {
     const struct bead_picture_notes notes = {.title = p->title && p->title[0] ? p->title : NULL};
-    return p->taken ? bead_png_write(p->path, &p->frame, &notes, NULL, msg) : BEAD_OK;
+    uint64_t bytes = 0;
+    if (!p->taken)
+        return BEAD_OK;
+    enum bead_error err = bead_png_write(p->path, &p->frame, &notes, &bytes, msg);
+    return err ? err : set_cover(p, bytes, movie, msg);
 }

@@ -2,6 +2,7 @@
 #ifndef BEAD_RENDER_MOVIE_POSTER_H
 #define BEAD_RENDER_MOVIE_POSTER_H
 
+#include "beadreel/movie.h"
 #include "beadreel/sink.h"
 #include "render/movie_frame.h"
 
@@ -15,9 +16,7 @@ void bead_poster_destroy(struct bead_poster *poster);
 /* After each draw: keeps the frame where it is the one asked for, or has more to see than any before. */
 BEAD_CHECK enum bead_error bead_poster_offer(struct bead_poster *poster, const struct bead_composer *composer, double time,
                                              struct bead_message *msg);
-/* Writes the file, where any frame was offered. Errors: IO, MEMORY. */
-BEAD_CHECK enum bead_error bead_poster_write(const struct bead_poster *poster, struct bead_message *msg);
-/* Name of the file; borrowed. */
-const char *bead_poster_path(const struct bead_poster *poster);
+/* Writes the file, where any frame was offered, and gives it to the movie as its cover. Errors: IO, MEMORY, CODEC. */
+BEAD_CHECK enum bead_error bead_poster_write(const struct bead_poster *poster, struct bead_movie *movie, struct bead_message *msg);
 
 #endif

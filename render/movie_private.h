@@ -16,6 +16,8 @@ struct bead_movie_way {
     enum bead_error (*open)(struct bead_movie *movie, struct bead_message *msg);
     enum bead_error (*add)(struct bead_movie *movie, const struct bead_frame *frame, const struct bead_changes *changes,
                            struct bead_message *msg);
+    /* The movie's cover; NULL: movies of this kind have none. */
+    enum bead_error (*cover)(struct bead_movie *movie, const uint8_t *png, size_t bytes, struct bead_message *msg);
     /* Everything that was added is in the file, and the file closed. */
     enum bead_error (*finish)(struct bead_movie *movie, struct bead_message *msg);
     void (*destroy)(struct bead_movie *movie);
@@ -36,6 +38,7 @@ struct bead_codec {
     const char *muxer_options;         /* "key=value key=value" */
     const struct bead_preset *presets; /* by enum bead_quality */
     int delay_unit;                    /* 1/s: of the muxer's option final_delay; 0: durations are the packets' own */
+    bool covers;                       /* the container has room for a picture beside the movie */
     int most_fps;                      /* 1/s: more are thinned out, because players slow such files down; 0: no limit */
 };
 

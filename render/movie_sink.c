@@ -72,7 +72,8 @@ static struct bead_movie_settings settings_of(const struct bead_sink *s)
                                         .height = s->height,
                                         .fps = s->output->fps,
                                         .quality = s->output->quality,
-                                        .title = s->stage.scene->title[0] ? s->stage.scene->title : NULL};
+                                        .title = s->stage.scene->title[0] ? s->stage.scene->title : NULL,
+                                        .cover = s->output->poster && s->output->poster[0]};
 }
 
 static enum bead_error choose_size(struct bead_sink *s, struct bead_message *msg)
@@ -429,7 +430,7 @@ static enum bead_error movie_end(struct bead_sink *s, const struct bead_outcome 
     if (err)
         return err;
     if (s->poster)
-        err = bead_poster_write(s->poster, msg);
+        err = bead_poster_write(s->poster, s->movie, msg);
     if (err)
         return err;
     struct bead_movie *movie = s->movie;

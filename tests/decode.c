@@ -51,7 +51,12 @@ void decode(const char *path, struct decoded *movie)
     AVFormatContext *format = NULL;
     assert_int_equal(avformat_open_input(&format, path, NULL, NULL), 0);
     assert_true(avformat_find_stream_info(format, NULL) >= 0);
-    assert_int_equal(format->nb_streams, 1);
+    for (unsigned i = 1; i < format->nb_streams; i++) {
+        assert_true(format->streams[i]->disposition & AV_DISPOSITION_ATTACHED_PIC);
+        movie->covers += format->streams[i]->codecpar->codec_id == AV_CODEC_ID_PNG;
+        movie->cover_bytes = (size_t)format->streams[i]->attached_pic.size;
+    }
+    assert_int_equal(format->nb_streams, 1 + movie->covers);
     const AVStream *stream = format->streams[0];
     const AVCodec *decoder = avcodec_find_decoder(stream->codecpar->codec_id);
     assert_non_null(decoder);
@@ -64,6 +69,10 @@ void decode(const char *path, struct decoded *movie)
     AVPacket *packet = av_packet_alloc();
     assert_non_null(packet);
     while (av_read_frame(format, packet) >= 0) {
+        if (packet->stream_index != 0) {
+            av_packet_unref(packet);
+            continue;
+        }
         double end = (double)(packet->pts + packet->duration) * av_q2d(stream->time_base);
         movie->duration = end > movie->duration ? end : movie->duration;
         assert_int_equal(avcodec_send_packet(codec, packet), 0);

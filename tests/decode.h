@@ -11,6 +11,8 @@ enum { DECODED_MOST = 256 };
 struct decoded {
     char format[64], codec[32], title[64], comment[64];
     int width, height;
+    unsigned covers; /* PNG pictures beside the movie; bytes of the last */
+    size_t cover_bytes;
     size_t count;
     AVFrame *frame[DECODED_MOST];
     double time[DECODED_MOST]; /* s */

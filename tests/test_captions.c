@@ -152,12 +152,44 @@ static void posters_are_frames(void **state)
     }
 }
 
+/* The same movie, with its poster as the cover beside it. */
+static void posters_are_covers(void **state)
+{
+    (void)state;
+    struct decoded with, without;
+    char path[256];
+    struct built plain = build_chain("movie: a.mp4, " SMALL), poster = build_chain("movie: b.mp4, poster: b.png, " SMALL);
+    draw_output(&plain, pulse_down_the_chain);
+    draw_output(&poster, pulse_down_the_chain);
+    in_directory("a.mp4", path, sizeof path);
+    decode(path, &without);
+    remove(path);
+    in_directory("b.mp4", path, sizeof path);
+    decode(path, &with);
+    remove(path);
+    size_t bytes;
+    in_directory("b.png", path, sizeof path);
+    free(read_all(path, &bytes));
+    remove(path);
+    assert_true(without.covers == 0 && with.covers == 1 && with.cover_bytes == bytes);
+    assert_true(with.count == without.count && fabs(with.duration - without.duration) < 1e-9 && with.said == without.said);
+    for (size_t i = 0; i < with.count; i++) {
+        for (int y = 0; y < 180; y++)
+            assert_memory_equal(with.frame[i]->data[0] + y * with.frame[i]->linesize[0],
+                                without.frame[i]->data[0] + y * without.frame[i]->linesize[0], 320);
+    }
+    decoded_free(&with);
+    decoded_free(&without);
+    release_chain(&plain);
+    release_chain(&poster);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(captions_come_and_go),         cmocka_unit_test(long_captions_stay_longer),
         cmocka_unit_test(long_captions_take_two_lines), cmocka_unit_test(cards_come_first_and_take_their_time),
-        cmocka_unit_test(posters_are_frames),
+        cmocka_unit_test(posters_are_frames),           cmocka_unit_test(posters_are_covers),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

@@ -260,6 +260,25 @@ static void mp4_starts_fast_and_has_a_title(void **state)
     }
 }
 
+/* A run that ends before there is a poster. */
+static void covers_that_never_come_do_no_harm(void **state)
+{
+    (void)state;
+    struct bead_movie_settings wanted = settings(BEAD_QUALITY_STANDARD);
+    struct decoded movie;
+    wanted.cover = true;
+    for (int i = 0; i < ALL; i++) {
+        if (all[i].quality != BEAD_QUALITY_STANDARD)
+            continue;
+        write_movie(place(all[i].name), &wanted, 20, 0);
+        decode(place(all[i].name), &movie);
+        assert_int_equal(movie.count, 20);
+        assert_int_equal(movie.covers, 0);
+        decoded_free(&movie);
+        remove(place(all[i].name));
+    }
+}
+
 static void rates_need_not_be_whole(void **state)
 {
     (void)state;
@@ -336,6 +355,7 @@ int main(void)
         cmocka_unit_test(gif_is_playable),
         cmocka_unit_test(apng_loops_for_ever),
         cmocka_unit_test(mp4_starts_fast_and_has_a_title),
+        cmocka_unit_test(covers_that_never_come_do_no_harm),
         cmocka_unit_test(rates_need_not_be_whole),
         cmocka_unit_test(hashes_are_of_the_frames),
         cmocka_unit_test(odd_sizes_are_exact_where_they_can_be),

@@ -13,6 +13,8 @@
 #ifndef BEADREEL_MOVIE_H
 #define BEADREEL_MOVIE_H
 
+#include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #include "beadreel/error.h"
@@ -24,6 +26,7 @@ struct bead_movie_settings {
     double fps;        /* 1/s, 0.01..1000; gif shows at most 50 a second (every second or third frame), for the same time */
     enum bead_quality quality;
     const char *title, *comment; /* metadata; may be NULL */
+    bool cover;                  /* bead_movie_cover will be called */
 };
 
 struct bead_movie;
@@ -45,6 +48,10 @@ BEAD_API BEAD_CHECK enum bead_error bead_movie_open(const char *path, const stru
  * changed. Nothing is kept of `frame` and `changes`. After an error only close and abort make sense. Errors: IO, CODEC, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_movie_add(struct bead_movie *movie, const struct bead_frame *frame,
                                                    const struct bead_changes *changes, struct bead_message *msg);
+/* A PNG file in memory, of the movie's size, as the movie's cover: at any time before close, where the settings have said so.
+ * Containers other than mp4 have none; nothing happens then. Errors: CODEC, MEMORY. */
+BEAD_API BEAD_CHECK enum bead_error bead_movie_cover(struct bead_movie *movie, const uint8_t *png, size_t bytes,
+                                                     struct bead_message *msg);
 BEAD_API uint64_t bead_movie_frames(const struct bead_movie *movie);  /* shown */
 BEAD_API uint64_t bead_movie_encoded(const struct bead_movie *movie); /* given to the encoder */
 /* Frees the movie in any case; on failure no file is left. *bytes (may be NULL): size of the file. Errors: IO, CODEC
