@@ -19,7 +19,7 @@ static bool copy_constants(struct bead_events *e, const struct bead_stepper *s)
 {
     const struct bead_chain *chain = s->chain;
     size_t length = chain->beads + 2 * BEAD_EVENTS_MARGIN;
-    e->constants = calloc(length, 6 * sizeof *e->constants);
+    e->constants = calloc(length, 5 * sizeof *e->constants);
     e->mark = calloc(chain->beads / BEAD_EVENTS_LANES + 1, BEAD_EVENTS_LANES);
     if (!e->constants || !e->mark)
         return false;
@@ -28,7 +28,6 @@ static bool copy_constants(struct bead_events *e, const struct bead_stepper *s)
     e->static_force = e->static_compression + length;
     e->inverse_mass = e->static_force + length;
     e->hardness = e->inverse_mass + length;
-    e->effect = e->hardness + length;
     memcpy(e->stiffness, chain->stiffness, chain->beads * sizeof(double));
     memcpy(e->static_compression, chain->static_compression, chain->beads * sizeof(double));
     memcpy(e->static_force, chain->static_force, chain->beads * sizeof(double));
@@ -65,6 +64,7 @@ void bead_events_destroy(struct bead_events *events)
     free(events->constants);
     free(events->mark);
     free(events->flagged);
+    free(events->effect);
     free(events->kink);
     free(events->patch.memory);
     free(events->branch);
@@ -290,14 +290,14 @@ static bool correct_kinks(struct bead_events *e, struct bead_stepper *s, size_t 
 {
     const double h = s->h;
     for (size_t i = at; i < at + count; i++) {
-        if (!(e->kink[i].left * e->effect[e->flagged[i]] <= s->event_tolerance && bead_events_simple(e, s, e->flagged[i])))
+        if (!(e->kink[i].left * e->effect[i] <= s->event_tolerance && bead_events_simple(e, s, e->flagged[i])))
             return false;
     }
     for (size_t i = at; i < at + count; i++) {
         const struct bead_kink *kink = &e->kink[i];
         for (size_t j = e->flagged[i] > 0 ? 0 : 1; j < 3 && e->flagged[i] + j - 1 < s->active; j++)
             owe(e, s, e->flagged[i] + j - 1, h * kink->impulse[j], h * h * kink->moment[j]);
-        s->event_change = fmax(s->event_change, kink->left * e->effect[e->flagged[i]]);
+        s->event_change = fmax(s->event_change, kink->left * e->effect[i]);
     }
     return true;
 }
@@ -343,11 +343,26 @@ void bead_events_correct(struct bead_events *e, struct bead_stepper *s)
     e->failed |= !ok;
 }
 
-/* Every contact of the patch may bend: nothing is known about flags any more. */
+/* Whether a contact of first..last is flagged. */
+static bool any_flagged(const struct bead_events *e, size_t first, size_t last)
+{
+    size_t low = 0, high = e->flagged_count;
+    while (low < high) {
+        size_t middle = (low + high) / 2;
+        if (e->flagged[middle] < first)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < e->flagged_count && e->flagged[low] <= last;
+}
+
 bool bead_events_compression(struct bead_events *e, const struct bead_stepper *s, size_t contact, double x, double d[2])
 {
     size_t first = contact > WIDTH ? contact - WIDTH : 0, last = contact + WIDTH, inner[2 * WIDTH + 1], count = 0;
     last = last < s->active ? last : s->active - 1;
+    if (!any_flagged(e, first, last))
+        return false;
     for (size_t k = first; k <= last; k++)
         inner[count++] = k;
     describe_step(e, s);

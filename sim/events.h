@@ -45,7 +45,8 @@ void bead_events_destroy(struct bead_events *events);
 void bead_events_correct(struct bead_events *events, struct bead_stepper *stepper);
 /* Compression d[0] of a contact, m, and its derivative d[1] by x, at time t0 + x h (0 < x <= 1) of the step made last, as exactly
  * as the step itself: an opening or closing nearby leaves a kink in d'' that no interpolation of the ends can know. False where
- * nothing opens or closes nearby (interpolate then), or where memory is short. Works with memory of `events`. */
+ * nothing opens or closes nearby that event_tolerance would mind (interpolate then), or where memory is short. Works with memory of
+ * `events`. */
 bool bead_events_compression(struct bead_events *events, const struct bead_stepper *stepper, size_t contact, double x, double d[2]);
 /* Whether memory for a correction could not be had: some step since then is not corrected. NULL is allowed: false. */
 bool bead_events_failed(const struct bead_events *events);

@@ -26,31 +26,6 @@ static inline double largest_lane(lanes x)
     return larger(larger(larger(y[0], y[4]), larger(y[2], y[6])), larger(larger(y[1], y[5]), larger(y[3], y[7])));
 }
 
-/* What a branch point x steps outside does, in units of what one inside does. */
-static inline lanes loss_outside(lanes d, lanes rate)
-{
-    const lanes x = d / rate, near = 1 + x * (1 / BEAD_EFFECT_DECAY), far = (1 + 0.5 * x) * (1 + 0.5 * x);
-    return BEAD_EFFECT_OUTSIDE / (near * near * near * far * far);
-}
-
-/* h r to the power 3/2 times that, where d, moving away from zero, has one within reach. */
-static inline lanes effect_outside(lanes d, lanes rate, double reach)
-{
-    const lanes effect = rate * root_of(positive_part(rate)) * loss_outside(d, rate);
-    return (lanes)((lane_masks)effect & (rate > 0) & (d < reach * rate));
-}
-
-/* Effects of contacts with compressions a, b and changes p, q by rate over the step. */
-static inline lanes effects_of(lane_masks marked, lanes a, lanes b, lanes p, lanes q, double reach)
-{
-    const lane_masks away = (a > 0) & (b > 0) & ~((p < 0) & (q > 0));
-    const lanes fastest = larger_lanes(magnitude(p), magnitude(q));
-    lanes effect = BEAD_EFFECT_INSIDE * (fastest * root_of(fastest));
-    if (any_lane(away & marked))
-        effect = choose(away, larger_lanes(effect_outside(a, p, reach), effect_outside(b, -q, reach)), effect);
-    return effect;
-}
-
 /* Which contacts may have a branch point in the step or within `reach` steps outside. Every test compares d with what the rate
  * alone would change it by. What is at rest and just touching, d = d' = 0, passes none of them. */
 static bool mark_events(size_t n, const struct bead_event_ends *ends, unsigned char *mark)
@@ -68,11 +43,6 @@ static bool mark_events(size_t n, const struct bead_event_ends *ends, unsigned c
         lane_masks close = (a < near * p) | (b < -near * q) | ((p < 0) & (q > 0) & ((a < -dip * p) | (b < dip * q)));
         lane_masks bounce = (p > 0) & (q < 0) & (a + h * p > 0) & (b - h * q > 0);
         lane_masks marked = (a_closed ^ b_closed) | (a_closed & b_closed & close) | (~(a_closed | b_closed) & bounce);
-        if (ends->hardness && any_lane(marked)) {
-            lanes effect = effects_of(marked, a, b, h * p, h * q, ends->reach) * (h * load_lanes(ends->hardness + k));
-            store_lanes(ends->effect + k, effect);
-            marked &= effect > ends->tolerance;
-        }
         *(lane_bytes *)(mark + k) = __builtin_convertvector(marked, lane_bytes) & 1;
         any |= marked;
     }

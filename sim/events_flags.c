@@ -64,7 +64,7 @@ static double outside(const struct bead_events *e, double d, double r)
     return r > 0 && d < e->reach * r ? force_power(&e->rule, r) * loss_outside(d / r) : 0;
 }
 
-/* What contact k can do to a velocity, m/s, by any law. */
+/* What contact k can do to a velocity, m/s. */
 static double effect_of(const struct bead_events *e, const struct bead_stepper *s, size_t k, double h)
 {
     const double *u = s->start.u, *v = s->start.v, *y = s->end.u, *w = s->end.v, d = e->static_compression[k];
@@ -89,10 +89,7 @@ bool bead_events_flag(struct bead_events *e, const struct bead_stepper *s)
                                          .u1 = s->end.u,
                                          .v1 = s->end.v,
                                          .h = h,
-                                         .reach = e->reach,
-                                         .hardness = e->rule.hertz ? e->hardness : NULL,
-                                         .effect = e->effect,
-                                         .tolerance = s->event_tolerance};
+                                         .reach = e->reach};
     if (!s->kernels->mark_events(s->active, &ends, e->mark))
         return true;
     for (size_t i = 0; i * BEAD_EVENTS_LANES < s->active; i++) {
@@ -100,12 +97,13 @@ bool bead_events_flag(struct bead_events *e, const struct bead_stepper *s)
         memcpy(&left, e->mark + i * BEAD_EVENTS_LANES, BEAD_EVENTS_LANES);
         for (; left; left &= left - 1) {
             size_t k = i * BEAD_EVENTS_LANES + (size_t)__builtin_ctzll(left) / 8;
-            if (!e->rule.hertz)
-                e->effect[k] = effect_of(e, s, k, h);
-            if (!(e->effect[k] > s->event_tolerance))
+            const double change = effect_of(e, s, k, h);
+            if (!(change > s->event_tolerance))
                 continue;
-            if (!bead_events_grow((void **)&e->flagged, &e->flagged_room, e->flagged_count + 1, sizeof *e->flagged))
+            if (!bead_events_grow((void **)&e->flagged, &e->flagged_room, e->flagged_count + 1, sizeof *e->flagged) ||
+                !bead_events_grow((void **)&e->effect, &e->effect_room, e->flagged_count + 1, sizeof *e->effect))
                 return false;
+            e->effect[e->flagged_count] = change;
             e->flagged[e->flagged_count++] = k;
         }
     }

@@ -5,10 +5,10 @@
 #include "sim/tableau.h"
 
 /* The series of g is of use where its coefficients, in units of the step, stay below this: not where the contact grazes. */
-static const double kink_bend = 1;
+static const double kink_bend = 2;
 /* Parts of a correction that are left undone: by second orders, times q^2; by the end of the series, times the third power of its
  * bend; by all the rest. */
-static const double kink_second = 0.002, kink_series = 0.01, kink_rest = 1e-4;
+static const double kink_second = 0.0005, kink_series = 0.002, kink_rest = 1e-4;
 
 /* d and d', and where the kink is d'', of contacts k - 1, k, k + 1 at one end of the step. */
 struct kink_end {
@@ -97,7 +97,7 @@ static inline lanes kink_root(const lanes c[6], const struct kink_end *end0, con
 static inline lanes kink_force(const struct kink_shape *k, lanes x)
 {
     x = positive_part(x);
-    return x * root_of(x) * (1 + x * (k->e1 + x * k->e2));
+    return x * ROOT_OF(x) * (1 + x * (k->e1 + x * k->e2));
 }
 
 /* From the quintic's slope, half its second and a sixth of its third derivative at tau. Returns where it is a kink. */
@@ -112,10 +112,10 @@ static inline lane_masks shape_kink(struct kink_shape *k, lanes tau, lanes q1, l
     turn = choose(good, turn, zero);
     k->rho = choose(good, k->rho, zero);
     k->tau = choose(good, tau, zero + 0.5);
-    k->bend = magnitude(bend) + root_of(magnitude(turn));
+    k->bend = magnitude(bend) + ROOT_OF(magnitude(turn));
     k->e1 = 1.5 * bend;
     k->e2 = 1.5 * turn + 0.375 * (bend * bend);
-    const lanes x = k->closes + -k->sign * k->tau, power = x * x * root_of(x);
+    const lanes x = k->closes + -k->sign * k->tau, power = x * x * ROOT_OF(x);
     const lanes once = power * (1 / 2.5 + x * (k->e1 * (1 / 3.5) + x * (k->e2 * (1 / 4.5))));
     const lanes twice = power * x * (1 / 8.75 + x * (k->e1 * (1 / 15.75) + x * (k->e2 * (1 / 24.75))));
     k->full = (1 - k->closes) * once;
@@ -129,7 +129,7 @@ static inline lane_masks shape_kink(struct kink_shape *k, lanes tau, lanes q1, l
 static inline void spread_kink(const struct bead_tableau *t, const struct kink_shape *k, lanes *g, lanes *twice)
 {
     for (size_t i = 0; i < BEAD_KINK_STAGES; i++) {
-        const lanes x = positive_part(k->sign * (t->c[i] - k->tau)), power = x * root_of(x);
+        const lanes x = positive_part(k->sign * (t->c[i] - k->tau)), power = x * ROOT_OF(x);
         g[i] = power * (1 + x * (k->e1 + x * k->e2));
         twice[i] = power * (x * x) * (1 / 8.75 + x * (k->e1 * (1 / 15.75) + x * (k->e2 * (1 / 24.75))));
     }
@@ -175,11 +175,13 @@ static lanes sum_stages(const struct bead_tableau *t, const struct kink_shape *s
     lanes most = {0};
     for (size_t i = 0; i < BEAD_KINK_STAGES; i++) {
         const double s = t->c[i], *row = t->a + i * t->stages;
+        if (t->b[i] == 0 && t->bp[i] == 0)
+            continue;
         lanes eps = shape->late - s * shape->full - twice[i], k[3];
         for (size_t j = 0; j < i; j++)
             eps += row[j] * g[j];
         for (size_t j = 0; j < 3; j++)
-            k[j] = stiffness[j] * root_of(positive_part(cubic[j][0] + s * (cubic[j][1] + s * (cubic[j][2] + s * cubic[j][3]))));
+            k[j] = stiffness[j] * ROOT_OF(positive_part(cubic[j][0] + s * (cubic[j][1] + s * (cubic[j][2] + s * cubic[j][3]))));
         const lanes circle = both * k[1] + (square[0] * k[0] + square[1] * k[2]);
         most = larger_lanes(circle, most);
         const lanes change[3] = {-square[0] * k[0] * eps, both * k[1] * eps, -square[1] * k[2] * eps};
@@ -215,7 +217,7 @@ static void correct_some(const struct bead_patch_source *source, const struct be
     lane_masks good = shape_kink(&shape, tau, q1, q2, q3);
     spread_kink(t, &shape, g, twice);
     /* ... and where it is. */
-    unbend(&shape, -(square[0] + square[1]) * (a * (shape.rho * root_of(shape.rho))), kink_sum(t->bp, g), kink_sum(t->b, g), bent);
+    unbend(&shape, -(square[0] + square[1]) * (a * (shape.rho * ROOT_OF(shape.rho))), kink_sum(t->bp, g), kink_sum(t->b, g), bent);
     const lanes shift = -(q0 + bent[0]) / (q1 + bent[1]);
     good &= shape_kink(&shape, tau + shift, q1 + bent[1] + 2 * (q2 * shift), q2 + bent[2] + 3 * (q3 * shift), q3);
     spread_kink(t, &shape, g, twice);
@@ -223,7 +225,7 @@ static void correct_some(const struct bead_patch_source *source, const struct be
     lanes impulse[3] = {zero, shape.once - kink_sum(t->bp, g), zero}, moment[3] = {zero, shape.twice - kink_sum(t->b, g), zero};
     kink_cubics(&end0, &end1, cubic);
     const lanes most = sum_stages(t, &shape, g, twice, cubic, stiffness, square, impulse, moment);
-    const lanes scale = a * (shape.rho * root_of(shape.rho)), cube = shape.bend * (shape.bend * shape.bend);
+    const lanes scale = a * (shape.rho * ROOT_OF(shape.rho)), cube = shape.bend * (shape.bend * shape.bend);
     const lanes left = choose(good, kink_second * (most * most) + kink_series * cube + kink_rest, zero + INFINITY);
     for (size_t j = 0; j < 3; j++) {
         impulse[j] *= scale;

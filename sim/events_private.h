@@ -16,7 +16,8 @@ struct bead_events {
     struct bead_patch_rule rule;
     /* Constants of the contacts, 0 in the margins but for "contact -1", the constant force on the striker. */
     double *constants, *stiffness, *static_compression, *static_force, *inverse_mass, *hardness;
-    double *effect;      /* m/s: what marked contacts do to a velocity, at most */
+    double *effect; /* m/s, of the flagged ones: what they do to a velocity, at most */
+    size_t effect_room;
     unsigned char *mark; /* a byte a contact, whole words */
     size_t *flagged, flagged_room, flagged_count;
     bool kinks_known;       /* method and law are those that kinks are known for */

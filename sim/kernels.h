@@ -33,10 +33,7 @@ typedef void (*bead_force_kernel)(size_t n, const struct bead_contact_table *tab
 struct bead_event_ends {
     const double *static_compression, *u0, *v0, *u1, *v1;
     double h;
-    double reach;           /* steps: how far outside a branch point may matter */
-    const double *hardness; /* A/m of the lighter bead; NULL: effects are not wanted */
-    double *effect;         /* out, where marked: what the contact can do to a velocity, m/s, by Hertz's law */
-    double tolerance;       /* m/s: less is not marked */
+    double reach; /* steps: how far outside a branch point may matter */
 };
 
 struct bead_step_ends {
@@ -53,7 +50,7 @@ struct bead_kernels {
     const char *name, *description;
     bead_force_kernel hertz;        /* A d^{3/2} without static part */
     bead_force_kernel hertz_static; /* with */
-    /* Forces without static part and accelerations at once; f[-1] is read. */
+    /* Forces without static part and accelerations at once; f[-1] is read, and n goes up to whole vectors. */
     void (*hertz_move)(size_t n, const struct bead_contact_table *table, const double *u, const double *inverse_mass, double *f,
                        double *a);
     /* dA d^{3/2}/dd = 3/2 A d^{1/2} of the compressions now, or of those that the velocities lead to within `ahead` seconds. */

@@ -66,12 +66,8 @@ static void hertz_move(size_t n, const struct bead_contact_table *table, const d
         for (size_t i = 1; i < ROOTS; i++)
             now = move(a, w, u, f, out, k + i * LANES, now, false);
     }
-    for (; k + LANES <= n; k += LANES)
+    for (; k < n; k += LANES)
         now = move(a, w, u, f, out, k, now, true);
-    for (; k < n; k++) {
-        f[k] = hertz_alone(a[k], u[k] - u[k + 1]);
-        out[k] = (f[(ptrdiff_t)k - 1] - f[k]) * w[k];
-    }
 }
 
 static inline lanes expected_stiffness(const struct bead_contact_table *table, const double *u, const double *v, double ahead,

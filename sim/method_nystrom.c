@@ -23,7 +23,7 @@ static void gather(const struct bead_stepper *s, const double *row, size_t count
 static void sum(const struct bead_stepper *s, double *y, const double *base, double scale, const double *v,
                 const struct terms *terms)
 {
-    s->kernels->combine(s->active, y, base, scale, v, terms->count, terms->coefficient, terms->array);
+    s->kernels->combine(s->span, y, base, scale, v, terms->count, terms->coefficient, terms->array);
 }
 
 void bead_step_nystrom(struct bead_stepper *s, double h)
@@ -47,6 +47,6 @@ void bead_step_nystrom(struct bead_stepper *s, double h)
             terms.array[i] = s->end.a;
     }
     /* v has no drift of its own: the first term stands in for it. */
-    s->kernels->combine(s->active, s->end.v, s->start.v, terms.coefficient[0], terms.array[0], terms.count - 1,
+    s->kernels->combine(s->span, s->end.v, s->start.v, terms.coefficient[0], terms.array[0], terms.count - 1,
                         terms.coefficient + 1, terms.array + 1);
 }

@@ -10,7 +10,7 @@
 #include "sim/tableau.h"
 
 /* Elements before and behind each array: f[-1], u[n], and whole vectors for the aligned ends. */
-enum { MARGIN = 16, ALIGN = 64 };
+enum { MARGIN = 16, ALIGN = 64, VECTOR = 8 };
 
 static size_t padded(size_t beads)
 {
@@ -32,7 +32,7 @@ static double *take(double **at, size_t beads)
 
 static enum bead_error allocate(struct bead_stepper *s, struct bead_message *msg)
 {
-    size_t stages = stage_count(s->method), arrays = 2 * 4 + 2 * stages + 4;
+    size_t stages = stage_count(s->method), arrays = 2 * 4 + 2 * stages + 4 + 2;
     size_t bytes;
     /* Zero pages come from the system untouched, and those of beads that the wave never reaches stay so. */
     if (__builtin_mul_overflow(padded(s->beads) * sizeof(double), arrays, &bytes) || !(s->memory = calloc(1, bytes + ALIGN)))
@@ -54,6 +54,11 @@ static enum bead_error allocate(struct bead_stepper *s, struct bead_message *msg
     s->y = take(&at, s->beads);
     for (int i = 0; i < 3; i++)
         s->w[i] = take(&at, s->beads);
+    double *stiffness = take(&at, s->beads), *inverse_mass = take(&at, s->beads);
+    memcpy(stiffness, s->chain->stiffness, s->beads * sizeof *stiffness);
+    memcpy(inverse_mass, s->force == bead_force_printed ? s->chain->mass : s->chain->inverse_mass, s->beads * sizeof *inverse_mass);
+    s->table.stiffness = stiffness;
+    s->inverse_mass = inverse_mass;
     return BEAD_OK;
 }
 
@@ -89,6 +94,7 @@ static void open_window(struct bead_stepper *s, const struct bead_state *from)
     size_t active = last < s->beads ? last : s->beads;
     if (active > s->active)
         s->active = active;
+    s->span = (s->active + VECTOR - 1) / VECTOR * VECTOR;
 }
 
 enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct bead_method *method,
@@ -107,9 +113,7 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
     s->force = choose_force(chain, kernels);
     bool printed = s->force == bead_force_printed;
     s->accelerate = printed ? bead_accelerations_printed : kernels->accelerations;
-    s->inverse_mass = printed ? chain->mass : chain->inverse_mass;
-    s->table = (struct bead_contact_table){.stiffness = chain->stiffness,
-                                           .static_compression = chain->static_compression,
+    s->table = (struct bead_contact_table){.static_compression = chain->static_compression,
                                            .static_force = chain->static_force,
                                            .law = &chain->spec->law,
                                            .damping = chain->spec->damping_coefficient,
@@ -169,7 +173,7 @@ enum bead_error bead_stepper_branch(const struct bead_stepper *s, struct bead_st
 void bead_stepper_evaluate(struct bead_stepper *s, const double *u, const double *v, double *f, double *a)
 {
     if (s->force == s->kernels->hertz) {
-        s->kernels->hertz_move(s->active, &s->table, u, s->inverse_mass, f, a);
+        s->kernels->hertz_move(s->span, &s->table, u, s->inverse_mass, f, a);
     } else {
         s->force(s->active, &s->table, u, v, f);
         s->accelerate(s->active, f, s->inverse_mass, a);

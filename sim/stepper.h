@@ -41,6 +41,7 @@ struct bead_stepper {
     struct bead_contact_table table;
     size_t beads;
     size_t active;    /* beads that the step just made may have moved */
+    size_t span;      /* the same in whole vectors: behind `active` all is 0, and stays so */
     bool full;        /* no window */
     double t0, t1, h; /* s: times of start and end, and the length of the step: t1 - t0 but for the rounding of times */
     struct bead_state start, end;
