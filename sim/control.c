@@ -7,14 +7,6 @@
 enum { EVERY = 4 };
 /* No step is longer than this many times the first. */
 static const double growth = 4;
-/* The accuracy that the theta in a method's row stands for. */
-static const double row_accuracy = 1e-6;
-
-double bead_control_theta(const struct bead_method_info *method, double accuracy)
-{
-    return fmin(method->theta * pow(accuracy / row_accuracy, 1 / method->theta_order), method->theta_cap);
-}
-
 static double stiffness(const struct bead_stepper *s, size_t k, double d)
 {
     double a = s->table.stiffness[k];

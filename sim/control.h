@@ -15,8 +15,6 @@ struct bead_control {
     double h;            /* s: the step now */
 };
 
-/* theta of a method for an accuracy: its row's, scaled by accuracy^(1/theta_order), no more than its row's cap. */
-double bead_control_theta(const struct bead_method_info *method, double accuracy);
 /* For a chain whose energy bounds its frequencies by omega. */
 struct bead_control bead_control_start(const struct bead_stepper *stepper, double theta, double omega);
 /* From now on take shorter steps: the energy drifts. */

@@ -33,6 +33,7 @@ struct bead_pace {
     double step;        /* the first */
     double resolution;  /* samples this close show every oscillation */
     bool variable;      /* later steps follow the state */
+    const char *why;    /* this method; NULL: there is no choice */
 };
 
 struct bead_equation {

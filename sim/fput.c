@@ -309,7 +309,8 @@ static enum bead_error create(const struct bead_motion_settings *settings, struc
 static void pace(const struct bead_motion *m, struct bead_pace *pace)
 {
     /* Six or so in a period of the fastest wave. */
-    *pace = (struct bead_pace){m->stepper.method->info.name, m->h, 1 / fastest(&m->stepper.string, m->stepper.start.u), false};
+    *pace =
+        (struct bead_pace){m->stepper.method->info.name, m->h, 1 / fastest(&m->stepper.string, m->stepper.start.u), false, NULL};
 }
 
 static double time_of(const struct bead_motion *m)

@@ -86,7 +86,7 @@ static void pace(const struct bead_motion *m, struct bead_pace *pace)
     double sharp = fmax(bead_kdv_sharpest(spec), 2 * 3.14 / spec->length),
            speed = fabs(spec->nonlinearity) * bead_kdv_highest(spec);
     speed += fabs(spec->drift) + fabs(spec->dispersion) * sharp * sharp;
-    *pace = (struct bead_pace){"etdrk4", m->kdv.h, 0.25 / (sharp * speed), !m->kdv.fixed};
+    *pace = (struct bead_pace){"etdrk4", m->kdv.h, 0.25 / (sharp * speed), !m->kdv.fixed, NULL};
 }
 
 static double time_of(const struct bead_motion *m)

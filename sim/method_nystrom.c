@@ -47,6 +47,6 @@ void bead_step_nystrom(struct bead_stepper *s, double h)
             terms.array[i] = s->end.a;
     }
     /* v has no drift of its own: the first term stands in for it. */
-    s->kernels->combine(s->span, s->end.v, s->start.v, terms.coefficient[0], terms.array[0], terms.count - 1,
-                        terms.coefficient + 1, terms.array + 1);
+    s->kernels->combine(s->span, s->end.v, s->start.v, terms.coefficient[0], terms.array[0], terms.count - 1, terms.coefficient + 1,
+                        terms.array + 1);
 }

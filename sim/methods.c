@@ -39,7 +39,7 @@ static const struct bead_method methods[] = {
      NULL,
      true,
      bead_step_nystrom},
-    {{"rkn8-plain", "Runge-Kutta-Nystrom RKN8(6)9FM (Dormand, El-Mikkawy, Prince 1987)", 8, 8, false, true, 0.14, 3, 1.6, 2.5},
+    {{"rkn8-plain", "Runge-Kutta-Nystrom RKN8(6)9FM (Dormand, El-Mikkawy, Prince 1987)", 8, 8, false, true, 0.16, 3, 1.6, 2.5},
      &bead_tableau_rkn8,
      NULL,
      false,

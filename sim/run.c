@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/choice.h"
 #include "sim/control.h"
 #include "sim/dense.h"
 #include "sim/estimate.h"
@@ -40,14 +41,6 @@ struct bead_run {
     uint64_t hash;
 };
 
-static const char *chosen_method(const struct bead_chain *chain)
-{
-    const char *asked = chain->scene->simulate.method;
-    if (strcmp(asked, "auto") != 0)
-        return asked;
-    return chain->spec->damping_coefficient > 0 ? "rk4" : "rkn8";
-}
-
 enum bead_error bead_run_stepping(const struct bead_chain *chain, struct bead_stepping *stepping, struct bead_message *msg)
 {
     return bead_run_twin_stepping(chain, 1, stepping, msg);
@@ -58,12 +51,13 @@ double bead_run_twin(const struct bead_chain *const *chains, size_t count)
     const struct bead_simulate *asked = &chains[0]->scene->simulate;
     bool fixed = asked->step > 0, room = true;
     for (size_t i = 0; i < count; i++) {
-        const struct bead_method *method = bead_method_row(chosen_method(chains[i]));
+        struct bead_choice choice;
+        struct bead_message msg;
         double omega = bead_chain_omega(chains[i], bead_chain_energy(chains[i]));
-        if (method && fixed)
-            room = room && 2 * asked->step * omega <= method->info.theta_max;
-        else if (method)
-            room = room && bead_control_theta(&method->info, 10 * asked->accuracy) < method->info.theta_cap;
+        if (bead_choose_method(chains[i], &choice, &msg))
+            continue; /* the run itself says why */
+        room = room && (fixed ? 2 * asked->step * omega <= choice.method->info.theta_max
+                              : bead_choice_theta(&choice, 10 * asked->accuracy) < choice.cap);
     }
     return fixed ? (room ? 2 : 0.5) : (room ? 10 : 0.1);
 }
@@ -71,21 +65,20 @@ double bead_run_twin(const struct bead_chain *const *chains, size_t count)
 enum bead_error bead_run_twin_stepping(const struct bead_chain *chain, double looser, struct bead_stepping *stepping,
                                        struct bead_message *msg)
 {
-    const char *name = chosen_method(chain);
-    const struct bead_method *method = bead_method_row(name);
+    struct bead_choice choice;
     const char *file = chain->scene->file;
-    if (!method)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: there is no method `%s`: see --list methods", file, name);
-    if (chain->spec->damping_coefficient > 0 && !method->info.damping)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: `%s` is for forces without damping; use rk4 or auto", file,
-                         name);
+    enum bead_error err = bead_choose_method(chain, &choice, msg);
+    if (err)
+        return err;
+    const struct bead_method_info *method = &choice.method->info;
     double omega = bead_chain_omega(chain, bead_chain_energy(chain)), step = looser * chain->scene->simulate.step;
-    double theta = bead_control_theta(&method->info, looser * chain->scene->simulate.accuracy);
-    *stepping = (struct bead_stepping){method, step > 0 ? step : theta / omega, omega, theta, !(step > 0) && method->info.variable};
+    double theta = bead_choice_theta(&choice, looser * chain->scene->simulate.accuracy);
+    *stepping = (struct bead_stepping){choice.method, step > 0 ? step : theta / omega, omega,
+                                       theta,         !(step > 0) && method->variable, choice.why};
     /* The bound is generous: a step is hopeless only when it exceeds the limit twice over. */
-    if (step * omega > 2 * method->info.theta_max)
+    if (step * omega > 2 * method->theta_max)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.step: %.3g s is too long for `%s` to be stable: at most %.3g s", file,
-                         step, name, method->info.theta_max / omega);
+                         step, method->name, method->theta_max / omega);
     if (!(stepping->step > 0) || !isfinite(stepping->step))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.step: no step can be chosen (nothing moves?): give one", file);
     return BEAD_OK;

@@ -34,10 +34,11 @@ struct bead_run_settings {
 /* Method and step that a chain's scene asks for. Errors: SCENE (with the method's name), NUMBERS (step too long to be stable). */
 struct bead_stepping {
     const struct bead_method *method;
-    double step;   /* s, the first */
-    double omega;  /* rad/s, bound of the frequencies */
-    double theta;  /* step in units of 1/omega */
-    bool variable; /* later steps follow the state */
+    double step;     /* s, the first */
+    double omega;    /* rad/s, bound of the frequencies */
+    double theta;    /* step in units of 1/omega */
+    bool variable;   /* later steps follow the state */
+    const char *why; /* this method */
 };
 BEAD_CHECK enum bead_error bead_run_stepping(const struct bead_chain *chain, struct bead_stepping *stepping,
                                              struct bead_message *msg);

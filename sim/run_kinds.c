@@ -12,7 +12,8 @@ static enum bead_error pace_of_beads(const struct bead_chain *chain, double loos
     struct bead_stepping stepping;
     enum bead_error err = bead_run_twin_stepping(chain, looser > 0 ? looser : 1, &stepping, msg);
     if (!err)
-        *pace = (struct bead_pace){stepping.method->info.name, stepping.step, resolving / stepping.omega, stepping.variable};
+        *pace = (struct bead_pace){stepping.method->info.name, stepping.step, resolving / stepping.omega, stepping.variable,
+                                   stepping.why};
     return err;
 }
 

@@ -32,7 +32,10 @@ static void plan_chain(const struct bead_session *s, size_t index, const struct 
         fprintf(out, "chain %s%s%zu beads, %zu contacts", name, *name ? ": " : "", bead_chain_beads(c), bead_chain_contacts(c));
     if (*bead_chain_spins(c))
         fprintf(out, ", M = %.4g", bead_chain_magnetism(c));
-    fprintf(out, "; %s with steps %s %s", pace->method, pace->variable ? "from" : "of", time_words(s, pace->step, false).text);
+    fprintf(out, "; %s", pace->method);
+    if (pace->why)
+        fprintf(out, " (%s)", pace->why);
+    fprintf(out, " with steps %s %s", pace->variable ? "from" : "of", time_words(s, pace->step, false).text);
     double end = fmin(s->end, s->needed);
     if (isfinite(end))
         fprintf(out, ", %s%.0f of them", pace->variable ? "at most about " : "", ceil(end / pace->step * (1 - 1e-9)));

@@ -174,7 +174,7 @@ static enum bead_error create(const struct bead_motion_settings *settings, struc
 static void pace(const struct bead_motion *m, struct bead_pace *pace)
 {
     double resolution = fmax(2 * m->dx, 0.002 * m->settings.spec->length) / fastest(m, &m->end);
-    *pace = (struct bead_pace){"weno5-ssprk3", m->h, resolution, !(m->settings.step > 0)};
+    *pace = (struct bead_pace){"weno5-ssprk3", m->h, resolution, !(m->settings.step > 0), NULL};
 }
 
 static double time_of(const struct bead_motion *m)
