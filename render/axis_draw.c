@@ -108,7 +108,7 @@ static bool fits(const struct drawing *d, const struct bead_text_style *style, d
     return width <= room * (1 + 1e-6) && height <= most;
 }
 
-/* A title that fits: a little smaller where it must be, then in lines (*wrap), then only its unit, then none. */
+/* A title that fits: a little smaller where it must be, then in lines (*wrap), then small, then only its unit, then none. */
 static bool fit_title(const struct drawing *d, const char *title, struct bead_text_style *style, double *wrap, char *markup,
                       size_t size)
 {
@@ -126,6 +126,10 @@ static bool fit_title(const struct drawing *d, const char *title, struct bead_te
     if (fits(d, style, room, markup, room, most_lines * line_height * full) && room > narrowest_title * full)
         return true;
     *wrap = 0;
+    style->size = full * fmin(1, fmax(smallest_title, 0.99 * room / width));
+    if (fits(d, style, 0, markup, room, INFINITY))
+        return true;
+    style->size = full;
     snprintf(markup, size, "%s", *unit ? unit : name);
     bead_text_size(d->cr, style, markup, &width, &height);
     style->size = full * fmin(1, fmax(smallest_title, 0.99 * room / width));
