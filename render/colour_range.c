@@ -5,14 +5,16 @@
 
 /* A logarithmic scale without a lower end shows this part of the largest value. */
 static const double log_span = 1e-4;
+/* Values that should have one sign may have a little of the other: errors, small waves. */
+static const double ripple = 0.05;
 
-static void automatic(enum bead_scale scale, double least, double largest, double *low, double *high)
+static void automatic(enum bead_scale scale, bool is_signed, double least, double largest, double *low, double *high)
 {
     double size = fmax(fabs(least), fabs(largest));
     if (!(least <= largest) || !(size > 0)) {
         *low = 0;
         *high = 1;
-    } else if (least < 0 && largest > 0) {
+    } else if (least < 0 && largest > 0 && (is_signed || fmin(-least, largest) > ripple * size)) {
         *low = -size;
         *high = size;
     } else {
@@ -25,10 +27,11 @@ static void automatic(enum bead_scale scale, double least, double largest, doubl
     }
 }
 
-struct bead_colour_range bead_colour_range_find(const struct bead_output *output, double least, double largest)
+struct bead_colour_range bead_colour_range_find(const struct bead_output *output, const struct bead_chain *chain, double least,
+                                                double largest)
 {
     struct bead_colour_range range = {0, 1, false, false};
-    automatic(output->scale, least, largest, &range.low, &range.high);
+    automatic(output->scale, bead_chain_signed(chain, output->field), least, largest, &range.low, &range.high);
     bool low_given = !isnan(output->range[0]), high_given = !isnan(output->range[1]);
     range.high = high_given ? output->range[1] : range.high;
     if (low_given)

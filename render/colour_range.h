@@ -14,7 +14,8 @@ struct bead_colour_range {
 };
 
 /* `least` and `largest`: of what is shown; least > largest: nothing is. */
-struct bead_colour_range bead_colour_range_find(const struct bead_output *output, double least, double largest);
+struct bead_colour_range bead_colour_range_find(const struct bead_output *output, const struct bead_chain *chain, double least,
+                                                double largest);
 /* A range that makes no sense as asked. `file` for the message. Errors: SCENE (with the output's place). */
 BEAD_CHECK enum bead_error bead_colour_range_check(const struct bead_output *output, const char *file, struct bead_message *msg);
 

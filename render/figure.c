@@ -193,7 +193,8 @@ static enum bead_error prepare(struct bead_figure *f, const enum bead_view_kind 
     if (err)
         return err;
     bead_page_look(&f->page, output, &f->look);
-    f->range = bead_colour_range_find(output, is_signed ? -888 : 0, 888); /* as wide as labels get; found at the end */
+    f->range =
+        bead_colour_range_find(output, f->stage.chains[0], is_signed ? -888 : 0, 888); /* as wide as labels get; found at the end */
     f->colours = (struct bead_colours){&f->map, output->scale, f->range.low, f->range.high};
     err = make_cells(f, views, msg);
     if (!err)

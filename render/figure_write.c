@@ -41,7 +41,7 @@ static void set_ranges(struct bead_figure *f)
 {
     double colours[2] = {INFINITY, -INFINITY}, sensors[2] = {INFINITY, -INFINITY};
     find_extremes(f, colours, sensors);
-    f->range = bead_colour_range_find(f->output, colours[0], colours[1]);
+    f->range = bead_colour_range_find(f->output, f->stage.chains[0], colours[0], colours[1]);
     f->colours.low = f->range.low;
     f->colours.high = f->range.high;
     for (size_t c = 0; c < f->cell_count; c++) {

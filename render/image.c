@@ -118,7 +118,7 @@ static struct bead_colour_range find_range(const struct bead_sink *sink)
         low = fmin(low, one[0]);
         high = fmax(high, one[1]);
     }
-    return bead_colour_range_find(sink->output, low, high);
+    return bead_colour_range_find(sink->output, sink->stage.chains[0], low, high);
 }
 
 static enum bead_error fill_indices(const struct bead_sink *sink, uint8_t *indices, struct bead_message *msg)

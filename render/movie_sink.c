@@ -357,7 +357,7 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
                                         .scene = s->stage.scene,
                                         .twin = s->stage.twin,
                                         .canvas = s->stage.canvas};
-    struct bead_colour_range colours = bead_colour_range_find(s->output, range.low, range.high);
+    struct bead_colour_range colours = bead_colour_range_find(s->output, s->stage.chains[0], range.low, range.high);
     setup.range[0] = colours.low;
     setup.range[1] = colours.high;
     enum bead_error err = bead_composer_create(&setup, &s->composer, msg);

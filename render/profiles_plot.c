@@ -7,6 +7,7 @@
 #include "beadreel/look.h"
 #include "render/graph.h"
 #include "render/sinks.h"
+#include "render/units.h"
 
 struct profile {
     double *before, *after; /* the samples on both sides of the moment */
@@ -199,6 +200,21 @@ static void fill_panel(struct bead_sink *s, size_t c, char (*label)[64], struct 
                                  .series_count = s->output.moment_count};
 }
 
+/* No more digits than it needs, five at most. */
+static void time_words(double time, const char *unit, char *text, size_t size)
+{
+    double shown = time / bead_power_of_ten(bead_prefix_exponent(time, unit));
+    int digits = 1;
+    while (digits < 5 && shown != 0) {
+        double part = bead_power_of_ten(digits - 1 - (int)floor(log10(fabs(shown))));
+        if (fabs(round(shown * part) / part - shown) < 1e-7 * fabs(shown))
+            break;
+        digits++;
+    }
+    int whole = shown >= 1 ? (int)floor(log10(shown)) + 1 : 1; /* 500, not 5e2 */
+    bead_quantity(time, unit, digits > whole ? digits : whole, text, size);
+}
+
 static enum bead_error end(struct bead_sink *s, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
     (void)outcomes;
@@ -209,7 +225,7 @@ static enum bead_error end(struct bead_sink *s, const struct bead_outcome *outco
     enum bead_error err =
         series && panels && label ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of profiles");
     for (size_t m = 0; !err && m < moments; m++) {
-        bead_quantity(s->output.moments[m], bead_chain_time_unit(s->stage.chains[0]), 4, time, sizeof time);
+        time_words(s->output.moments[m], bead_chain_time_unit(s->stage.chains[0]), time, sizeof time);
         snprintf(label[m], sizeof *label, "*t* = %s", time);
     }
     for (size_t c = 0; !err && c < chains; c++)

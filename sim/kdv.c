@@ -14,11 +14,11 @@ struct bead_motion {
     struct bead_kdv_watch watch;
 };
 
-/* The unknown is shown as the field that the scene wants; u it is called anyhow. */
+/* The unknown is shown as the field that the scene wants, with its name, and as u where nothing else is said. */
 static const struct bead_field_info *field(const struct bead_equation_spec *spec, enum bead_field field)
 {
     static const struct bead_field_info infos[] = {
-#define BEAD_KDV_FIELD(id, name, unit, title, place) {name, "", "u", 0},
+#define BEAD_KDV_FIELD(id, name, unit, title, place) {name, "", BEAD_FIELD_##id == BEAD_FIELD_DISPLACEMENT ? "u" : title, 0},
         BEAD_FIELDS(BEAD_KDV_FIELD)
 #undef BEAD_KDV_FIELD
     };
@@ -47,6 +47,26 @@ static const char *check(const struct bead_equation_spec *spec, const char **key
             return "has a soliton outside the domain: must be low <= at < low + length";
     }
     return NULL;
+}
+
+/* " + 6 u" before a derivative; nothing where the coefficient is 0. */
+static void add_term(char *text, size_t size, double coefficient, const char *factor)
+{
+    size_t used = strlen(text);
+    const char *sign = coefficient < 0 ? "\u2212" : "+";
+    if (coefficient != 0 && fabs(coefficient) == 1)
+        snprintf(text + used, size - used, " %s %s", sign, factor);
+    else if (coefficient != 0)
+        snprintf(text + used, size - used, " %s %.4g %s", sign, fabs(coefficient), factor);
+}
+
+static void describe(const struct bead_equation_spec *spec, char *text, size_t size)
+{
+    snprintf(text, size, "u\u209c");
+    add_term(text, size, spec->drift, "u\u2093");
+    add_term(text, size, spec->nonlinearity, "u u\u2093");
+    add_term(text, size, spec->dispersion, "u\u2093\u2093\u2093");
+    snprintf(text + strlen(text), size - strlen(text), " = 0");
 }
 
 static void places(const struct bead_equation_spec *spec, size_t points, double *first, double *spacing)
@@ -137,12 +157,38 @@ static size_t measures(const struct bead_motion *m, struct bead_measure *to, siz
     return bead_kdv_measures(&m->watch, &m->kdv, to, room);
 }
 
+/* What mode k of the Fourier series adds to the mean of u^2; the mean itself is no mode. Cosines by rotation in long double: the
+ * same on all processors. */
+static double mode_energy(const double *u, size_t points, size_t k)
+{
+    long double angle = 2 * 3.141592653589793238462643383279503L * (long double)k / (long double)points;
+    long double turn_c = cosl(angle), turn_s = sinl(angle), c = 1, s = 0;
+    double sum_c = 0, sum_s = 0;
+    for (size_t i = 0; i < points; i++) {
+        sum_c += u[i] * (double)c;
+        sum_s += u[i] * (double)s;
+        long double next = c * turn_c - s * turn_s;
+        s = s * turn_c + c * turn_s;
+        c = next;
+    }
+    double n = (double)points;
+    return (2 * k == points ? 1 : 2) * (sum_c * sum_c + sum_s * sum_s) / (n * n);
+}
+
+static void modes(const struct bead_equation_spec *spec, size_t points, const double *const value[BEAD_FIELD_COUNT], size_t count,
+                  double *energy)
+{
+    for (size_t k = 1; k <= count; k++)
+        energy[k - 1] = 2 * k <= points ? mode_energy(value[spec->variable], points, k) : 0;
+}
+
 const struct bead_equation bead_equation_kdv = {
     .name = "kdv",
     .help = "u_t + drift u_x + nonlinearity u u_x + dispersion u_xxx = 0, of Korteweg and de Vries, on a ring (the thesis's Eq. 1 "
             "and 12)",
     .field = field,
     .check = check,
+    .describe = describe,
     .points = bead_kdv_points,
     .places = places,
     .create = create,
@@ -155,4 +201,6 @@ const struct bead_equation bead_equation_kdv = {
     .state = state,
     .energy = energy,
     .measures = measures,
+    .mode_title = "mean square of the mode",
+    .modes = modes,
 };
