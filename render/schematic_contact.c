@@ -190,8 +190,11 @@ static void draw_triangle(const struct contact *c, const struct side *s)
     bead_schematic_symbol("δ", s->index, flat, sizeof flat);
     snprintf(leg, sizeof leg, "%s − %s", radius, flat);
     style.across = BEAD_ALIGN_MIDDLE;
-    double clear = foot + s->sign * c->scale * other->flattened; /* of the other bead's outline */
-    bead_sketch_text(sketch, &style, 0.5 * (s->x + clear), c->y + 0.85 * em, leg);
+    /* Clear of the other bead's outline. */
+    double clear = foot + s->sign * (c->scale * other->flattened + 0.3 * em), half = 0.5 * bead_sketch_width(&style, leg);
+    double middle = 0.5 * (s->x + foot + s->sign * c->scale * other->flattened);
+    middle = s->sign < 0 ? fmin(middle, clear - half) : fmax(middle, clear + half);
+    bead_sketch_text(sketch, &style, middle, c->y + 0.85 * em, leg);
 }
 
 static void draw_chord(const struct contact *c)
