@@ -10,9 +10,10 @@
 static const double row_accuracy = 1e-6;
 /* Asked for no more than this, contacts that open and close need no correction: the longest steps are good enough without. */
 static const double low_accuracy = 1e-3;
-/* Where contacts cannot open, forces are smooth; peaks have these errors then (measured, tests/bench), and steps this cap. Only
- * far from opening: the branch point spoils much before it is reached. */
-static const double smooth_theta = 2.2, smooth_order = 8, smooth_cap = 2.2, far_from_opening = 0.1;
+/* Where contacts cannot open, forces are smooth. Peaks are better than asked then (tests/bench); what bounds these steps is the
+ * energy of the fastest vibrations over many periods (tests/stress). Only far from opening: the branch point spoils much before it
+ * is reached. */
+static const double smooth_theta = 1, smooth_order = 8, smooth_cap = 2.2, far_from_opening = 0.1;
 
 /* Energy that would open contact k, J. */
 static double opening_energy(const struct bead_chain *chain, size_t k)

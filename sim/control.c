@@ -5,6 +5,7 @@
 
 /* omega is looked at again after this many steps, and looks as far ahead. */
 enum { EVERY = 4 };
+static const double much = 1.1;
 /* No step is longer than this many times the first. */
 static const double growth = 4;
 static double stiffness(const struct bead_stepper *s, size_t k, double d)
@@ -63,16 +64,26 @@ struct bead_control bead_control_start(const struct bead_stepper *s, double thet
     return (struct bead_control){theta, sqrt(circles(s, s->chain->contacts, 0, true)), growth * first, first};
 }
 
+/* Length that the stiffnesses allow which are to be expected when steps of length h are made until they are looked at again. */
+static double allowed(const struct bead_control *control, const struct bead_stepper *s, double h)
+{
+    size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
+    const double ahead = EVERY * h;
+    double worst = s->table.law->kind == BEAD_LAW_HERTZ ? hertz_circles(s, n, ahead) : circles(s, n, ahead, false);
+    double omega = fmax(sqrt(worst), control->static_omega);
+    return omega * control->longest > control->theta ? control->theta / omega : control->longest;
+}
+
 double bead_control_next(struct bead_control *control, const struct bead_stepper *s)
 {
     if (s->steps == 0 || s->steps % EVERY != 0)
         return control->h;
-    size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
-    const double ahead = EVERY * control->h;
-    double worst = s->table.law->kind == BEAD_LAW_HERTZ ? hertz_circles(s, n, ahead) : circles(s, n, ahead, false);
-    double omega = fmax(sqrt(worst), control->static_omega);
-    control->h = omega * control->longest > control->theta ? control->theta / omega : control->longest;
-    return control->h;
+    double h = allowed(control, s, control->h);
+    /* Much longer ones see more of what is coming. */
+    if (h > much * control->h)
+        h = fmax(control->h, allowed(control, s, h));
+    control->h = h;
+    return h;
 }
 
 /* Of an order-8 method's drift this leaves a 25th. */
