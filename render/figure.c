@@ -7,7 +7,7 @@
 #include "render/figure_private.h"
 #include "render/magnify.h"
 
-bool bead_panel_collects(const struct bead_panel *panel)
+bool bead_tile_collects(const struct bead_tile *panel)
 {
     return panel->type->kind == BEAD_VIEW_SPACETIME || panel->type->kind == BEAD_VIEW_SENSORS;
 }
@@ -61,6 +61,8 @@ enum bead_error bead_figure_times(const struct bead_output *output, const struct
 static bool is_shown(const struct bead_figure *f, size_t chain, const enum bead_view_kind *views, size_t view_count)
 {
     size_t sensors;
+    if (f->set.chain != SIZE_MAX && f->set.chain != chain)
+        return false;
     (void)bead_chain_sensors(f->stage.chains[chain], &sensors);
     return sensors > 0 || view_count != 1 || views[0] != BEAD_VIEW_SENSORS;
 }
@@ -73,7 +75,7 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
     for (size_t v = 0; v < f->view_count; v++)
         moments = moments || (views[v] != BEAD_VIEW_SPACETIME && views[v] != BEAD_VIEW_SENSORS);
     for (size_t v = 0; !err && v < f->view_count; v++) {
-        struct bead_panel *panel = &cell->panel[v];
+        struct bead_tile *panel = &cell->panel[v];
         panel->type = bead_view_find(views[v]);
         if (!panel->type)
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "this build has no view of kind %d", (int)views[v]);
@@ -91,7 +93,7 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
                                                 .trust = f->output->trust};
         err = find_span(f, cell->chain, &panel->setup.beads, msg);
         f->coloured = f->coloured || views[v] == BEAD_VIEW_SPACETIME || views[v] == BEAD_VIEW_BEADS;
-        f->collects = f->collects || bead_panel_collects(panel);
+        f->collects = f->collects || bead_tile_collects(panel);
     }
     f->stills = f->stills || moments;
     return err;
@@ -123,8 +125,8 @@ enum bead_error bead_figure_views(struct bead_figure *f, bool collecting, struct
     enum bead_error err = BEAD_OK;
     for (size_t c = 0; c < f->cell_count; c++) {
         for (size_t v = 0; !err && v < f->view_count; v++) {
-            struct bead_panel *panel = &f->cells[c].panel[v];
-            if (bead_panel_collects(panel) != collecting)
+            struct bead_tile *panel = &f->cells[c].panel[v];
+            if (bead_tile_collects(panel) != collecting)
                 continue;
             err = panel->type->create(&panel->setup, &panel->view, msg);
             if (!err)
@@ -138,7 +140,7 @@ enum bead_error bead_figure_views(struct bead_figure *f, bool collecting, struct
 static double time_pixels(const struct bead_figure *f)
 {
     for (size_t v = 0; v < f->view_count; v++) {
-        const struct bead_panel *panel = &f->cells[0].panel[v];
+        const struct bead_tile *panel = &f->cells[0].panel[v];
         if (panel->type->kind == BEAD_VIEW_SPACETIME)
             return panel->setup.time_down ? panel->plot.height : panel->plot.width;
     }
@@ -178,13 +180,12 @@ static void explain(struct bead_figure *f)
         snprintf(f->why, sizeof f->why, "%d x %d pixels, one moment", f->page.width, f->page.height);
 }
 
+/* All but the places of things. */
 static enum bead_error prepare(struct bead_figure *f, const enum bead_view_kind *views, struct bead_message *msg)
 {
     const struct bead_output *output = f->output;
     bool is_signed = bead_chain_signed(f->stage.chains[0], output->field);
-    enum bead_error err = bead_page_find(output, f->stage.scene->file, &f->page, msg);
-    if (!err)
-        err = bead_colour_range_check(output, f->stage.scene->file, msg);
+    enum bead_error err = bead_colour_range_check(output, f->stage.scene->file, msg);
     if (!err)
         err = bead_figure_times(output, &f->stage, f->time, msg);
     f->at = isnan(output->at) ? f->time[1] : fmin(output->at, f->stage.end);
@@ -192,15 +193,42 @@ static enum bead_error prepare(struct bead_figure *f, const enum bead_view_kind 
         err = bead_colour_range_map(output, f->stage.chains[0], "viridis", &f->map, msg);
     if (err)
         return err;
-    bead_page_look(&f->page, output, &f->look);
-    f->range =
-        bead_colour_range_find(output, f->stage.chains[0], is_signed ? -888 : 0, 888); /* as wide as labels get; found at the end */
+    /* as wide as labels get; found at the end */
+    f->range = bead_colour_range_find(output, f->stage.chains[0], is_signed ? -888 : 0, 888);
     f->colours = (struct bead_colours){&f->map, output->scale, f->range.low, f->range.high};
-    err = make_cells(f, views, msg);
-    if (!err)
-        err = bead_figure_arrange(f, msg);
-    if (!err)
-        err = bead_figure_views(f, true, NULL, msg);
+    return make_cells(f, views, msg);
+}
+
+static enum bead_error new_figure(const struct bead_output *output, const struct bead_stage *stage, size_t view_count,
+                                  struct bead_figure **figure, struct bead_message *msg)
+{
+    *figure = NULL;
+    if (view_count < 1 || view_count > FIGURE_VIEWS)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a figure has 1 to %d views of each chain", FIGURE_VIEWS);
+    struct bead_figure *f = *figure = calloc(1, sizeof *f);
+    if (!f)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
+    f->output = output;
+    f->stage = *stage;
+    f->view_count = view_count;
+    f->set.chain = SIZE_MAX;
+    return BEAD_OK;
+}
+
+static enum bead_error keep_or_destroy(struct bead_figure **figure, enum bead_error err)
+{
+    if (err) {
+        bead_figure_destroy(*figure);
+        *figure = NULL;
+    }
+    return err;
+}
+
+enum bead_error bead_figure_start(struct bead_figure *f, struct bead_message *msg)
+{
+    enum bead_error err = bead_figure_views(f, true, NULL, msg);
+    choose_grid(f);
+    explain(f);
     return err;
 }
 
@@ -208,32 +236,55 @@ enum bead_error bead_figure_create(const struct bead_output *output, const struc
                                    const enum bead_view_kind *views, size_t view_count, struct bead_figure **figure,
                                    struct bead_message *msg)
 {
-    *figure = NULL;
-    if (view_count < 1 || view_count > FIGURE_VIEWS)
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a figure has 1 to %d views of each chain", FIGURE_VIEWS);
-    struct bead_figure *f = calloc(1, sizeof *f);
-    if (!f)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
-    f->output = output;
-    f->stage = *stage;
-    f->view_count = view_count;
-    enum bead_error err = prepare(f, views, msg);
-    if (err) {
-        bead_figure_destroy(f);
-        return err;
+    enum bead_error err = new_figure(output, stage, view_count, figure, msg);
+    struct bead_figure *f = *figure;
+    if (!err)
+        err = bead_page_find(output, stage->scene->file, &f->page, msg);
+    if (!err) {
+        bead_page_look(&f->page, output, &f->look);
+        f->area = (struct bead_rect){0, 0, f->page.width, f->page.height};
+        f->margin = output->axes ? f->look.margin : 0;
+        err = prepare(f, views, msg);
     }
-    choose_grid(f);
-    explain(f);
-    *figure = f;
-    return BEAD_OK;
+    if (!err)
+        err = bead_figure_arrange(f, &(struct bead_insets){0}, msg);
+    if (!err)
+        err = bead_figure_start(f, msg);
+    return keep_or_destroy(figure, err);
+}
+
+enum bead_error bead_figure_create_part(const struct bead_output *output, const struct bead_stage *stage,
+                                        const struct bead_page *page, const struct bead_look *look,
+                                        const struct bead_part_settings *settings, struct bead_figure **figure,
+                                        struct bead_message *msg)
+{
+    enum bead_error err = new_figure(output, stage, output->view_count, figure, msg);
+    struct bead_figure *f = *figure;
+    if (err)
+        return err;
+    f->part = true;
+    f->page = *page;
+    f->look = *look;
+    f->set = *settings;
+    return keep_or_destroy(figure, prepare(f, output->views, msg));
+}
+
+void bead_figure_change(struct bead_figure *f, const struct bead_part_settings *settings)
+{
+    f->set = *settings;
+}
+
+void bead_figure_regrid(struct bead_figure *f, const struct bead_grid *grid)
+{
+    f->grid = *grid;
 }
 
 static unsigned fields_of(const struct bead_figure *f, bool collecting)
 {
     unsigned fields = 0;
     for (size_t v = 0; v < f->view_count; v++) {
-        const struct bead_panel *panel = &f->cells[0].panel[v];
-        if (bead_panel_collects(panel) == collecting)
+        const struct bead_tile *panel = &f->cells[0].panel[v];
+        if (bead_tile_collects(panel) == collecting)
             fields |= panel->type->fields(&panel->setup);
     }
     return fields;
@@ -245,7 +296,7 @@ static struct bead_span all_beads(const struct bead_figure *f)
     struct bead_span all = {SIZE_MAX, 0};
     for (size_t c = 0; c < f->cell_count; c++) {
         for (size_t v = 0; v < f->view_count; v++) {
-            const struct bead_panel *panel = &f->cells[c].panel[v];
+            const struct bead_tile *panel = &f->cells[c].panel[v];
             size_t count = 0;
             const struct bead_sensor *sensors = bead_chain_sensors(panel->setup.chain, &count);
             bool plotted = panel->type->kind == BEAD_VIEW_SENSORS;

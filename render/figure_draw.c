@@ -42,20 +42,51 @@ static bool fit(cairo_t *cr, const struct bead_text_style *style, const char *te
 }
 
 struct words {
-    char letter[16], magnetism[128];
+    char letter[128], magnetism[128], moment[160];
     const char *name, *label;
 };
+
+/* No more digits than the time needs, five at most. */
+static void time_words(double time, const char *unit, char *text, size_t size)
+{
+    int exponent = bead_prefix_exponent(time, unit), digits = 1;
+    double shown = time / bead_power_of_ten(exponent);
+    int whole = shown >= 100 ? 3 : shown >= 10 ? 2 : 1;
+    for (digits = whole; digits < whole + 3; digits++) {
+        double part = bead_power_of_ten(digits - whole);
+        if (fabs(round(shown * part) / part - shown) < 1e-6 * shown)
+            break;
+    }
+    bead_quantity(time, unit, digits, text, size);
+}
+
+/* A part says what the whole page says elsewhere: letter, title, and the moment. */
+static void part_words(const struct bead_figure *f, struct words *words)
+{
+    char time[64];
+    bool alone = f->cell_count == 1;
+    if (alone && f->set.title)
+        words->name = f->set.title;
+    snprintf(words->letter, sizeof words->letter, "%s%s%s", f->set.letter, !alone && f->set.title && *f->set.letter ? " " : "",
+             !alone && f->set.title ? f->set.title : "");
+    if (!f->stills)
+        return;
+    time_words(f->at, bead_chain_time_unit(f->stage.chains[0]), time, sizeof time);
+    snprintf(words->moment, sizeof words->moment, "t = %s", time);
+}
 
 static bool words_of(const struct bead_figure *f, const struct bead_cell *cell, struct words *words)
 {
     const struct bead_chain *chain = f->stage.chains[cell->chain];
     size_t index = (size_t)(cell - f->cells);
     *words = (struct words){.name = bead_chain_name(chain), .label = bead_chain_spec(chain)->label};
-    if (f->page.paper && f->cell_count > 1 && index < 26)
+    if (f->part && index == 0)
+        part_words(f, words);
+    if (!f->part && f->page.paper && f->cell_count > 1 && index < 26)
         snprintf(words->letter, sizeof words->letter, "(%c)", (char)('a' + (int)index));
-    if (*bead_chain_spins(chain))
+    if (*bead_chain_spins(chain) && words->name == bead_chain_name(chain))
         bead_text_magnetism(bead_chain_magnetism(chain), words->magnetism, sizeof words->magnetism);
-    return f->output->axes && (*words->letter || *words->name || *words->magnetism);
+    return f->output->axes && (*words->letter || *words->name || *words->magnetism || *words->moment);
 }
 
 /* How much is said, from all to a shortened name; the same in all cells, as far as the longest has room. */
@@ -76,8 +107,9 @@ static void make_heading(const struct bead_figure *f, const struct bead_cell *ce
     h->label = style_of(look, look->label, look->faint);
     h->name.bold = !f->page.paper;
     h->gap = 0.7 * look->label;
-    if (f->page.paper)
-        h->words.label = "";
+    h->letter.bold = f->part;
+    if (f->page.paper || f->part)
+        h->words.label = h->words.moment;
 }
 
 /* What a cell says of its words at this terseness. */
@@ -85,7 +117,7 @@ static void shorten(struct words *words, enum terseness terse)
 {
     bool name = *words->name, magnetism = *words->magnetism;
     if (terse > NAME_M_LABEL)
-        words->label = "";
+        words->label = words->moment;
     if ((terse == NAME || terse == CUT_NAME) && name)
         words->magnetism[0] = '\0';
     if (terse == M && magnetism)
@@ -95,15 +127,16 @@ static void shorten(struct words *words, enum terseness terse)
 /* Width of the heading; draws it where cr is there and `draw` says so. */
 static double put_heading(cairo_t *cr, const struct heading *h, double x, double y, double room, bool draw)
 {
-    char name[1024], label[1024];
+    char name[1024], label[1024], letters[640];
     const struct bead_text_style *styles[] = {&h->letter, &h->name, &h->magnetism, &h->label};
     const double after[] = {h->gap, h->gap, 2 * h->gap, 0};
     bead_text_escape(h->words.label, label, sizeof label);
+    bead_text_escape(h->words.letter, letters, sizeof letters);
     bead_text_escape(h->words.name, name, sizeof name);
-    double letter = *h->words.letter ? width_of(cr, &h->letter, h->words.letter) + h->gap : 0;
+    double letter = *h->words.letter ? width_of(cr, &h->letter, letters) + h->gap : 0;
     if (draw && !fit(cr, &h->name, h->words.name, room - letter, name, sizeof name))
         name[0] = '\0';
-    const char *words[] = {h->words.letter, name, h->words.magnetism, label};
+    const char *words[] = {letters, name, h->words.magnetism, label};
     double begin = x, end = x;
     for (size_t i = 0; i < 4; i++) {
         if (!*words[i])
@@ -144,20 +177,6 @@ bool bead_figure_heading(const struct bead_figure *f, const struct bead_cell *ce
     return true;
 }
 
-/* No more digits than the time needs, five at most. */
-static void time_words(double time, const char *unit, char *text, size_t size)
-{
-    int exponent = bead_prefix_exponent(time, unit), digits = 1;
-    double shown = time / bead_power_of_ten(exponent);
-    int whole = shown >= 100 ? 3 : shown >= 10 ? 2 : 1;
-    for (digits = whole; digits < whole + 3; digits++) {
-        double part = bead_power_of_ten(digits - whole);
-        if (fabs(round(shown * part) / part - shown) < 1e-6 * shown)
-            break;
-    }
-    bead_quantity(time, unit, digits, text, size);
-}
-
 /* "t = 1.64 ms, displacements x 60": what beads and profiles are drawn with. */
 static void moment_words(const struct bead_figure *f, char *markup, size_t size)
 {
@@ -168,7 +187,7 @@ static void moment_words(const struct bead_figure *f, char *markup, size_t size)
     time_words(f->at, bead_chain_time_unit(f->stage.chains[0]), time, sizeof time);
     snprintf(markup, size, "<span face=\"%s\"><i>t</i></span> = %s", f->page.paper ? "STIX" : f->look.family, time);
     for (size_t v = 0; v < f->view_count; v++) {
-        const struct bead_panel *panel = &f->cells[0].panel[v];
+        const struct bead_tile *panel = &f->cells[0].panel[v];
         if (panel->type->kind != BEAD_VIEW_BEADS)
             continue;
         bead_quantity(panel->setup.magnify, "", 2, magnify, sizeof magnify);
@@ -183,7 +202,7 @@ bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
     const struct bead_look *look = &f->look;
     const int least = 240; /* px of height where a title is worth its room */
     const char *title = !f->page.paper && f->page.height >= least ? f->stage.scene->title : "";
-    if (!f->output->axes || (!*title && !f->stills))
+    if (f->part || !f->output->axes || (!*title && !f->stills))
         return false;
     if (!cr)
         return true;
@@ -237,8 +256,10 @@ static void draw_bar(const struct bead_figure *f, cairo_t *cr)
 enum bead_error bead_figure_decorate(struct bead_figure *f, cairo_t *cr, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
-    cairo_set_source_rgb(cr, f->look.background.r, f->look.background.g, f->look.background.b);
-    cairo_paint(cr);
+    if (!f->part) {
+        cairo_set_source_rgb(cr, f->look.background.r, f->look.background.g, f->look.background.b);
+        cairo_paint(cr);
+    }
     bead_figure_line(f, cr);
     for (size_t c = 0; !err && c < f->cell_count; c++) {
         bead_figure_heading(f, &f->cells[c], cr);

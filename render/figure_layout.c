@@ -7,7 +7,7 @@
 #include "render/view_beads.h"
 
 /* Lengths in units of the label's font size. */
-static const double paper_margin = 0.35, screen_margin = 1.3, between_columns = 1.3, between_rows = 0.9, between_views = 0.55;
+static const double between_columns = 1.3, between_rows = 0.9, between_views = 0.55;
 static const double bar_width = 1.05, bar_gap = 0.9, heading_gap = 0.45, line_gap = 0.7, trust_line = 2.1;
 /* Of the line of trust: the rest keeps it off the plot. */
 static const double trust_share = 0.75;
@@ -30,7 +30,7 @@ static struct reach largest(struct reach a, struct reach b)
 }
 
 /* A view of its own draws its axes around a plot of this size, far from any border, onto a surface that only remembers extents. */
-static enum bead_error draw_axes(const struct bead_panel *panel, const struct bead_view_setup *setup, cairo_t *cr, int width,
+static enum bead_error draw_axes(const struct bead_tile *panel, const struct bead_view_setup *setup, cairo_t *cr, int width,
                                  int height, struct bead_message *msg)
 {
     struct bead_view *view = NULL;
@@ -46,7 +46,7 @@ static enum bead_error draw_axes(const struct bead_panel *panel, const struct be
 /* Ranges that are found only at the end: round and less round, as wide as labels get. */
 static const double ranges[] = {888, 630, 310};
 
-static enum bead_error measure(const struct bead_figure *f, const struct bead_panel *panel, int width, int height,
+static enum bead_error measure(const struct bead_figure *f, const struct bead_tile *panel, int width, int height,
                                struct reach *reach, struct bead_message *msg)
 {
     bool unknown = panel->type->kind != BEAD_VIEW_SPACETIME && panel->type->kind != BEAD_VIEW_BEADS && isnan(f->output->range[1]);
@@ -76,12 +76,18 @@ static enum bead_error measure(const struct bead_figure *f, const struct bead_pa
     return err;
 }
 
+static bool has_bar(const struct bead_figure *f)
+{
+    return f->coloured && f->output->axes && !f->set.no_bar;
+}
+
 /* All lengths of a layout; plots follow from them. */
 struct plan {
     double margin, heading, trust; /* trust: of what heading includes */
     double *left, *right;          /* [columns] */
     struct reach *row;             /* [rows * views]: top and bottom of each line of plots */
     double bar_room;               /* bar, gap and labels */
+    struct bead_insets least;      /* of all plots together */
     int width, *height;            /* of plots; [views] */
 };
 
@@ -93,13 +99,15 @@ static void free_plan(struct plan *plan)
     free(plan->height);
 }
 
-static enum bead_error make_plan(const struct bead_figure *f, struct plan *plan, struct bead_message *msg)
+static enum bead_error make_plan(const struct bead_figure *f, const struct bead_insets *least, struct plan *plan,
+                                 struct bead_message *msg)
 {
     double em = f->look.label;
     bool headings = false;
     for (size_t c = 0; c < f->cell_count; c++)
         headings = headings || bead_figure_heading(f, &f->cells[c], NULL);
-    *plan = (struct plan){.margin = f->output->axes ? round((f->page.paper ? paper_margin : screen_margin) * em) : 0,
+    *plan = (struct plan){.margin = f->margin,
+                          .least = *least,
                           .heading = headings ? round(1.15 * f->look.title + heading_gap * em) : 0,
                           .trust = f->output->trust ? round(trust_line * em) : 0};
     plan->heading += plan->trust;
@@ -155,7 +163,7 @@ static double fixed_width(const struct bead_figure *f, const struct plan *plan)
 {
     double width = 2 * plan->margin + plan->bar_room + (double)(f->columns - 1) * round(between_columns * f->look.label);
     for (size_t c = 0; c < f->columns; c++)
-        width += ceil(plan->left[c]) + (c + 1 == f->columns && f->coloured && f->output->axes ? 0 : ceil(plan->right[c]));
+        width += ceil(plan->left[c]) + (c + 1 == f->columns && has_bar(f) ? 0 : ceil(plan->right[c]));
     return width;
 }
 
@@ -173,16 +181,27 @@ static enum bead_error too_small(const struct bead_figure *f, struct bead_messag
 /* Sizes of plots from what everything else takes. */
 static enum bead_error divide(const struct bead_figure *f, struct plan *plan, struct bead_message *msg)
 {
-    double shares = 0, left = f->page.height - fixed_height(f, plan);
+    double shares = 0, left = f->area.height - fixed_height(f, plan);
     for (size_t v = 0; v < f->view_count; v++)
         shares += f->cells[0].panel[v].type->height;
-    plan->width = (int)floor((f->page.width - fixed_width(f, plan)) / (double)f->columns);
+    plan->width = (int)floor((f->area.width - fixed_width(f, plan)) / (double)f->columns);
     bool fits = plan->width >= smallest_plot;
     for (size_t v = 0; v < f->view_count; v++) {
         plan->height[v] = (int)floor(left / (double)f->rows * f->cells[0].panel[v].type->height / shares);
         fits = fits && plan->height[v] >= smallest_plot;
     }
     return fits ? BEAD_OK : too_small(f, msg);
+}
+
+static void keep_least(const struct bead_figure *f, struct plan *plan)
+{
+    struct reach *first = &plan->row[0], *last = &plan->row[f->rows * f->view_count - 1];
+    double *right = &plan->right[f->columns - 1];
+    plan->left[0] = larger(plan->left[0], plan->least.left);
+    first->top = larger(first->top, plan->least.top);
+    last->bottom = larger(last->bottom, plan->least.bottom);
+    if (!has_bar(f))
+        *right = larger(*right, plan->least.right);
 }
 
 static enum bead_error measure_all(const struct bead_figure *f, struct plan *plan, struct bead_message *msg)
@@ -201,12 +220,13 @@ static enum bead_error measure_all(const struct bead_figure *f, struct plan *pla
             *row = largest(*row, reach);
         }
     }
+    keep_least(f, plan);
     return err;
 }
 
 static void put_rows(struct bead_figure *f, const struct plan *plan, int *bottom)
 {
-    double em = f->look.label, y = plan->margin + f->line.height;
+    double em = f->look.label, y = f->area.y + plan->margin + f->line.height;
     for (size_t r = 0; r < f->rows; r++) {
         y += (r > 0 ? round(between_rows * em) : 0);
         double heading = y;
@@ -224,7 +244,7 @@ static void put_rows(struct bead_figure *f, const struct plan *plan, int *bottom
                 if (v > 0)
                     continue;
                 bool last = cell->column + 1 == f->columns; /* to the border of the page */
-                int width = last ? f->page.width - (int)plan->margin - cell->heading.x : cell->heading.width;
+                int width = last ? f->area.x + f->area.width - (int)plan->margin - cell->heading.x : cell->heading.width;
                 cell->trust =
                     (struct bead_rect){cell->heading.x, (int)(y - plan->trust), width, (int)round(trust_share * plan->trust)};
                 cell->heading.height = (int)(y - heading - plan->trust);
@@ -237,7 +257,7 @@ static void put_rows(struct bead_figure *f, const struct plan *plan, int *bottom
 
 static void put_columns(struct bead_figure *f, const struct plan *plan, int *right)
 {
-    double x = plan->margin;
+    double x = f->area.x + plan->margin;
     for (size_t k = 0; k < f->columns; k++) {
         x += ceil(plan->left[k]) + (k > 0 ? round(between_columns * f->look.label) : 0);
         for (size_t c = 0; c < f->cell_count; c++) {
@@ -262,9 +282,10 @@ static void put_everything(struct bead_figure *f, const struct plan *plan)
     put_columns(f, plan, &right);
     put_rows(f, plan, &bottom);
     f->line.x = f->cells[0].heading.x;
-    f->line.y = (int)plan->margin;
+    f->line.y = f->area.y + (int)plan->margin;
     f->line.width = right - f->line.x;
-    if (!f->coloured || !f->output->axes)
+    f->bar = (struct bead_rect){0};
+    if (!has_bar(f))
         return;
     double em = f->look.label, reach = plan->right[f->columns - 1];
     int width = (int)fmax(4, round(bar_width * em)), top = f->cells[0].panel[0].plot.y;
@@ -280,9 +301,9 @@ static enum bead_error settle(struct bead_figure *f, struct plan *plan, struct b
     enum bead_error err = divide(f, plan, msg);
     for (int pass = 0; !err && pass < 2; pass++) {
         err = measure_all(f, plan, msg);
-        if (!err && f->coloured && f->output->axes) {
+        if (!err && has_bar(f)) {
             double reach = plan->right[f->columns - 1], gap = fmax(ceil(reach) + round(0.3 * em), round(bar_gap * em));
-            plan->bar_room = gap + round(bar_width * em) + ceil(bar_labels(f, plan->height[0]));
+            plan->bar_room = larger(plan->least.right, gap + round(bar_width * em) + ceil(bar_labels(f, plan->height[0])));
         }
         if (!err)
             err = divide(f, plan, msg);
@@ -296,8 +317,8 @@ static void choose_grid(struct bead_figure *f)
     double em = f->look.label, best = INFINITY, wanted = f->view_count > 1 ? 1.9 : 1.35;
     for (size_t columns = 1; columns <= f->cell_count; columns++) {
         size_t rows = (f->cell_count + columns - 1) / columns;
-        double width = (f->page.width - 10 * em) / (double)columns - 2 * em;
-        double height = (f->page.height - 5 * em) / (double)rows - 2.5 * em;
+        double width = (f->area.width - 10 * em) / (double)columns - 2 * em;
+        double height = (f->area.height - 5 * em) / (double)rows - 2.5 * em;
         double empty = (double)(columns * rows - f->cell_count) / (double)(columns * rows);
         double badness = width > 0 && height > 0 ? fabs(log(width / height / wanted)) + 2 * empty : 1e6 + (double)columns;
         if (badness < best) {
@@ -326,7 +347,7 @@ static bool same_beads(const struct bead_figure *f)
 enum across { ACROSS_BEADS, ACROSS_TIME };
 
 /* What a panel's horizontal axis counts. */
-static enum across across(const struct bead_panel *panel)
+static enum across across(const struct bead_tile *panel)
 {
     bool time = panel->type->kind == BEAD_VIEW_SENSORS || (panel->type->kind == BEAD_VIEW_SPACETIME && !panel->setup.time_down);
     return time ? ACROSS_TIME : ACROSS_BEADS;
@@ -340,16 +361,55 @@ static void share_axes(struct bead_figure *f)
         struct bead_cell *cell = &f->cells[c];
         bool lowest = c + f->columns >= f->cell_count;
         for (size_t v = 0; v < f->view_count; v++) {
-            struct bead_panel *panel = &cell->panel[v];
+            struct bead_tile *panel = &cell->panel[v];
             bool beads = across(panel) == ACROSS_BEADS, last = v + 1 == f->view_count || across(panel + 1) != across(panel);
             bool lowest_of_all = lowest || f->view_count > 1;
             panel->setup.time_shared = !beads && !(last && lowest_of_all);
             panel->setup.bead_labels = beads ? last && (lowest || !same) : cell->column == 0 || !same;
+            if (f->set.no_across && last && v + 1 == f->view_count)
+                *(beads ? &panel->setup.bead_labels : &panel->setup.time_shared) = !beads;
+            if (f->set.no_upwards && panel->type->kind == BEAD_VIEW_SPACETIME)
+                *(beads ? &panel->setup.time_shared : &panel->setup.bead_labels) = beads;
         }
     }
 }
 
-enum bead_error bead_figure_arrange(struct bead_figure *f, struct bead_message *msg)
+struct bead_axis_kind bead_figure_axis(const struct bead_figure *f, bool upright)
+{
+    const struct bead_tile *tile = &f->cells[0].panel[f->view_count - 1];
+    bool beads = (across(tile) == ACROSS_BEADS) != upright, contacts = bead_field_info(f->output->field)->of_contacts;
+    const struct bead_span *span = &tile->setup.beads;
+    if ((beads && !same_beads(f)) || (upright && (f->view_count > 1 || tile->type->kind != BEAD_VIEW_SPACETIME)))
+        return (struct bead_axis_kind){NULL, 0, 0};
+    if (beads)
+        return (struct bead_axis_kind){contacts ? "contact" : "bead", (double)span->first, (double)span->last};
+    return (struct bead_axis_kind){"time", f->time[0], f->time[1]};
+}
+
+enum bead_error bead_figure_put(struct bead_figure *f, struct bead_rect area, const struct bead_insets *least,
+                                struct bead_insets *insets, struct bead_message *msg)
+{
+    f->area = area;
+    enum bead_error err = bead_figure_arrange(f, least, msg);
+    int right = 0, bottom = 0;
+    for (size_t c = 0; !err && c < f->cell_count; c++) {
+        const struct bead_rect *plot = &f->cells[c].panel[f->view_count - 1].plot;
+        right = right > plot->x + plot->width ? right : plot->x + plot->width;
+        bottom = bottom > plot->y + plot->height ? bottom : plot->y + plot->height;
+    }
+    const struct bead_rect *first = &f->cells[0].panel[0].plot;
+    *insets =
+        (struct bead_insets){first->x - area.x, first->y - area.y, area.x + area.width - right, area.y + area.height - bottom};
+    return err;
+}
+
+void bead_figure_stretch_bar(struct bead_figure *f, int bottom)
+{
+    if (f->bar.width > 0)
+        f->bar.height = bottom - f->bar.y;
+}
+
+enum bead_error bead_figure_arrange(struct bead_figure *f, const struct bead_insets *least, struct bead_message *msg)
 {
     struct plan plan;
     choose_grid(f);
@@ -357,7 +417,7 @@ enum bead_error bead_figure_arrange(struct bead_figure *f, struct bead_message *
     f->line = (struct bead_rect){0};
     if (bead_figure_line(f, NULL))
         f->line.height = (int)round(1.35 * f->look.title + line_gap * f->look.label);
-    enum bead_error err = make_plan(f, &plan, msg);
+    enum bead_error err = make_plan(f, least, &plan, msg);
     if (err)
         return err;
     err = settle(f, &plan, msg);

@@ -14,7 +14,7 @@
 enum { FIGURE_VIEWS = 8 };
 
 /* One view of one chain. */
-struct bead_panel {
+struct bead_tile {
     const struct bead_view_type *type;
     struct bead_view_setup setup;
     struct bead_view *view;
@@ -25,7 +25,7 @@ struct bead_panel {
 struct bead_cell {
     size_t chain;
     size_t column, row;
-    struct bead_panel panel[FIGURE_VIEWS];
+    struct bead_tile panel[FIGURE_VIEWS];
     struct bead_rect heading;     /* height 0: none */
     struct bead_rect trust;       /* line of text about the horizon; height 0: none */
     double horizon;               /* s; INFINITY: none */
@@ -38,7 +38,11 @@ struct bead_figure {
     struct bead_stage stage;
     struct bead_page page;
     struct bead_look look;
-    double time[2], at; /* s */
+    bool part;                     /* of a sheet, which has title, letters and caption */
+    struct bead_part_settings set; /* of a part; else nothing but `chain` */
+    struct bead_rect area;         /* of plots, axes, headings and bar; the page where it is no part */
+    double margin;                 /* px, within the area */
+    double time[2], at;            /* s */
     struct bead_grid grid;
     struct bead_colormap map;
     struct bead_colours colours;
@@ -54,15 +58,14 @@ struct bead_figure {
 };
 
 /* True for views that show all times (spacetime, sensors); the others show one moment. */
-bool bead_panel_collects(const struct bead_panel *panel);
+bool bead_tile_collects(const struct bead_tile *panel);
 /* Create and place the views that collect (at once), or the others (when their moment has come). */
 BEAD_CHECK enum bead_error bead_figure_views(struct bead_figure *figure, bool collecting, struct bead_canvas *canvas,
                                              struct bead_message *msg);
-/* Sets every panel's plot, headings, the bar, and which axes are labelled. Errors: SCENE (too small), MEMORY. */
-BEAD_CHECK enum bead_error bead_figure_arrange(struct bead_figure *figure, struct bead_message *msg);
-/* Draws everything; each panel's view must be there, fed and placed. A bead_draw for vector files. */
-BEAD_CHECK enum bead_error bead_figure_decorate(struct bead_figure *figure, cairo_t *cr, struct bead_message *msg);
-
+/* Sets every tile's plot, headings, the bar, and which axes are labelled; plots keep `least` away from the area's borders. Errors:
+ * SCENE (too small), MEMORY. */
+BEAD_CHECK enum bead_error bead_figure_arrange(struct bead_figure *figure, const struct bead_insets *least,
+                                               struct bead_message *msg);
 /* Title of the colour bar: the field, and whether colours show the largest values of pixels instead of means. */
 void bead_figure_bar_title(const struct bead_figure *figure, char *title, size_t size);
 /* The heading of a cell, from the left of `box`; shortened to fit. cr NULL: whether there is anything to say. */

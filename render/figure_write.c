@@ -13,16 +13,18 @@ static void widen(double low, double high, double all[2])
 }
 
 /* Values shown as colours: pixels of images where there are any, else the values of the moment. */
-static void find_extremes(const struct bead_figure *f, double colours[2], double sensors[2])
+void bead_figure_extremes(const struct bead_figure *f, double colours[2], double sensors[2])
 {
     double low, high, moment[2] = {INFINITY, -INFINITY};
+    bool images = false;
     for (size_t c = 0; c < f->cell_count; c++) {
         const struct bead_cell *cell = &f->cells[c];
         for (size_t v = 0; v < f->view_count; v++) {
-            const struct bead_panel *panel = &cell->panel[v];
+            const struct bead_tile *panel = &cell->panel[v];
             if (panel->type->kind == BEAD_VIEW_SPACETIME) {
                 bead_spacetime_extremes(panel->view, &low, &high);
                 widen(low, high, colours);
+                images = images || low <= high;
             } else if (panel->type->kind == BEAD_VIEW_SENSORS) {
                 bead_sensors_extremes(panel->view, &low, &high);
                 widen(low, high, sensors);
@@ -33,20 +35,18 @@ static void find_extremes(const struct bead_figure *f, double colours[2], double
         for (size_t i = span->first; values && i <= span->last; i++)
             widen(values[i], values[i], moment);
     }
-    if (colours[0] > colours[1])
+    if (!images)
         widen(moment[0], moment[1], colours);
 }
 
-static void set_ranges(struct bead_figure *f)
+void bead_figure_set_range(struct bead_figure *f, const double colours[2], const double sensors[2])
 {
-    double colours[2] = {INFINITY, -INFINITY}, sensors[2] = {INFINITY, -INFINITY};
-    find_extremes(f, colours, sensors);
     f->range = bead_colour_range_find(f->output, f->stage.chains[0], colours[0], colours[1]);
     f->colours.low = f->range.low;
     f->colours.high = f->range.high;
     for (size_t c = 0; c < f->cell_count; c++) {
         for (size_t v = 0; v < f->view_count; v++) {
-            struct bead_panel *panel = &f->cells[c].panel[v];
+            struct bead_tile *panel = &f->cells[c].panel[v];
             panel->setup.colours = f->colours;
             if (panel->type->kind == BEAD_VIEW_SPACETIME)
                 bead_spacetime_recolour(panel->view, &f->colours);
@@ -63,7 +63,7 @@ static void find_horizons(struct bead_figure *f)
         struct bead_cell *cell = &f->cells[c];
         cell->horizon = INFINITY;
         for (size_t v = 0; f->output->trust && v < f->view_count; v++) {
-            struct bead_panel *panel = &cell->panel[v];
+            struct bead_tile *panel = &cell->panel[v];
             if (panel->type->kind == BEAD_VIEW_SPACETIME)
                 cell->horizon = fmin(cell->horizon, bead_spacetime_horizon(panel->view));
             else if (panel->type->kind == BEAD_VIEW_SENSORS)
@@ -78,8 +78,8 @@ static enum bead_error feed_moments(struct bead_figure *f, struct bead_message *
     for (size_t c = 0; c < f->cell_count; c++) {
         struct bead_cell *cell = &f->cells[c];
         for (size_t v = 0; v < f->view_count; v++) {
-            struct bead_panel *panel = &cell->panel[v];
-            if (bead_panel_collects(panel))
+            struct bead_tile *panel = &cell->panel[v];
+            if (bead_tile_collects(panel))
                 continue;
             for (size_t m = 2 - cell->moments; !err && m < 2; m++)
                 err = panel->type->feed(panel->view, &cell->moment[m], msg);
@@ -99,49 +99,42 @@ static double moment_of(const struct bead_figure *f, const struct bead_cell *cel
 
 /* ---- raster ---- */
 
-static enum bead_error draw_views(struct bead_figure *f, struct bead_frame *frame, const struct bead_frame *background,
-                                  struct bead_message *msg)
+static enum bead_error decorate(void *context, cairo_t *cr, struct bead_message *msg)
+{
+    return bead_figure_decorate(context, cr, msg);
+}
+
+enum bead_error bead_figure_draw(struct bead_figure *f, struct bead_frame *frame, const struct bead_frame *background,
+                                 struct bead_message *msg)
 {
     struct bead_changes changes = {0};
     enum bead_error err = BEAD_OK;
     for (size_t c = 0; c < f->cell_count; c++) {
         const struct bead_cell *cell = &f->cells[c];
         for (size_t v = 0; !err && v < f->view_count; v++) {
-            const struct bead_panel *panel = &cell->panel[v];
+            const struct bead_tile *panel = &cell->panel[v];
             err = panel->type->draw(panel->view, moment_of(f, cell), frame, background, &changes, msg);
         }
     }
     return err;
 }
 
-static enum bead_error decorate_frame(struct bead_figure *f, struct bead_frame *frame, struct bead_message *msg)
-{
-    cairo_surface_t *surface =
-        cairo_image_surface_create_for_data(frame->pixels, CAIRO_FORMAT_RGB24, frame->width, frame->height, (int)frame->stride);
-    cairo_t *cr = cairo_create(surface);
-    enum bead_error err = bead_figure_decorate(f, cr, msg);
-    cairo_destroy(cr);
-    cairo_surface_flush(surface);
-    cairo_surface_destroy(surface);
-    return err;
-}
-
 static enum bead_error draw_frame(struct bead_figure *f, struct bead_frame *frame, struct bead_message *msg)
 {
     struct bead_frame background = {0};
-    enum bead_error err = decorate_frame(f, frame, msg);
+    enum bead_error err = bead_page_draw(frame, decorate, f, msg);
     if (!err && f->stills) { /* only those views draw over what was there */
         err = bead_frame_create(frame->width, frame->height, &background, msg);
         if (!err)
             bead_frame_copy(&background, frame, (struct bead_rect){0, 0, frame->width, frame->height});
     }
     if (!err)
-        err = draw_views(f, frame, f->stills ? &background : frame, msg);
+        err = bead_figure_draw(f, frame, f->stills ? &background : frame, msg);
     bead_frame_free(&background);
     return err;
 }
 
-static bool needs_canvas(const struct bead_figure *f)
+bool bead_figure_needs_canvas(const struct bead_figure *f)
 {
     for (size_t v = 0; v < f->view_count; v++) {
         if (f->cells[0].panel[v].type->canvas)
@@ -166,18 +159,42 @@ static enum bead_error write_raster(struct bead_figure *f, const char *path, con
 
 /* ---- vector ---- */
 
-static enum bead_error draw_vector(void *context, cairo_t *cr, struct bead_message *msg)
+enum bead_error bead_figure_vector(struct bead_figure *f, cairo_t *cr, struct bead_message *msg)
 {
-    struct bead_figure *f = context;
-    enum bead_error err = bead_figure_decorate(f, cr, msg);
+    enum bead_error err = BEAD_OK;
     for (size_t c = 0; c < f->cell_count; c++) {
         const struct bead_cell *cell = &f->cells[c];
         for (size_t v = 0; !err && v < f->view_count; v++) {
-            const struct bead_panel *panel = &cell->panel[v];
+            const struct bead_tile *panel = &cell->panel[v];
             err = panel->type->vector(panel->view, moment_of(f, cell), cr, msg);
         }
     }
     return err;
+}
+
+static enum bead_error draw_vector(void *context, cairo_t *cr, struct bead_message *msg)
+{
+    enum bead_error err = bead_figure_decorate(context, cr, msg);
+    return err ? err : bead_figure_vector(context, cr, msg);
+}
+
+enum bead_error bead_figure_finish(struct bead_figure *f, struct bead_canvas *canvas, struct bead_message *msg)
+{
+    find_horizons(f);
+    enum bead_error err = bead_figure_views(f, false, canvas, msg);
+    return err ? err : feed_moments(f, msg);
+}
+
+void bead_figure_release_canvas(struct bead_figure *f)
+{
+    for (size_t c = 0; c < f->cell_count; c++) {
+        for (size_t v = 0; v < f->view_count; v++) {
+            struct bead_tile *panel = &f->cells[c].panel[v];
+            if (panel->type->canvas && panel->view)
+                panel->type->destroy(panel->view);
+            panel->view = panel->type->canvas ? NULL : panel->view;
+        }
+    }
 }
 
 enum bead_error bead_figure_write(struct bead_figure *f, const char *path, uint64_t *bytes, struct bead_message *msg)
@@ -185,26 +202,18 @@ enum bead_error bead_figure_write(struct bead_figure *f, const char *path, uint6
     struct bead_canvas *canvas = NULL;
     struct bead_picture_notes notes;
     char description[512];
-    set_ranges(f);
-    find_horizons(f);
+    double colours[2] = {INFINITY, -INFINITY}, sensors[2] = {INFINITY, -INFINITY};
+    bead_figure_extremes(f, colours, sensors);
+    bead_figure_set_range(f, colours, sensors);
     bead_page_notes(&f->page, f->output, f->stage.scene, description, sizeof description, &notes);
     enum bead_error err =
-        needs_canvas(f) ? bead_canvas_create(f->stage.canvas, f->page.width, f->page.height, &canvas, msg) : BEAD_OK;
+        bead_figure_needs_canvas(f) ? bead_canvas_create(f->stage.canvas, f->page.width, f->page.height, &canvas, msg) : BEAD_OK;
     if (!err)
-        err = bead_figure_views(f, false, canvas, msg);
-    if (!err)
-        err = feed_moments(f, msg);
+        err = bead_figure_finish(f, canvas, msg);
     if (!err)
         err = f->page.vector ? bead_vector_write(path, f->page.width, f->page.height, draw_vector, f, &notes, bytes, msg)
                              : write_raster(f, path, &notes, bytes, msg);
-    for (size_t c = 0; canvas && c < f->cell_count; c++) { /* views that draw on the canvas go before it */
-        for (size_t v = 0; v < f->view_count; v++) {
-            struct bead_panel *panel = &f->cells[c].panel[v];
-            if (panel->type->canvas && panel->view)
-                panel->type->destroy(panel->view);
-            panel->view = panel->type->canvas ? NULL : panel->view;
-        }
-    }
+    bead_figure_release_canvas(f);
     bead_canvas_destroy(canvas);
     return err;
 }

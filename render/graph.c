@@ -5,7 +5,7 @@ enum bead_error bead_graph_draw(const struct bead_graph *graph, const struct bea
                                 double height, struct bead_message *msg)
 {
     struct graph_layout layout;
-    enum bead_error err = graph_layout_make(graph, look, width, height, &layout, msg);
+    enum bead_error err = graph_layout_make(graph, look, width, height, NULL, &layout, msg);
     if (err)
         return err;
     cairo_save(cr);

@@ -92,11 +92,8 @@ static void draw_words(cairo_t *cr, const struct bead_look *look, const struct g
 static void draw_head(cairo_t *cr, const struct graph_layout *layout, const struct graph_cell *cell)
 {
     struct bead_text_style style = graph_text(layout->look);
-    double y = cell->plot.y - layout->top[cell->row];
-    if (cell->letter)
-        bead_text_draw(cr, &style, cell->plot.x, y, cell->letter);
-    if (cell->title)
-        bead_text_draw_lines(cr, &style, cell->title_wrap, cell->plot.x + cell->letter_width, y, cell->title);
+    if (cell->head)
+        bead_text_draw_lines(cr, &style, cell->plot.width, cell->plot.x, cell->plot.y - layout->head[cell->row], cell->head);
 }
 
 static void draw_cell(cairo_t *cr, const struct graph_layout *layout, const struct graph_cell *cell)
@@ -123,7 +120,7 @@ static void draw_cell(cairo_t *cr, const struct graph_layout *layout, const stru
 void graph_draw_all(cairo_t *cr, const struct graph_layout *layout)
 {
     const struct bead_look *look = layout->look;
-    double margin = look->margin;
+    double margin = layout->frame.margin;
     struct bead_text_style style = graph_text(look);
     graph_set_colour(cr, look->background);
     cairo_rectangle(cr, 0, 0, layout->width, layout->height);

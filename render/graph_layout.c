@@ -8,7 +8,7 @@
 #include "render/markup.h"
 
 /* In units of the label's font size. */
-static const double title_gap = 0.7, caption_gap = 0.5, legend_gap = 0.7, head_gap = 0.35, letter_gap = 0.45, between_columns = 1.0,
+static const double title_gap = 0.7, caption_gap = 0.5, legend_gap = 0.7, head_gap = 0.35, between_columns = 1.0,
                     between_rows = 0.8;
 /* Legends beside the panels take at most this part of the width, and of pages that are wider than high by this. */
 static const double widest_legend = 0.3, wide_page = 1.5;
@@ -42,12 +42,24 @@ double graph_title_size(const struct bead_look *look)
 static void letter_of(size_t index, char *text, size_t size)
 {
     if (index < 26)
-        snprintf(text, size, "<b>(%c)</b>", (char)('a' + index));
+        snprintf(text, size, "(%c)", (char)('a' + index));
     else
-        snprintf(text, size, "<b>(%c%c)</b>", (char)('a' + (index / 26 - 1) % 26), (char)('a' + index % 26));
+        snprintf(text, size, "(%c%c)", (char)('a' + (index / 26 - 1) % 26), (char)('a' + index % 26));
 }
 
-static bool word_cell(struct graph_cell *cell, const struct bead_graph *graph, size_t index)
+/* Letter and title as one text. */
+static bool make_head(struct graph_cell *cell, const char *letter)
+{
+    const char *title = has(cell->panel->title) ? cell->panel->title : "";
+    if (!*letter && !*title)
+        return true;
+    char *markup = to_markup(title);
+    bool good = markup && asprintf(&cell->head, "<b>%s</b>%s%s", letter, *letter && *title ? "\u2002" : "", markup) > 0;
+    free(markup);
+    return good;
+}
+
+static bool word_cell(struct graph_cell *cell, const struct bead_graph *graph, const struct graph_frame *frame, size_t index)
 {
     const struct bead_panel *panel = cell->panel;
     char letter[32];
@@ -62,9 +74,8 @@ static bool word_cell(struct graph_cell *cell, const struct bead_graph *graph, s
     for (size_t s = 0; s < panel->series_count; s++)
         good = good && (!has(panel->series[s].label) || (cell->labels[s] = to_markup(panel->series[s].label)) != NULL);
     letter_of(index, letter, sizeof letter);
-    if (graph->letters && graph->panel_count > 1)
-        good = good && (cell->letter = strdup(letter)) != NULL;
-    return good && (!has(panel->title) || (cell->title = to_markup(panel->title)) != NULL);
+    bool lettered = graph->letters && graph->panel_count > 1;
+    return good && make_head(cell, lettered ? letter : index == 0 ? frame->letter : "");
 }
 
 static enum bead_error prepare(struct graph_layout *l, struct bead_message *msg)
@@ -75,17 +86,19 @@ static enum bead_error prepare(struct graph_layout *l, struct bead_message *msg)
     l->left = calloc(l->columns, sizeof *l->left);
     l->right = calloc(l->columns, sizeof *l->right);
     l->top = calloc(l->rows, sizeof *l->top);
+    l->head = calloc(l->rows, sizeof *l->head);
     l->bottom = calloc(l->rows, sizeof *l->bottom);
-    bool good = l->cells && l->left && l->right && l->top && l->bottom;
+    bool good = l->cells && l->left && l->right && l->top && l->bottom && l->head;
     for (size_t p = 0; good && p < graph->panel_count; p++) {
         struct graph_cell *cell = &l->cells[p];
         cell->panel = &graph->panels[p];
         cell->row = p / l->columns;
         cell->column = p % l->columns;
-        cell->labelled[0] = !graph->share_x || p + l->columns >= graph->panel_count;
+        bool lowest = p + l->columns >= graph->panel_count;
+        cell->labelled[0] = (!graph->share_x || lowest) && !(l->frame.no_across && lowest);
         cell->labelled[1] = !graph->share_y || cell->column == 0;
         entries += cell->panel->series_count + cell->panel->ruler_count;
-        good = word_cell(cell, graph, p);
+        good = word_cell(cell, graph, &l->frame, p);
     }
     l->legend.entries = calloc(entries, sizeof *l->legend.entries);
     good = good && l->legend.entries && (!has(graph->title) || (l->title = to_markup(graph->title)) != NULL);
@@ -104,13 +117,13 @@ void graph_layout_free(struct graph_layout *l)
         free(cell->words);
         free(cell->labels);
         free(cell->legend.entries);
-        free(cell->letter);
-        free(cell->title);
+        free(cell->head);
     }
     free(l->cells);
     free(l->left);
     free(l->right);
     free(l->top);
+    free(l->head);
     free(l->bottom);
     free(l->legend.entries);
     free(l->title);
@@ -192,14 +205,14 @@ static void gather_legends(struct graph_layout *l)
 /* Beside the panels or below them. */
 static void measure_outside(struct graph_layout *l)
 {
-    double em = l->look->label, width = l->width - 2 * l->look->margin;
+    double em = l->look->label, width = l->width - 2 * l->frame.margin;
     l->legend_right = false;
     l->legend.box = (struct graph_box){0};
     if (l->legend.count == 0)
         return;
     graph_legend_measure(&l->legend, l->look, widest_legend * width, 1);
     l->legend_right = l->width > wide_page * l->height && l->legend.wrap == 0 && l->legend.count > 2 &&
-                      l->legend.box.height < l->height - 2 * l->look->margin - 4 * em;
+                      l->legend.box.height < l->height - 2 * l->frame.margin - 4 * em;
     if (!l->legend_right)
         graph_legend_measure(&l->legend, l->look, width, 0);
 }
@@ -232,20 +245,10 @@ static void make_axes(struct graph_cell *cell, const struct bead_look *look)
     bead_axis_make(&cell->axis[1], cell->low[1], cell->high[1], unit_of(y), y->scale, cell->plot.height, look->tick, false);
 }
 
-static double head_height(struct graph_layout *l, struct graph_cell *cell)
+static double head_height(const struct graph_layout *l, const struct graph_cell *cell)
 {
-    const struct bead_look *look = l->look;
-    double height = 0, width;
-    struct bead_text_style style = graph_text(look);
-    cell->letter_width = 0;
-    if (cell->letter) {
-        bead_text_size(NULL, &style, cell->letter, &width, &height);
-        cell->letter_width = ceil(width + letter_gap * look->label);
-    }
-    cell->title_wrap = fmax(1, cell->plot.width - cell->letter_width);
-    if (cell->title)
-        height = fmax(height, wrapped_height(look, cell->title, look->label, false, cell->title_wrap));
-    return height > 0 ? ceil(height + head_gap * look->label) : 0;
+    double em = l->look->label;
+    return cell->head ? ceil(wrapped_height(l->look, cell->head, em, false, cell->plot.width) + head_gap * em) : 0;
 }
 
 static void measure(struct graph_layout *l)
@@ -255,6 +258,7 @@ static void measure(struct graph_layout *l)
     memset(l->right, 0, l->columns * sizeof *l->right);
     memset(l->top, 0, l->rows * sizeof *l->top);
     memset(l->bottom, 0, l->rows * sizeof *l->bottom);
+    memset(l->head, 0, l->rows * sizeof *l->head);
     for (size_t p = 0; p < l->graph->panel_count; p++) {
         struct graph_cell *cell = &l->cells[p];
         double *left = &l->left[cell->column], *right = &l->right[cell->column], over_left, over_right;
@@ -272,8 +276,14 @@ static void measure(struct graph_layout *l)
                                                cell->panel->x.title));
         *bottom = fmax(*bottom, half);
         *right = fmax(*right, 0.3 * look->tick); /* points on the frame */
-        *top = fmax(*top, fmax(head_height(l, cell), fmax(half, 0.3 * look->tick)));
+        l->head[cell->row] = fmax(l->head[cell->row], head_height(l, cell));
+        *top = fmax(*top, fmax(l->head[cell->row], fmax(half, 0.3 * look->tick)));
     }
+    const struct bead_insets *least = &l->frame.least;
+    l->left[0] = fmax(l->left[0], least->left);
+    l->right[l->columns - 1] = fmax(l->right[l->columns - 1], least->right);
+    l->top[0] = fmax(l->top[0], least->top);
+    l->bottom[l->rows - 1] = fmax(l->bottom[l->rows - 1], least->bottom);
 }
 
 struct frame_room {
@@ -282,7 +292,7 @@ struct frame_room {
 
 static struct frame_room room_of(const struct graph_layout *l)
 {
-    double em = l->look->label, margin = l->look->margin;
+    double em = l->look->label, margin = l->frame.margin;
     struct frame_room room = {margin, margin, l->width - 2 * margin, l->height - 2 * margin};
     double above = l->title ? ceil(l->title_height + title_gap * em) : 0;
     room.y += above;
@@ -323,7 +333,7 @@ static enum bead_error divide(struct graph_layout *l, struct bead_message *msg)
 
 static void put_outer_legend(struct graph_layout *l)
 {
-    double em = l->look->label, margin = l->look->margin;
+    double em = l->look->label, margin = l->frame.margin;
     const struct graph_cell *first = &l->cells[0];
     if (l->legend_right) {
         l->legend.box.x = l->width - margin - l->legend.box.width;
@@ -339,7 +349,7 @@ static void put_outer_legend(struct graph_layout *l)
 /* Several times: what axes take depends on the size of plots, and that on what axes take. */
 static enum bead_error arrange(struct graph_layout *l, struct bead_message *msg)
 {
-    double em = l->look->label, width = l->width - 2 * l->look->margin;
+    double em = l->look->label, width = l->width - 2 * l->frame.margin;
     l->title_height = l->title ? wrapped_height(l->look, l->title, graph_title_size(l->look), true, width) : 0;
     l->caption_height = l->caption ? wrapped_height(l->look, l->caption, l->look->label, false, width) : 0;
     for (size_t c = 0; c < l->columns; c++)
@@ -395,9 +405,10 @@ static void choose_columns(struct graph_layout *l)
 }
 
 enum bead_error graph_layout_make(const struct bead_graph *graph, const struct bead_look *look, double width, double height,
-                                  struct graph_layout *layout, struct bead_message *msg)
+                                  const struct graph_frame *frame, struct graph_layout *layout, struct bead_message *msg)
 {
     *layout = (struct graph_layout){.graph = graph, .look = look, .width = width, .height = height};
+    layout->frame = frame ? *frame : (struct graph_frame){.margin = look->margin, .letter = ""};
     if (graph->panel_count == 0 || !(width >= 1) || !(height >= 1))
         return bead_fail(msg, BEAD_ERROR_SCENE, "size: %.0f x %.0f pixels for %zu panels make no picture", width, height,
                          graph->panel_count);

@@ -3,6 +3,7 @@
 #ifndef BEADREEL_RENDER_GRAPH_PRIVATE_H
 #define BEADREEL_RENDER_GRAPH_PRIVATE_H
 
+#include "render/figure.h"
 #include "render/graph.h"
 
 struct graph_box {
@@ -48,16 +49,24 @@ struct graph_cell {
     struct bead_axis axis[2];
     bool labelled[2];
     struct bead_rect plot;
-    char *letter, *title; /* markup; NULL: none */
-    double letter_width, title_wrap;
+    char *head;                 /* markup of letter and title; NULL: none */
     struct graph_word *words;   /* [ruler_count] */
     char **labels;              /* [series_count], markup; NULL: none */
     struct graph_legend legend; /* inside */
     bool legend_outside;
 };
 
+/* A graph that is a part of a sheet. */
+struct graph_frame {
+    double margin;            /* around everything */
+    struct bead_insets least; /* of plots from the borders */
+    const char *letter;       /* of the first panel; "": none */
+    bool no_across;           /* no labels at the level axes: another part has them */
+};
+
 struct graph_layout {
     const struct bead_graph *graph;
+    struct graph_frame frame;
     const struct bead_look *look;
     double width, height;
     size_t columns, rows;
@@ -66,11 +75,13 @@ struct graph_layout {
     double title_height, caption_height, head_height; /* head: letter and title of a panel */
     struct graph_legend legend;                       /* outside of all panels */
     bool legend_right;
+    double *head;                        /* [rows]: of letters and titles */
     double *left, *right, *top, *bottom; /* how far axes and words reach out of the plots: [columns], [columns], [rows], [rows] */
 };
 
 BEAD_CHECK enum bead_error graph_layout_make(const struct bead_graph *graph, const struct bead_look *look, double width,
-                                             double height, struct graph_layout *layout, struct bead_message *msg);
+                                             double height, const struct graph_frame *frame, struct graph_layout *layout,
+                                             struct bead_message *msg); /* frame NULL: a whole page */
 void graph_layout_free(struct graph_layout *layout);
 
 /* Ranges of all cells' axes. Errors: SCENE (a range that makes no sense). */

@@ -12,6 +12,7 @@
 #include "render/colour_range.h"
 #include "render/figure.h"
 #include "render/page.h"
+#include "render/sheet.h"
 #include "render/sinks.h"
 
 struct bare {
@@ -27,6 +28,7 @@ struct bare {
 struct bead_sink {
     const struct bead_output *output;
     struct bead_stage stage;
+    struct bead_sheet *sheet;   /* or */
     struct bead_figure *figure; /* or */
     struct bare bare;
     char *path;
@@ -37,6 +39,7 @@ static void destroy(struct bead_sink *sink)
 {
     if (!sink)
         return;
+    bead_sheet_destroy(sink->sheet);
     bead_figure_destroy(sink->figure);
     for (size_t c = 0; sink->bare.areas && c < sink->stage.chain_count; c++)
         bead_area_destroy(sink->bare.areas[c]);
@@ -203,7 +206,9 @@ static enum bead_error create(const struct bead_output *output, const struct bea
     s->stage = *stage;
     bool bare = !output->axes && output->view_count == 1 && output->views[0] == BEAD_VIEW_SPACETIME;
     enum bead_error err = bead_file_join(stage->directory, output->path, &s->path, msg);
-    if (!err)
+    if (!err && bead_sheet_wanted(output))
+        err = bead_sheet_create(output, stage, &s->sheet, msg);
+    else if (!err)
         err = bare ? create_bare(s, msg) : bead_figure_create(output, stage, output->views, output->view_count, &s->figure, msg);
     if (err) {
         destroy(s);
@@ -215,6 +220,10 @@ static enum bead_error create(const struct bead_output *output, const struct bea
 static void needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
     const struct bare *b = &sink->bare;
+    if (sink->sheet) {
+        bead_sheet_needs(sink->sheet, needs);
+        return;
+    }
     if (sink->figure) {
         bead_figure_needs(sink->figure, needs);
         return;
@@ -231,6 +240,8 @@ static enum bead_error begin(struct bead_sink *sink, struct bead_range range, st
 
 static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
 {
+    if (sink->sheet)
+        return bead_sheet_feed(sink->sheet, sample, msg);
     if (sink->figure)
         return bead_figure_feed(sink->figure, sample, msg);
     const double *values = sample->field[sink->output->field];
@@ -242,7 +253,8 @@ static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *
 
 static enum bead_error end(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
-    (void)outcomes;
+    if (sink->sheet)
+        return bead_sheet_write(sink->sheet, outcomes, sink->path, &sink->bytes, msg);
     return sink->figure ? bead_figure_write(sink->figure, sink->path, &sink->bytes, msg) : write_bare(sink, msg);
 }
 

@@ -82,6 +82,18 @@ void bead_page_notes(const struct bead_page *page, const struct bead_output *out
                                          .source = scene->text};
 }
 
+enum bead_error bead_page_draw(struct bead_frame *frame, bead_draw draw, void *context, struct bead_message *msg)
+{
+    cairo_surface_t *surface =
+        cairo_image_surface_create_for_data(frame->pixels, CAIRO_FORMAT_RGB24, frame->width, frame->height, (int)frame->stride);
+    cairo_t *cr = cairo_create(surface);
+    enum bead_error err = draw(context, cr, msg);
+    cairo_destroy(cr);
+    cairo_surface_flush(surface);
+    cairo_surface_destroy(surface);
+    return err;
+}
+
 static enum bead_error write_raster(const struct bead_page *page, bead_draw draw, void *context, const char *path,
                                     const struct bead_picture_notes *notes, uint64_t *bytes, struct bead_message *msg)
 {
@@ -89,13 +101,7 @@ static enum bead_error write_raster(const struct bead_page *page, bead_draw draw
     enum bead_error err = bead_frame_create(page->width, page->height, &frame, msg);
     if (err)
         return err;
-    cairo_surface_t *surface =
-        cairo_image_surface_create_for_data(frame.pixels, CAIRO_FORMAT_RGB24, frame.width, frame.height, (int)frame.stride);
-    cairo_t *cr = cairo_create(surface);
-    err = draw(context, cr, msg);
-    cairo_destroy(cr);
-    cairo_surface_flush(surface);
-    cairo_surface_destroy(surface);
+    err = bead_page_draw(&frame, draw, context, msg);
     if (!err)
         err = bead_png_write(path, &frame, notes, bytes, msg);
     bead_frame_free(&frame);

@@ -8,13 +8,15 @@
 #include "render/page.h"
 #include "render/plot_data.h"
 #include "render/schematic.h"
+#include "render/sheet.h"
 #include "render/sinks.h"
 
 struct bead_sink {
     const struct bead_output *output;
     const struct bead_scene *scene;
     struct bead_stage stage;
-    struct bead_plot_data *data; /* NULL: a drawing */
+    struct bead_sheet *sheet;    /* or */
+    struct bead_plot_data *data; /* or, where both are NULL, a drawing */
     struct bead_page page;
     char *path;
     uint64_t bytes;
@@ -24,6 +26,7 @@ static void destroy(struct bead_sink *sink)
 {
     if (!sink)
         return;
+    bead_sheet_destroy(sink->sheet);
     bead_plot_data_destroy(sink->data);
     free(sink->path);
     free(sink);
@@ -41,7 +44,9 @@ static enum bead_error create(const struct bead_output *output, const struct bea
     enum bead_error err = bead_file_join(stage->directory, output->path, &s->path, msg);
     if (!err)
         err = bead_page_find(output, stage->scene->file, &s->page, msg);
-    if (!err && bead_schematic_is(output->show))
+    if (!err && bead_sheet_wanted(output))
+        err = bead_sheet_create(output, stage, &s->sheet, msg);
+    else if (!err && bead_schematic_is(output->show))
         err = bead_schematic_check(output, stage, msg);
     else if (!err)
         err = bead_plot_data_create(output, stage, SIZE_MAX, &s->data, msg);
@@ -54,7 +59,9 @@ static enum bead_error create(const struct bead_output *output, const struct bea
 
 static void needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
-    if (sink->data)
+    if (sink->sheet)
+        bead_sheet_needs(sink->sheet, needs);
+    else if (sink->data)
         bead_plot_data_needs(sink->data, needs);
     else
         *needs = (struct bead_needs){.why = "a drawing of the scene; nothing is computed for it"};
@@ -68,11 +75,15 @@ static enum bead_error begin(struct bead_sink *sink, struct bead_range range, st
 
 static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
 {
+    if (sink->sheet)
+        return bead_sheet_feed(sink->sheet, sample, msg);
     return !sink->data ? BEAD_OK : bead_plot_data_feed(sink->data, sample, msg);
 }
 
 static enum bead_error end(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
+    if (sink->sheet)
+        return bead_sheet_write(sink->sheet, outcomes, sink->path, &sink->bytes, msg);
     const int least = 240; /* px of height where a title is worth its room */
     char title[2048] = "";
     struct bead_graph graph = {.title = title, .caption = sink->output->caption, .share_x = true, .share_y = true};

@@ -281,12 +281,8 @@ void bead_scene_free(struct bead_scene *scene)
         free(scene->materials[i].name);
     for (size_t i = 0; i < scene->chain_count; i++)
         free_chain(&scene->chains[i]);
-    for (size_t i = 0; i < scene->output_count; i++) {
-        free(scene->outputs[i].path);
-        free(scene->outputs[i].colormap);
-        free(scene->outputs[i].caption);
-        bead_output_free_movie(&scene->outputs[i]);
-    }
+    for (size_t i = 0; i < scene->output_count; i++)
+        bead_output_free(&scene->outputs[i]);
     free(scene->materials);
     free(scene->chains);
     free(scene->outputs);

@@ -148,7 +148,7 @@ static enum bead_error check_equations(const struct bead_reader *reader, const s
     return BEAD_OK;
 }
 
-static bool is_drawing(const struct bead_output *output)
+bool bead_output_is_drawing(const struct bead_output *output)
 {
     return output->kind == BEAD_OUTPUT_PLOT &&
            (output->show == BEAD_SHOW_SETUP || output->show == BEAD_SHOW_CONTACT || output->show == BEAD_SHOW_CELL);
@@ -177,19 +177,19 @@ static enum bead_error check_drawing(const struct bead_reader *reader, const str
         if (where.node != at->node)
             return bead_wrong(reader, &where, "belongs to `show: contact`");
     }
-    for (size_t i = 0; i < sizeof of_runs / sizeof *of_runs && is_drawing(output); i++) {
+    for (size_t i = 0; i < sizeof of_runs / sizeof *of_runs && bead_output_is_drawing(output); i++) {
         where = bead_at_key(at, of_runs[i]);
         if (where.node != at->node)
             return bead_wrong(reader, &where, "belongs to `show: sensors` or `show: peaks`; nothing is computed for a drawing");
     }
     where = bead_at_key(at, "show");
-    for (size_t c = 0; c < scene->chain_count && is_drawing(output); c++) {
+    for (size_t c = 0; c < scene->chain_count && bead_output_is_drawing(output); c++) {
         if (scene->chains[c].equation.name)
             return bead_wrong(reader, &where, "draws beads, but there are none in `%s`", scene->chains[c].equation.name);
     }
-    if (is_drawing(output) && output->show == BEAD_SHOW_CELL && !has_cells(scene))
+    if (bead_output_is_drawing(output) && output->show == BEAD_SHOW_CELL && !has_cells(scene))
         return bead_wrong(reader, &where, "draws cells, but no chain has a `cell` of two or more beads");
-    if (!is_drawing(output) || output->show != BEAD_SHOW_CONTACT || output->contact == BEAD_CONTACT_AUTO)
+    if (!bead_output_is_drawing(output) || output->show != BEAD_SHOW_CONTACT || output->contact == BEAD_CONTACT_AUTO)
         return BEAD_OK;
     size_t last = bead_scene_count_beads(&scene->chains[0]) - (scene->chains[0].wall == BEAD_WALL_NONE);
     where = bead_at_key(at, "contact");
@@ -225,8 +225,9 @@ static enum bead_error check_fields(const struct bead_reader *reader, const stru
 /* Sizes that belong to a style, where the output asks for none. */
 static void style_size(const struct bead_reader *reader, const struct bead_at *at, struct bead_output *output)
 {
-    static const double one_column[] = {86e-3, 64e-3}, page_wide[] = {178e-3, 90e-3}, screen[] = {1920, 1080};
-    const double *paper = reader->scene->chain_count > 1 ? page_wide : one_column;
+    static const double one_column[] = {86e-3, 64e-3}, page_wide[] = {178e-3, 90e-3}, several_panels[] = {178e-3, 120e-3},
+                        screen[] = {1920, 1080};
+    const double *paper = output->panel_count > 0 ? several_panels : reader->scene->chain_count > 1 ? page_wide : one_column;
     if (output->style == BEAD_STYLE_AUTO || bead_at_key(at, "size").node != at->node)
         return;
     output->size_is_length = output->style == BEAD_STYLE_PAPER;
@@ -298,6 +299,27 @@ static enum bead_error check_paths(const struct bead_reader *reader, const struc
     return BEAD_OK;
 }
 
+static enum bead_error check_show(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+{
+    return bead_output_is_drawing(output) || output->panel_count > 0 ? BEAD_OK : bead_output_check_show(reader, at, output);
+}
+
+enum bead_error bead_output_read_settings(struct bead_reader *reader, const struct bead_at *at, unsigned form,
+                                          struct bead_output *output)
+{
+    static enum bead_error (*const checks[])(const struct bead_reader *, const struct bead_at *, const struct bead_output *) = {
+        check_equations, check_times, check_drawing, check_show, check_trust, bead_output_check_panels};
+    enum bead_error err = bead_options_read(reader, at, &bead_output_options, form, output);
+    if (err)
+        return err;
+    style_size(reader, at, output);
+    fit_equations(reader, at, output);
+    err = check_fields(reader, at, output);
+    for (size_t i = 0; !err && i < sizeof checks / sizeof checks[0]; i++)
+        err = checks[i](reader, at, output);
+    return err;
+}
+
 static enum bead_error read_output(struct bead_reader *reader, const struct bead_at *at, size_t index)
 {
     struct bead_output *outputs = reader->scene->outputs, *output = &outputs[index];
@@ -307,23 +329,7 @@ static enum bead_error read_output(struct bead_reader *reader, const struct bead
     if (!err && !form && !bead_node_get(at->node, "sweep", NULL))
         return no_kind(reader, at);
     if (!err)
-        err = bead_options_read(reader, at, &bead_output_options, form, output);
-    if (!err)
-        style_size(reader, at, output);
-    if (!err)
-        fit_equations(reader, at, output);
-    if (!err)
-        err = check_fields(reader, at, output);
-    if (!err)
-        err = check_equations(reader, at, output);
-    if (!err)
-        err = check_times(reader, at, output);
-    if (!err)
-        err = check_drawing(reader, at, output);
-    if (!err && !is_drawing(output))
-        err = bead_output_check_show(reader, at, output);
-    if (!err)
-        err = check_trust(reader, at, output);
+        err = bead_output_read_settings(reader, at, form, output);
     if (!err && output->kind == BEAD_OUTPUT_MOVIE)
         err = bead_output_check_movie(reader, at, output);
     return err ? err : check_paths(reader, at, index);

@@ -15,6 +15,8 @@ BEAD_OUTPUT_READER(bead_output_read_beads);
 BEAD_OUTPUT_READER(bead_output_read_size);
 BEAD_OUTPUT_READER(bead_output_read_range);
 BEAD_OUTPUT_READER(bead_output_read_views);
+BEAD_OUTPUT_READER(bead_output_read_chain);
+BEAD_OUTPUT_READER(bead_output_read_panels);
 BEAD_OUTPUT_READER(bead_output_read_captions);
 BEAD_OUTPUT_READER(bead_output_read_card);
 BEAD_OUTPUT_READER(bead_output_read_poster);
@@ -24,6 +26,19 @@ BEAD_OUTPUT_READER(bead_scene_read_sweep);
 /* `show` of plots and tables, and the keys that go with it (scene_show.c). */
 BEAD_CHECK enum bead_error bead_output_check_show(const struct bead_reader *reader, const struct bead_at *at,
                                                   const struct bead_output *output);
+/* Forms of panels, behind those of outputs. */
+enum { BEAD_FORM_IMAGE_PANEL = 1 << 2 * BEAD_OUTPUT_KINDS, BEAD_FORM_PLOT_PANEL = 2 << 2 * BEAD_OUTPUT_KINDS };
+
+/* The settings of an output or panel, all but its path, size and place. */
+BEAD_CHECK enum bead_error bead_output_read_settings(struct bead_reader *reader, const struct bead_at *at, unsigned form,
+                                                     struct bead_output *output);
+/* What an output with panels must fit together in. */
+BEAD_CHECK enum bead_error bead_output_check_panels(const struct bead_reader *reader, const struct bead_at *at,
+                                                    const struct bead_output *output);
+/* A plot that shows no run. */
+bool bead_output_is_drawing(const struct bead_output *output);
+/* All that an output, or a panel, holds. */
+void bead_output_free(struct bead_output *output);
 
 /* What the keys of one movie must fit together in. */
 BEAD_CHECK enum bead_error bead_output_check_movie(const struct bead_reader *reader, const struct bead_at *at,

@@ -109,7 +109,7 @@ static struct graph_layout lay_out(const struct bead_graph *graph, const struct 
 {
     struct bead_message msg = {""};
     struct graph_layout layout;
-    if (graph_layout_make(graph, look, width, height, &layout, &msg))
+    if (graph_layout_make(graph, look, width, height, NULL, &layout, &msg))
         fail_msg("%s", msg.text);
     return layout;
 }

@@ -121,7 +121,7 @@ static void test_chains_share_one_axis(void **state)
         struct graph_layout layout;
         struct bead_message msg = {""};
         bead_look_screen(&look, 800, 600, false);
-        assert_int_equal(graph_layout_make(&graph, &look, 800, 600, &layout, &msg), BEAD_OK);
+        assert_int_equal(graph_layout_make(&graph, &look, 800, 600, NULL, &layout, &msg), BEAD_OK);
         for (size_t c = 0; c < CHAINS; c++) {
             assert_true(layout.cells[c].low[1] == 0 && layout.cells[c].high[1] == layout.cells[0].high[1]);
             assert_true(layout.cells[c].low[0] == 0 && layout.cells[c].high[0] == 1e-3);

@@ -181,8 +181,14 @@ struct bead_output {
     enum bead_scale scale;
     double range[2];               /* SI; NaN: automatic */
     enum bead_normalise normalise; /* plots of sensors */
-    char *caption;                 /* text below a plot, or NULL */
-    enum bead_sampling sampling;   /* what of the samples within a pixel is shown: mean or largest */
+    char *caption;                 /* text below a plot or image, or NULL */
+    struct bead_output *panels;    /* of image and plot, row by row: each an image or a plot without a path; NULL: none */
+    size_t panel_count;
+    bool letters;                /* (a), (b), ... at the panels */
+    size_t row;                  /* of a panel, from 0 */
+    size_t chain;                /* of a panel: number of the only chain shown; SIZE_MAX: all */
+    char *panel_title;           /* of a panel, or NULL */
+    enum bead_sampling sampling; /* what of the samples within a pixel is shown: mean or largest */
     bool axes;
     bool trust;           /* say from when on two runs of different accuracy differ: image, movie, plot */
     double fps, duration; /* 1/s, s: movie; duration is that of the film, not of the motion */

@@ -1,0 +1,196 @@
+/* Figures of several panels: where plots stand, what they share, and the same picture from a trajectory. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "beadreel/render.h"
+#include "beadreel/session.h"
+#include "pictures.h"
+#include "render/figure_private.h"
+#include "render/sheet_private.h"
+
+static struct bead_sheet *make_sheet(struct built *built, const char *settings)
+{
+    char output[900];
+    struct bead_message msg = {""};
+    struct bead_sheet *sheet;
+    snprintf(output, sizeof output, "image: a.png, %s", settings);
+    *built = build_chain(output);
+    struct bead_stage stage = make_stage(built);
+    if (bead_sheet_create(&built->scene->outputs[0], &stage, &sheet, &msg))
+        fail_msg("%s", msg.text);
+    return sheet;
+}
+
+static void release(struct built *built, struct bead_sheet *sheet)
+{
+    bead_sheet_destroy(sheet);
+    release_chain(built);
+}
+
+static struct bead_rect plot_of(const struct sheet_panel *panel)
+{
+    const struct bead_insets *in = &panel->insets;
+    const struct bead_rect *area = &panel->area;
+    struct bead_rect from_insets = {(int)(area->x + in->left), (int)(area->y + in->top), (int)(area->width - in->left - in->right),
+                                    (int)(area->height - in->top - in->bottom)};
+    if (panel->figure) { /* the figure keeps to it */
+        struct bead_rect real = panel->figure->cells[0].panel[0].plot;
+        assert_true(real.x == from_insets.x && real.y == from_insets.y && real.width == from_insets.width);
+        assert_true(real.height == from_insets.height);
+    }
+    return from_insets;
+}
+
+static void test_plots_stand_in_rows_and_columns(void **state)
+{
+    (void)state;
+    static const char *const styles[] = {"size: [1280, 720]", "style: paper, dpi: 300", "style: slide", "style: movie",
+                                         "size: [700, 500]"};
+    for (size_t s = 0; s < sizeof styles / sizeof styles[0]; s++) {
+        char settings[400];
+        struct built built;
+        snprintf(
+            settings, sizeof settings,
+            "%s, panels: [[{field: force}, {field: force}], [{field: velocity}, {field: energy}], [{show: peaks}, {field: force}]]",
+            styles[s]);
+        struct bead_sheet *sheet = make_sheet(&built, settings);
+        struct bead_rect page = {0, 0, sheet->page.width, sheet->page.height};
+        for (size_t p = 0; p < sheet->count; p++) {
+            const struct sheet_panel *panel = &sheet->panels[p];
+            struct bead_rect plot = plot_of(panel), left = plot_of(sheet_at(sheet, panel->row, 0));
+            struct bead_rect top = plot_of(sheet_at(sheet, 0, panel->column));
+            const struct bead_rect *area = &panel->area;
+            assert_true(plot.y == left.y && plot.height == left.height); /* one row */
+            assert_true(plot.x == top.x && plot.width == top.width);     /* one column */
+            assert_true(area->x >= 0 && area->y >= 0 && area->x + area->width <= page.width &&
+                        area->y + area->height <= page.height);
+            for (size_t q = 0; q < p; q++) {
+                const struct bead_rect *other = &sheet->panels[q].area;
+                assert_false(area->x < other->x + other->width && other->x < area->x + area->width &&
+                             area->y < other->y + other->height && other->y < area->y + area->height);
+            }
+        }
+        release(&built, sheet);
+    }
+}
+
+static bool labelled_across(const struct bead_sheet *sheet, size_t panel)
+{
+    return !sheet->panels[panel].set.no_across;
+}
+
+static void test_labels_and_bars_are_shared(void **state)
+{
+    (void)state;
+    struct built built;
+    struct bead_sheet *sheet =
+        make_sheet(&built, "size: [1280, 900], panels: [[{field: force}, {field: force}], [{field: velocity}, "
+                           "{field: velocity, time: [0, 0.5 ms]}], [{field: velocity}, {show: peaks}]]");
+    assert_false(labelled_across(sheet, 0)); /* the same time below */
+    assert_true(labelled_across(sheet, 1));  /* another below */
+    assert_false(labelled_across(sheet, 2));
+    assert_true(labelled_across(sheet, 3)); /* contacts below */
+    assert_true(labelled_across(sheet, 4) && labelled_across(sheet, 5));
+    assert_true(sheet->panels[1].set.no_upwards && !sheet->panels[0].set.no_upwards); /* the same beads at the left */
+    assert_true(sheet->panels[0].set.no_bar && !sheet->panels[1].set.no_bar);
+    assert_true(sheet->panels[2].set.no_bar && !sheet->panels[3].set.no_bar && !sheet->panels[4].set.no_bar);
+    release(&built, sheet);
+    sheet = make_sheet(&built, "size: [700, 900], panels: [[{field: force}], [{field: force}], [{field: force, range: [0, 9]}]]");
+    const struct bead_rect *bar = &sheet->panels[0].figure->bar;
+    assert_true(sheet->panels[1].set.no_bar && !sheet->panels[2].set.no_bar); /* a range of its own */
+    assert_int_equal(bar->y, plot_of(&sheet->panels[0]).y);
+    assert_int_equal(bar->y + bar->height, plot_of(&sheet->panels[1]).y + plot_of(&sheet->panels[1]).height);
+    release(&built, sheet);
+}
+
+/* Panels of one field have one range; one that asks for another, or for other colours, has its own. */
+static void test_ranges_are_those_of_the_field(void **state)
+{
+    (void)state;
+    struct built built;
+    struct bead_message msg = {""};
+    char path[512];
+    struct bead_sheet *sheet =
+        make_sheet(&built, "size: [900, 600], panels: [[{field: force}, {field: force, beads: [0, 4], time: [0, 0.3 "
+                           "ms]}, {field: force, time: [0, 0.3 ms], colormap: inferno}]]");
+    for (size_t i = 0; i <= 200; i++) {
+        double values[16] = {0}, time = 1e-3 * (double)i / 200;
+        struct bead_sample sample = {.time = time, .index = i, .active = 10};
+        for (size_t b = 0; b < 10; b++)
+            values[b] = 100 * time * 1e3 * (double)(b + 1); /* largest at the end */
+        sample.field[BEAD_FIELD_FORCE] = values;
+        assert_int_equal(bead_sheet_feed(sheet, &sample, &msg), BEAD_OK);
+    }
+    in_directory("a.png", path, sizeof path);
+    assert_int_equal(bead_sheet_write(sheet, NULL, path, NULL, &msg), BEAD_OK);
+    double all = sheet->panels[0].figure->range.high, part = sheet->panels[1].figure->range.high,
+           own = sheet->panels[2].figure->range.high;
+    assert_true(all > 980 && part == all && own > 280 && own < 310);
+    release(&built, sheet);
+}
+
+static void run_job(const char *input, const char *output)
+{
+    const struct bead_sink_type *const *const lists[] = {bead_data_sinks(), bead_render_sinks(), NULL};
+    struct bead_job job;
+    struct bead_session *session;
+    struct bead_message msg = {""};
+    bead_job_default(&job);
+    job.input = input;
+    job.output = output;
+    job.sinks = lists;
+    if (bead_session_open(&job, &session, &msg) || bead_session_run(session, &msg))
+        fail_msg("%s", msg.text);
+    bead_session_close(session);
+}
+
+static void test_trajectories_draw_the_same(void **state)
+{
+    (void)state;
+    static const char scene[] =
+        "chains:\n- {name: one, striker: {bead: large-steel, velocity: 1 m/s}, beads: [{bead: large-steel, count: 8}, {bead: "
+        "large-steel, sensor: s}], wall: brass}\n- {name: two, striker: {bead: large-steel, velocity: 0.5 m/s}, beads: [{bead: "
+        "large-steel, count: 9}], wall: none}\nsimulate: {until: 0.3 ms}\noutputs:\n"
+        "- {trajectory: run.h5, every: 1 us, fields: [displacement, velocity, force]}\n"
+        "- {image: p.png, size: [900, 600], caption: \"*F*_m\", panels: [[{field: force, chain: one}, {field: velocity, chain: "
+        "two}], "
+        "[{show: sensors}, {views: [profile], at: 0.2 ms, chain: two, title: a profile}]]}\n";
+    char path[512], from[512], again[512], directory[512];
+    in_directory("", directory, sizeof directory);
+    in_directory("scene.yaml", path, sizeof path);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(scene, file);
+    fclose(file);
+    run_job(path, directory);
+    in_directory("p.png", path, sizeof path);
+    struct png_file first = read_png(path);
+    in_directory("run.h5", from, sizeof from);
+    in_directory("again.png", again, sizeof again);
+    run_job(from, again);
+    struct png_file second = read_png(again);
+    assert_int_equal(first.width, second.width);
+    assert_int_equal(first.height, second.height);
+    assert_memory_equal(first.rgb, second.rgb, 3 * (size_t)first.width * (size_t)first.height);
+    free(first.rgb);
+    free(second.rgb);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_plots_stand_in_rows_and_columns),
+        cmocka_unit_test(test_labels_and_bars_are_shared),
+        cmocka_unit_test(test_ranges_are_those_of_the_field),
+        cmocka_unit_test(test_trajectories_draw_the_same),
+    };
+    return cmocka_run_group_tests_name("sheets", tests, make_directory, remove_directory);
+}
