@@ -31,6 +31,9 @@ static const char *check(const struct bead_equation_spec *spec, const char **key
     *key = "variable";
     if (spec->variable == BEAD_FIELD_CONTACT_FORCE)
         return "must be a field of points, not of contacts";
+    *key = "points";
+    if (spec->start == BEAD_START_COSINE && spec->points && 3 * spec->mode + 1 > spec->points)
+        return "must be more than three by wave of the start";
     *key = "dispersion";
     if (spec->dispersion == 0 && spec->nonlinearity != 0)
         return "must not be 0 beside a nonlinearity: the wave would break";

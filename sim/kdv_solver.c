@@ -82,13 +82,19 @@ static enum bead_error allocate(struct bead_kdv *kdv, size_t points, struct bead
     return BEAD_OK;
 }
 
-static void begin(struct bead_kdv *kdv)
+/* Returns the part of the integral of u^2 that the modes kept do not have. */
+static double begin(struct bead_kdv *kdv)
 {
     const struct bead_equation_spec *spec = kdv->spec;
     struct bead_spectral *s = &kdv->spectral;
     for (size_t i = 0; i < s->points; i++)
         s->grid[i] = bead_kdv_start(spec, spec->low + spec->length * (double)i / (double)s->points);
+    double whole = 0, kept = 0;
+    for (size_t i = 0; i < s->points; i++)
+        whole += s->grid[i] * s->grid[i] / (double)s->points;
     bead_spectral_to_modes(s, kdv->end.u);
+    for (size_t j = 0; j <= s->modes; j++)
+        kept += (j ? 2 : 1) * square(kdv->end.u[j]);
     kdv->mean = kdv->end.u[0].re;
     kdv->end.u[0] = (struct bead_complex){0, 0};
     for (size_t j = 0; j <= s->modes; j++) {
@@ -98,6 +104,7 @@ static void begin(struct bead_kdv *kdv)
         kdv->omega[j] = k * ((long double)spec->dispersion * k * k - drift);
     }
     slope(kdv, kdv->end.u, kdv->end.slope);
+    return whole > 0 ? fabs(1 - kept / whole) : 0;
 }
 
 static double sum_of_squares(const struct bead_kdv *kdv)
@@ -160,7 +167,13 @@ enum bead_error bead_kdv_create(const struct bead_motion_settings *settings, str
     enum bead_error err = allocate(kdv, settings->points, msg);
     if (err)
         return err;
-    begin(kdv);
+    double lost = begin(kdv);
+    if (!(lost <= momentum_limit)) {
+        bead_kdv_destroy(kdv);
+        return bead_fail(msg, BEAD_ERROR_NUMBERS,
+                         "a grid of %zu points is too coarse for the start: it loses %.2g of the integral of u^2", settings->points,
+                         lost);
+    }
     kdv->momentum = sum_of_squares(kdv);
     kdv->tail_limit = settings->spec->points ? tail_limit : fmin(tail_limit, tail_by_accuracy * settings->accuracy);
     choose_step(kdv, settings);

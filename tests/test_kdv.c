@@ -286,6 +286,23 @@ static void a_grid_too_coarse_is_told(void **state)
     kdv->destroy(motion);
 }
 
+static void a_grid_too_coarse_for_the_start_is_told(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    struct bead_motion *motion = NULL;
+    struct bead_motion_settings settings = {&one_soliton, 40, "auto", 1e-6, 0, 1};
+    assert_int_equal(kdv->create(&settings, &motion, &msg), BEAD_ERROR_NUMBERS);
+    assert_null(motion);
+    assert_non_null(strstr(msg.text, "too coarse for the start"));
+    struct bead_equation_spec spec = zabusky_kruskal;
+    const char *key = "";
+    spec.points = 8;
+    spec.mode = 7; /* on these points it looks like one wave */
+    assert_non_null(kdv->check(&spec, &key));
+    assert_string_equal(key, "points");
+}
+
 static void steps_too_long_are_told(void **state)
 {
     (void)state;
@@ -338,6 +355,7 @@ int main(void)
                                        cmocka_unit_test(samples_are_as_exact_as_steps),
                                        cmocka_unit_test(linear_waves_are_exact),
                                        cmocka_unit_test(a_grid_too_coarse_is_told),
+                                       cmocka_unit_test(a_grid_too_coarse_for_the_start_is_told),
                                        cmocka_unit_test(steps_too_long_are_told),
                                        cmocka_unit_test(wrong_settings_are_told)};
     return cmocka_run_group_tests_name("kdv", tests, NULL, NULL);
