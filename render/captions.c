@@ -9,7 +9,7 @@
 enum { MOST_LINES = 2, LONGEST = 1024, MARKUP = 32 * LONGEST + 1 /* see bead_markup_size */ };
 static const double line_height = 1.4;                /* in units of the font size */
 static const double least_time = 2.5, reading = 15.0; /* s of the film; characters a second */
-static const double smaller[] = {1, 0.86, 0.74};      /* sizes to try */
+static const double smaller[] = {0.86, 0.74};         /* sizes to try */
 static const char ellipsis[] = "\u2026";
 
 static double font_size(const struct bead_look *look)
@@ -139,11 +139,12 @@ static void draw_line(cairo_t *cr, const struct bead_text_style *style, const ch
 void bead_caption_draw(cairo_t *cr, const struct bead_look *look, const char *text, struct bead_rect rect)
 {
     size_t most = (size_t)fmax(1, floor(rect.height / bead_caption_height(look) + 1e-6));
-    struct bead_text_style style;
-    struct lines lines = {.count = 0};
+    most = most < MOST_LINES ? most : MOST_LINES;
+    struct bead_text_style style = style_of(look, font_size(look));
+    struct lines lines = wrap(cr, &style, text, rect.width, most);
     for (size_t i = 0; i < sizeof smaller / sizeof smaller[0] && !lines.whole; i++) {
-        style = style_of(look, smaller[i] * font_size(look));
-        lines = wrap(cr, &style, text, rect.width, most < MOST_LINES ? most : MOST_LINES);
+        style.size = smaller[i] * font_size(look);
+        lines = wrap(cr, &style, text, rect.width, most);
     }
     double step = line_height * style.size, y = rect.y + 0.5 * (rect.height - step * (double)(lines.count - 1));
     cairo_save(cr);

@@ -304,7 +304,8 @@ static void compare_copies(enum bead_follow follow)
                                         .time = {0, 0.8e-3},
                                         .step = 0.8e-3 / (FRAMES - 1),
                                         .range = {0, 35}};
-    assert_int_equal(bead_composer_fields(output), BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT));
+    assert_int_equal(bead_composer_fields(output, w.chains[0]),
+                     BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT));
     require(bead_composer_create(&setup, &composer, &msg), &msg);
     require(bead_composer_open(composer, &msg), &msg);
     require(bead_frame_create(640, 480, &copy, &msg), &msg);
