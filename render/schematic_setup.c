@@ -175,7 +175,7 @@ static void draw_row(const struct bead_plan *plan, const struct bead_plan_row *r
 }
 
 /* Materials of beads, in the order of the scene. */
-static size_t list_materials(const struct bead_drafting *d, bool words, struct bead_piece *pieces)
+static size_t list_materials(const struct bead_drafting *d, struct bead_piece *pieces)
 {
     const struct bead_scene *scene = d->stage->scene;
     bool *used = calloc(scene->material_count + 1, sizeof *used);
@@ -187,7 +187,7 @@ static size_t list_materials(const struct bead_drafting *d, bool words, struct b
     for (size_t m = 0; used && m < scene->material_count && count < MOST_MATERIALS; m++) {
         if (!used[m])
             continue;
-        bead_material_words(&scene->materials[m], !words, pieces[count].markup, sizeof pieces[count].markup);
+        bead_material_words(&scene->materials[m], pieces[count].markup, sizeof pieces[count].markup);
         pieces[count++].colour = scene->materials[m].colour;
     }
     free(used);
@@ -207,8 +207,7 @@ bool bead_schematic_setup(const struct bead_drafting *d)
     struct bead_piece *pieces = calloc(MOST_MATERIALS, sizeof *pieces);
     struct bead_plan plan = {0};
     struct bead_box area = d->area;
-    bool room =
-        pieces && bead_drafting_pieces(d, &area, pieces, list_materials(d, true, pieces), true) && bead_plan_make(d, area, &plan);
+    bool room = pieces && bead_drafting_pieces(d, &area, pieces, list_materials(d, pieces), true) && bead_plan_make(d, area, &plan);
     if (room && plan.row_count < d->stage->chain_count) { /* again, with a line that says so */
         struct bead_box less = area;
         less.height -= 2 * d->sketch->look->label;

@@ -36,14 +36,10 @@ bool bead_cell_mirrored(const struct bead_segment *segment)
     return true;
 }
 
-void bead_material_words(const struct bead_material *material, bool of_wall, char *out, size_t size)
+void bead_material_words(const struct bead_material *material, char *out, size_t size)
 {
     char name[96], radius[32], mass[32];
     bead_text_escape(material->name, name, sizeof name);
-    if (of_wall || !(material->radius > 0)) {
-        snprintf(out, size, "%s", name);
-        return;
-    }
     bead_quantity(material->radius, "m", 3, radius, sizeof radius);
     if (material->mass < 1)
         bead_quantity(1e3 * material->mass, "g", 3, mass, sizeof mass);
