@@ -90,18 +90,22 @@ struct lines {
 /* In one line where that has room, else in two of about the same length. */
 static struct lines wrap(cairo_t *cr, const struct bead_text_style *style, const char *text, double room, size_t most)
 {
-    size_t all = strlen(text), best = 0;
+    size_t all = strlen(text), best = 0, fullest = 0;
     double least = INFINITY;
     struct lines one = {.text = {text}, .length = {all}, .count = 1, .whole = width_of(cr, style, text, all) <= room};
     if (one.whole || most < 2)
         return one;
     for (size_t at = next_break(text, 0); at < all; at = next_break(text, at + 1)) {
         double first = width_of(cr, style, text, at), second = width_of(cr, style, text + at + 1, all - at - 1);
+        if (first <= room)
+            fullest = at;
         if (fmax(first, second) < least) {
             least = fmax(first, second);
             best = at;
         }
     }
+    if (least > room) /* the end will be cut, and nothing in between */
+        best = fullest;
     if (best == 0)
         return one;
     return (struct lines){.text = {text, text + best + 1}, .length = {best, all - best - 1}, .count = 2, .whole = least <= room};
