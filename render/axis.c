@@ -8,7 +8,7 @@
 #include "beadreel/look.h"
 #include "render/units.h"
 
-enum { MOST_TICKS = sizeof((struct bead_axis *)0)->ticks / sizeof(struct bead_tick), ENOUGH = 7, ENOUGH_UNEVEN = 9 };
+enum { MOST_TICKS = sizeof((struct bead_axis *)0)->ticks / sizeof(struct bead_tick), ENOUGH = 7, ENOUGH_UNEVEN = 9, FEW = 4 };
 
 /* Room that labels take, in units of the font size. A digit is 0.5 wide in STIX and 0.58 in Lato. */
 static const double character = 0.6, between_labels = 1.2, least_between = 0.5, line_apart = 1.9, least_line = 1.4,
@@ -171,6 +171,34 @@ static void roundest_first(struct bead_axis *axis, const struct room *room)
     }
 }
 
+/* Shorter ticks in equal round steps between labels: as many as are this far apart, in units of the font size. */
+static const double between_minor = 0.42;
+
+static void minor_between(struct bead_axis *axis, const struct room *room, size_t i)
+{
+    enum { MOST = sizeof axis->minor / sizeof axis->minor[0] };
+    static const int parts[] = {5, 4, 2};
+    double low = axis->ticks[i].value, high = axis->ticks[i + 1].value;
+    for (size_t p = 0; p < sizeof parts / sizeof parts[0]; p++) {
+        double step = (high - low) / parts[p], shown = step * axis->factor;
+        double first = bead_axis_place(axis, low + step) - axis->ticks[i].place;
+        double last = axis->ticks[i + 1].place - bead_axis_place(axis, high - step);
+        double mantissa = shown / bead_power_of_ten((int)floor(log10(shown) + 1e-9));
+        bool is_round = fabs(mantissa - 1) < 1e-6 || fabs(mantissa - 2) < 1e-6 || fabs(mantissa - 5) < 1e-6;
+        if (!is_round || fmin(first, last) * room->length < between_minor * room->em)
+            continue;
+        for (int k = 1; k < parts[p] && axis->minor_count < MOST; k++)
+            axis->minor[axis->minor_count++] = bead_axis_place(axis, low + k * step);
+        return;
+    }
+}
+
+static void minor_between_labels(struct bead_axis *axis, const struct room *room)
+{
+    for (size_t i = 0; i + 1 < axis->count; i++)
+        minor_between(axis, room, i);
+}
+
 static void power_label(struct bead_tick *tick, int exponent, bool plain)
 {
     char number[16];
@@ -252,6 +280,8 @@ void bead_axis_make(struct bead_axis *axis, double low, double high, const char 
         decades(axis, &room);
     else
         roundest_first(axis, &room);
+    if (scale == BEAD_SCALE_SQRT || (scale == BEAD_SCALE_LINEAR && axis->count <= FEW && !counts))
+        minor_between_labels(axis, &room);
     if (scale == BEAD_SCALE_LOG && high / low > wide && high / low <= 30)
         minor_ticks(axis, 1, length / log10(high / low));
 }

@@ -9,11 +9,28 @@
 
 /* Rows of smaller beads are drawn as a strip, px of diameter. */
 static const double strip_below = 3;
+/* Beads in the lens: part of its height; as many go side by side into the plot at least. */
+static const double large_share = 0.8, most_across = 14;
 
 void bead_beads_margins(const struct bead_look *look, int *left, int *right)
 {
     *left = (int)ceil(2.6 * look->tick);
     *right = (int)ceil(1.3 * look->gap);
+}
+
+double bead_beads_most_height(const struct bead_view_setup *setup, double width)
+{
+    const struct bead_look *look = setup->look;
+    const double *place = bead_chain_position(setup->chain), *radius = bead_chain_radius(setup->chain);
+    size_t first = setup->beads.first, last = setup->beads.last;
+    double largest = 0, names = 1.35 * look->tick;
+    for (size_t i = first; i <= last; i++)
+        largest = fmax(largest, radius[i]);
+    double diameter = 2 * largest * width / (place[last] + radius[last] - place[first] + radius[first]);
+    double row = fmax(0.9 * look->tick, diameter + fmax(4, 0.9 * diameter));
+    if (diameter >= 1.25 * look->label)
+        return ceil(names + fmax(row, 3 * look->tick));
+    return ceil(names + row + 1.2 * look->gap + width / (large_share * most_across));
 }
 
 static void set_window(struct bead_window *w, const struct bead_view *v, double scale, double y, double height, bool wide)
@@ -69,7 +86,7 @@ void bead_beads_divide(struct bead_view *v)
     v->strip = diameter < strip_below;
     v->lens = (struct bead_window){.scale = 0};
     double row = v->strip ? fmax(8, 0.9 * look->tick) : ceil(diameter + fmax(4, 0.9 * diameter)), zoom = round(1.2 * look->gap);
-    double height = v->plot.height - top - row - zoom, large = fmin(0.8 * height, v->plot.width / 14.0);
+    double height = v->plot.height - top - row - zoom, large = fmin(large_share * height, v->plot.width / most_across);
     bool worth = large > fmax(14, 1.7 * diameter) && v->plot.width / large < 0.8 * (double)v->count;
     if (diameter >= 1.25 * look->label || !worth) {
         only_row(v, scale, top);
@@ -82,7 +99,7 @@ void bead_beads_divide(struct bead_view *v)
     v->row.left = v->plot.x - v->area.x;
     v->row.from = v->ends[0];
     v->zoom = (struct bead_rect){v->plot.x - v->area.x, v->row.rect.y + v->row.rect.height, v->plot.width, (int)zoom};
-    set_window(&v->lens, v, large / (2 * v->largest), v->zoom.y + v->zoom.height, large / 0.8, false);
+    set_window(&v->lens, v, large / (2 * v->largest), v->zoom.y + v->zoom.height, large / large_share, false);
     int line = (int)fmax(1, look->line); /* of its frame, which is drawn once */
     v->lens.rect = (struct bead_rect){v->lens.rect.x + line, v->lens.rect.y + line, v->lens.rect.width - 2 * line,
                                       v->lens.rect.height - 2 * line};

@@ -89,6 +89,8 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
                                                 .bead_labels = true,
                                                 .time_down = moments,
                                                 .sampling = f->output->sampling,
+                                                .marked = moments,
+                                                .mark = f->at,
                                                 .magnify = magnify,
                                                 .trust = f->output->trust};
         err = find_span(f, cell->chain, &panel->setup.beads, msg);

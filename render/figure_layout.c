@@ -178,17 +178,42 @@ static enum bead_error too_small(const struct bead_figure *f, struct bead_messag
         f->cell_count * f->view_count);
 }
 
-/* Sizes of plots from what everything else takes. */
+static double share_of(const struct bead_figure *f, size_t view)
+{
+    return f->cells[0].panel[view].type->height;
+}
+
+/* What a view can make use of, px. */
+static double most_height(const struct bead_figure *f, const struct plan *plan, size_t view)
+{
+    double most = 0;
+    if (f->view_count == 1 || f->cells[0].panel[view].type->kind != BEAD_VIEW_BEADS || f->cells[0].panel[view].setup.camera)
+        return INFINITY;
+    for (size_t c = 0; c < f->cell_count; c++)
+        most = larger(most, bead_beads_most_height(&f->cells[c].panel[view].setup, plan->width));
+    return most;
+}
+
+/* Sizes of plots from what everything else takes. Rows of beads leave what they cannot use to the other views. */
 static enum bead_error divide(const struct bead_figure *f, struct plan *plan, struct bead_message *msg)
 {
-    double shares = 0, left = f->area.height - fixed_height(f, plan);
+    double shares = 0, left = (f->area.height - fixed_height(f, plan)) / (double)f->rows, limited = 0;
     for (size_t v = 0; v < f->view_count; v++)
-        shares += f->cells[0].panel[v].type->height;
+        shares += share_of(f, v);
     plan->width = (int)floor((f->area.width - fixed_width(f, plan)) / (double)f->columns);
     bool fits = plan->width >= smallest_plot;
-    for (size_t v = 0; v < f->view_count; v++) {
-        plan->height[v] = (int)floor(left / (double)f->rows * f->cells[0].panel[v].type->height / shares);
-        fits = fits && plan->height[v] >= smallest_plot;
+    for (size_t v = 0; fits && v < f->view_count; v++) {
+        double most = most_height(f, plan, v);
+        plan->height[v] = most < left * share_of(f, v) / shares ? (int)most : 0;
+        limited += plan->height[v] > 0 ? share_of(f, v) : 0;
+    }
+    double rest = left;
+    for (size_t v = 0; v < f->view_count; v++)
+        rest -= plan->height[v];
+    for (size_t v = 0; fits && v < f->view_count; v++) {
+        if (plan->height[v] == 0)
+            plan->height[v] = (int)floor(rest * share_of(f, v) / (shares - limited));
+        fits = plan->height[v] >= smallest_plot;
     }
     return fits ? BEAD_OK : too_small(f, msg);
 }

@@ -265,18 +265,38 @@ double bead_spacetime_horizon(struct bead_view *view)
     return view->horizon ? bead_horizon_time(view->horizon) : INFINITY;
 }
 
-/* The horizon over a part of the frame. */
-static enum bead_error draw_horizon(const struct bead_view *v, struct bead_rect part, struct bead_frame *frame,
-                                    struct bead_message *msg)
+/* A light line with dark borders, over any colours: the moment that the other views show. */
+static void stroke_mark(const struct bead_view *v, cairo_t *cr)
 {
-    if (!v->horizon || part.width < 1 || part.height < 1)
+    double place = (v->setup.mark - v->setup.time[0]) / (v->setup.time[1] - v->setup.time[0]), line = v->look.line;
+    if (!v->setup.marked || v->setup.fill || !(place > 0 && place < 1))
+        return;
+    bool down = v->setup.time_down;
+    double at = round((down ? v->plot.y + place * v->plot.height : v->plot.x + place * v->plot.width) - line / 2) + line / 2;
+    for (int pass = 0; pass < 2; pass++) {
+        cairo_new_path(cr);
+        cairo_move_to(cr, down ? v->plot.x : at, down ? at : v->plot.y);
+        cairo_rel_line_to(cr, down ? v->plot.width : 0, down ? 0 : v->plot.height);
+        cairo_set_source_rgba(cr, pass, pass, pass, pass ? 1 : 0.6);
+        cairo_set_line_width(cr, pass ? line : 3 * line);
+        cairo_stroke(cr);
+    }
+}
+
+/* Horizon and mark over a part of the frame. */
+static enum bead_error draw_lines(const struct bead_view *v, struct bead_rect part, struct bead_frame *frame,
+                                  struct bead_message *msg)
+{
+    if ((!v->horizon && !v->setup.marked) || part.width < 1 || part.height < 1)
         return BEAD_OK;
     cairo_surface_t *surface =
         cairo_image_surface_create_for_data(frame->pixels, CAIRO_FORMAT_RGB24, frame->width, frame->height, (int)frame->stride);
     cairo_t *cr = cairo_create(surface);
     cairo_rectangle(cr, part.x, part.y, part.width, part.height);
     cairo_clip(cr);
-    bead_horizon_draw(v->horizon, cr, &v->look, v->plot, v->setup.time_down, !v->setup.fill);
+    if (v->horizon)
+        bead_horizon_draw(v->horizon, cr, &v->look, v->plot, v->setup.time_down, !v->setup.fill);
+    stroke_mark(v, cr);
     cairo_status_t status = cairo_status(cr);
     cairo_destroy(cr);
     cairo_surface_destroy(surface);
@@ -325,7 +345,7 @@ static enum bead_error draw(struct bead_view *v, double time, struct bead_frame 
     int first = from < v->first ? v->first : from, to = smaller(v->done, until);
     if (v->area && to > first)
         show_columns(v, first, to, frame);
-    err = draw_horizon(v, columns_rect(v, first, to), frame, msg);
+    err = draw_lines(v, columns_rect(v, first, to), frame, msg);
     if (cursor) {
         int at = smaller(until, last);
         draw_cursor(v, at, thickness, frame);
@@ -379,6 +399,7 @@ static enum bead_error vector(struct bead_view *v, double time, cairo_t *cr, str
         bead_horizon_draw(v->horizon, cr, &v->look, v->plot, down, !v->setup.fill);
         status = cairo_status(cr);
     }
+    stroke_mark(v, cr);
     return status ? bead_fail(msg, BEAD_ERROR_MEMORY, "space-time image: %s", cairo_status_to_string(status)) : BEAD_OK;
 }
 

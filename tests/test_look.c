@@ -160,6 +160,30 @@ static void test_logarithmic_axes_have_minor_ticks(void **state)
     assert_int_equal(axis.minor_count, 0);
 }
 
+/* Shorter ticks between labels, where the scale is uneven or labels are few: in order, apart, never on a label. */
+static void test_minor_ticks_between_labels(void **state)
+{
+    (void)state;
+    uint64_t random = 7;
+    size_t all = 0;
+    for (int i = 0; i < 2000; i++) {
+        struct bead_axis axis;
+        double length = draw(&random, 60, 900), em = draw(&random, 8, 30), high = pow(10, draw(&random, -6, 6));
+        enum bead_scale scale = i % 2 ? BEAD_SCALE_SQRT : BEAD_SCALE_LINEAR;
+        bead_axis_make(&axis, i % 4 < 2 ? 0 : -high, high, "N", scale, length, em, i % 3 == 0);
+        all += axis.minor_count;
+        for (size_t k = 0; k < axis.minor_count; k++) {
+            double before = k > 0 ? axis.minor[k - 1] : -1;
+            for (size_t t = 0; t < axis.count; t++) {
+                before = axis.ticks[t].place < axis.minor[k] ? fmax(before, axis.ticks[t].place) : before;
+                assert_true(fabs(axis.ticks[t].place - axis.minor[k]) * length > 0.3 * em);
+            }
+            assert_true((axis.minor[k] - before) * length > 0.3 * em && axis.minor[k] > 0 && axis.minor[k] < 1);
+        }
+    }
+    assert_true(all > 4000);
+}
+
 static void test_axes_of_beads_count(void **state)
 {
     (void)state;
@@ -405,6 +429,7 @@ int main(void)
         cmocka_unit_test(test_linear_ticks),
         cmocka_unit_test(test_uneven_ticks),
         cmocka_unit_test(test_logarithmic_axes_have_minor_ticks),
+        cmocka_unit_test(test_minor_ticks_between_labels),
         cmocka_unit_test(test_axes_of_beads_count),
         cmocka_unit_test(test_axes_that_make_no_sense_have_no_ticks),
         cmocka_unit_test(test_quantities),

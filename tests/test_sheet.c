@@ -15,6 +15,7 @@
 #include "pictures.h"
 #include "render/figure_private.h"
 #include "render/sheet_private.h"
+#include "render/view_beads.h"
 
 static struct bead_sheet *make_sheet(struct built *built, const char *settings)
 {
@@ -137,6 +138,44 @@ static void test_ranges_are_those_of_the_field(void **state)
     release(&built, sheet);
 }
 
+/* The moment of the other views is a light line in the space-time image; rows of beads take no more height than they use. */
+static void test_stills_mark_their_moment(void **state)
+{
+    (void)state;
+    struct built built;
+    struct bead_message msg = {""};
+    char path[512];
+    struct bead_sheet *sheet =
+        make_sheet(&built, "size: [700, 900], caption: c, views: [beads, profile, spacetime], at: 0.5 ms, time: [0, 1 ms]");
+    for (size_t i = 0; i <= 1000; i++) {
+        struct bead_sample *sample = make_sample(&built, 1e-6 * (double)i);
+        sample->index = i;
+        assert_int_equal(bead_sheet_feed(sheet, sample, &msg), BEAD_OK);
+        free_sample(sample);
+    }
+    in_directory("a.png", path, sizeof path);
+    assert_int_equal(bead_sheet_write(sheet, NULL, path, NULL, &msg), BEAD_OK);
+    const struct bead_tile *tiles = sheet->panels[0].figure->cells[0].panel;
+    struct png_file png = read_png(path);
+    const struct bead_rect *plot = &tiles[2].plot;
+    int white = 0, first = 0;
+    for (int y = plot->y; y < plot->y + plot->height; y++) {
+        int row = 0;
+        for (int x = plot->x; x < plot->x + plot->width; x++) {
+            const uint8_t *rgb = png.rgb + 3 * ((size_t)y * (size_t)png.width + (size_t)x);
+            row += rgb[0] > 250 && rgb[1] > 250 && rgb[2] > 250;
+        }
+        first = row == plot->width && white == 0 ? y : first;
+        white += row == plot->width;
+    }
+    assert_int_equal(white, (int)sheet->look.line);
+    assert_true(abs(first - plot->y - plot->height / 2) <= 2);
+    assert_true(tiles[0].plot.height <= bead_beads_most_height(&tiles[0].setup, tiles[0].plot.width));
+    assert_true(tiles[0].plot.height < plot->height / 2);
+    free(png.rgb);
+    release(&built, sheet);
+}
+
 static void run_job(const char *input, const char *output)
 {
     const struct bead_sink_type *const *const lists[] = {bead_data_sinks(), bead_render_sinks(), NULL};
@@ -187,9 +226,8 @@ static void test_trajectories_draw_the_same(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_plots_stand_in_rows_and_columns),
-        cmocka_unit_test(test_labels_and_bars_are_shared),
-        cmocka_unit_test(test_ranges_are_those_of_the_field),
+        cmocka_unit_test(test_plots_stand_in_rows_and_columns), cmocka_unit_test(test_labels_and_bars_are_shared),
+        cmocka_unit_test(test_ranges_are_those_of_the_field),   cmocka_unit_test(test_stills_mark_their_moment),
         cmocka_unit_test(test_trajectories_draw_the_same),
     };
     return cmocka_run_group_tests_name("sheets", tests, make_directory, remove_directory);

@@ -80,7 +80,7 @@ struct bead_axis {
         char label[24]; /* markup, with a proper minus sign */
     } ticks[24];
     size_t minor_count;
-    double minor[96]; /* places of shorter ticks without labels between those: of logarithmic scales */
+    double minor[96]; /* places of shorter ticks without labels between those: of uneven scales, and where there are few labels */
 };
 /* `em`: the ticks' font size; as many ticks as have room for their labels, set beside each other (`horizontal`) or above each
  * other. An axis whose unit is "1" counts: its ticks are whole numbers; "" is one of numbers. A range that makes no sense gets no

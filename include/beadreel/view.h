@@ -40,7 +40,9 @@ struct bead_view_setup {
     double magnify;                   /* beads: factor on displacements, > 0 */
     const struct bead_camera *camera; /* beads, profile: show its window; spacetime: mark it at the present. NULL: all beads */
     size_t modes;                     /* modes: how many */
-    bool trust;                       /* spacetime, sensors: samples have a twin's values; mark where the two differ */
+    bool marked;                      /* spacetime in stills: a thin line at the time `mark`, s */
+    double mark;
+    bool trust; /* spacetime, sensors: samples have a twin's values; mark where the two differ */
 };
 
 struct bead_view; /* each type's own */
