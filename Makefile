@@ -29,12 +29,14 @@ once              = $(eval $(1) := $(2))$($(1))
 hdf5              = $(call once,hdf5,$(shell pkg-config --exists hdf5-serial 2>/dev/null && echo hdf5-serial || echo hdf5))
 SIM_PACKAGES      = $(hdf5) yaml-0.1 udunits fftw3
 # Opened at run time where they are, linked by nothing; only their headers are needed.
-OPENED_PACKAGES   = osmesa egl
-RENDER_PACKAGES   = libpng libavformat libavcodec libavutil cairo pangocairo
+OPENED_PACKAGES   = osmesa egl libavformat libavcodec libavutil
+RENDER_PACKAGES   = libpng cairo pangocairo
 sim_cflags        = $(call once,sim_cflags,$(shell pkg-config --cflags $(SIM_PACKAGES)))
 sim_libs          = $(call once,sim_libs,$(shell pkg-config --libs $(SIM_PACKAGES)) -lhdf5_hl -lm -pthread)
 render_cflags     = $(call once,render_cflags,$(shell pkg-config --cflags $(RENDER_PACKAGES) $(OPENED_PACKAGES)))
 render_libs       = $(call once,render_libs,$(shell pkg-config --libs $(RENDER_PACKAGES)) -ldl)
+# Tests and benches read movies.
+movie_libs        = $(call once,movie_libs,$(shell pkg-config --libs libavformat libavcodec libavutil))
 test_libs         = $(call once,test_libs,$(shell pkg-config --libs cmocka))
 
 # Same bits on every machine: no contraction, no fast-math.
@@ -148,7 +150,7 @@ $(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT)
 	$(call say,CC,$<) $(run) $(compile_test) -c $< -o $@
 $(TESTS): $(BUILD)/tests/%: tests/%.c $(TEST_SUPPORT) $(STATIC) | $(WAIT)
 	@mkdir -p $(@D)
-	$(call say,TEST,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(TEST_SUPPORT) $(STATIC) $(render_libs) $(sim_libs) $(test_libs)
+	$(call say,TEST,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(TEST_SUPPORT) $(STATIC) $(render_libs) $(sim_libs) $(movie_libs) $(test_libs)
 # As a user's program: public headers and shared libraries only.
 $(EXAMPLES): $(BUILD)/tests/examples/%: tests/examples/%.c $(LIBRARIES)
 	@mkdir -p $(@D)
@@ -160,7 +162,7 @@ peer_precision_sundials = $(if $(wildcard /usr/include/arkode/arkode_erkstep.h),
                           -lsundials_nvecserial -lsundials_sunnonlinsolfixedpoint)
 $(BENCHES) $(STRESSES): $(BUILD)/tests/%: tests/%.c $(STATIC)
 	@mkdir -p $(@D)
-	$(call say,TEST,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(STATIC) $(render_libs) $(sim_libs) $(peer_$(@F))
+	$(call say,TEST,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(STATIC) $(render_libs) $(sim_libs) $(movie_libs) $(peer_$(@F))
 
 test: all $(TESTS) $(EXAMPLES) ## unit tests and tests of the programs; ends with `N passed, M failed`
 	@tests/run.sh $(BUILD)

@@ -11,7 +11,7 @@ enum bead_error bead_library_load(const char *const *files, const char *const *n
         library = dlopen(*file, RTLD_NOW | RTLD_LOCAL);
     if (!library) {
         const char *why = dlerror();
-        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "cannot open a graphics library: %s", why ? why : files[0]);
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "cannot open a library: %s", why ? why : files[0]);
     }
     for (size_t i = 0; i < count; i++) {
         void *address = dlsym(library, names[i]);

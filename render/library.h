@@ -1,4 +1,4 @@
-/* Libraries that are opened only when something is drawn with them, so that a machine may lack them. */
+/* Libraries that are opened only when something is made with them, so that a machine may lack them. */
 #ifndef BEAD_RENDER_LIBRARY_H
 #define BEAD_RENDER_LIBRARY_H
 

@@ -1,11 +1,11 @@
 #include "beadreel/movie.h"
 
-#include <libavcodec/avcodec.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "beadreel/file.h"
+#include "render/movie_av.h"
 #include "render/movie_private.h"
 
 enum { MOST_PIXELS = 16384 };
@@ -56,9 +56,12 @@ static enum bead_error check(const char *path, const struct bead_movie_settings 
     if (!(settings->fps >= 0.01 && settings->fps <= 1000))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %g frames a second are not between 0.01 and 1000", path, settings->fps);
     const char *encoder = (*codec)->presets ? (*codec)->presets[settings->quality].encoder : NULL;
-    if (encoder && !avcodec_find_encoder_by_name(encoder))
+    struct bead_av av;
+    if (encoder)
+        err = bead_av_open(&av, msg);
+    if (encoder && !err && !av.avcodec_find_encoder_by_name(encoder))
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: libavcodec was built without its encoder %s", path, encoder);
-    return BEAD_OK;
+    return err;
 }
 
 enum bead_error bead_movie_check(const char *path, const struct bead_movie_settings *settings, struct bead_message *msg)

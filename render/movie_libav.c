@@ -1,14 +1,12 @@
 /* Frames into a file through libav: one video stream, times in frames, a picture kept and changed in place. */
 #include <errno.h>
-#include <libavcodec/avcodec.h>
-#include <libavformat/avformat.h>
-#include <libavutil/opt.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "beadreel/file.h"
 #include "render/convert.h"
+#include "render/movie_av.h"
 #include "render/movie_private.h"
 #include "render/palette.h"
 
@@ -18,6 +16,7 @@ enum {
 };
 
 struct bead_encoder {
+    struct bead_av av;
     AVFormatContext *format;
     AVCodecContext *codec;
     AVFrame *picture;        /* the frame as converted so far */
@@ -36,10 +35,11 @@ struct bead_encoder {
 /* One clear line out of libav's number. Where the file could not be written, that is the reason for all else. */
 static enum bead_error fail(const struct bead_movie *movie, const char *what, int code, struct bead_message *msg)
 {
-    const AVFormatContext *format = movie->encoder->format;
+    const struct bead_encoder *e = movie->encoder;
+    const AVFormatContext *format = e->format;
     int written = format && format->pb ? format->pb->error : 0;
     char text[AV_ERROR_MAX_STRING_SIZE] = "";
-    av_strerror(written < 0 ? written : code, text, sizeof text);
+    e->av.av_strerror(written < 0 ? written : code, text, sizeof text);
     if (code == AVERROR(ENOMEM))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", movie->path);
     if (written < 0)
@@ -53,15 +53,15 @@ static enum bead_error no_memory(const struct bead_movie *movie, struct bead_mes
 }
 
 /* Libav's log has no place for its owner: it is the process's. Ours are messages. */
-static void silence(void)
+static void silence(struct bead_encoder *e)
 {
-    if (av_log_get_level() > AV_LOG_QUIET)
-        av_log_set_level(AV_LOG_QUIET);
+    if (e->av.av_log_get_level() > AV_LOG_QUIET)
+        e->av.av_log_set_level(AV_LOG_QUIET);
 }
 
-static int parse_options(const char *text, AVDictionary **options)
+static int parse_options(struct bead_encoder *e, const char *text, AVDictionary **options)
 {
-    return text && *text ? av_dict_parse_string(options, text, "=", " ", 0) : 0;
+    return text && *text ? e->av.av_dict_parse_string(options, text, "=", " ", 0) : 0;
 }
 
 static void set_colours(AVCodecContext *codec)
@@ -82,8 +82,8 @@ static void set_colours(AVCodecContext *codec)
 static enum bead_error open_codec(struct bead_movie *movie, const struct bead_preset *preset, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    const AVCodec *type = avcodec_find_encoder_by_name(preset->encoder);
-    e->codec = avcodec_alloc_context3(type);
+    const AVCodec *type = e->av.avcodec_find_encoder_by_name(preset->encoder);
+    e->codec = e->av.avcodec_alloc_context3(type);
     if (!e->codec)
         return no_memory(movie, msg);
     AVCodecContext *c = e->codec;
@@ -101,21 +101,21 @@ static enum bead_error open_codec(struct bead_movie *movie, const struct bead_pr
         c->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
     set_colours(c);
     AVDictionary *options = NULL;
-    int code = parse_options(preset->options, &options);
+    int code = parse_options(e, preset->options, &options);
     if (code >= 0)
-        code = avcodec_open2(c, type, &options);
-    if (code >= 0 && av_dict_count(options))
+        code = e->av.avcodec_open2(c, type, &options);
+    if (code >= 0 && e->av.av_dict_count(options))
         code = AVERROR_OPTION_NOT_FOUND;
-    av_dict_free(&options);
+    e->av.av_dict_free(&options);
     return code < 0 ? fail(movie, "the encoder cannot be opened", code, msg) : BEAD_OK;
 }
 
 static enum bead_error open_picture(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    e->picture = av_frame_alloc();
-    e->packet = av_packet_alloc();
-    e->held = av_packet_alloc();
+    e->picture = e->av.av_frame_alloc();
+    e->packet = e->av.av_packet_alloc();
+    e->held = e->av.av_packet_alloc();
     if (!e->picture || !e->packet || !e->held)
         return no_memory(movie, msg);
     AVFrame *p = e->picture;
@@ -128,7 +128,7 @@ static enum bead_error open_picture(struct bead_movie *movie, struct bead_messag
     p->colorspace = e->codec->colorspace;
     p->color_range = e->codec->color_range;
     p->chroma_location = e->codec->chroma_sample_location;
-    int code = av_frame_get_buffer(p, LINE_ALIGN);
+    int code = e->av.av_frame_get_buffer(p, LINE_ALIGN);
     if (code < 0)
         return fail(movie, "no picture", code, msg);
     if (p->format == AV_PIX_FMT_PAL8)
@@ -140,17 +140,17 @@ static enum bead_error open_picture(struct bead_movie *movie, struct bead_messag
 static int open_stream(struct bead_movie *movie)
 {
     struct bead_encoder *e = movie->encoder;
-    AVStream *stream = avformat_new_stream(e->format, NULL);
+    AVStream *stream = e->av.avformat_new_stream(e->format, NULL);
     if (!stream)
         return AVERROR(ENOMEM);
     stream->time_base = e->frame_time;
     stream->avg_frame_rate = e->codec->framerate;
     stream->sample_aspect_ratio = e->codec->sample_aspect_ratio;
-    int code = avcodec_parameters_from_context(stream->codecpar, e->codec);
+    int code = e->av.avcodec_parameters_from_context(stream->codecpar, e->codec);
     if (code >= 0 && movie->settings.title)
-        code = av_dict_set(&e->format->metadata, "title", movie->settings.title, 0);
+        code = e->av.av_dict_set(&e->format->metadata, "title", movie->settings.title, 0);
     if (code >= 0 && movie->settings.comment)
-        code = av_dict_set(&e->format->metadata, "comment", movie->settings.comment, 0);
+        code = e->av.av_dict_set(&e->format->metadata, "comment", movie->settings.comment, 0);
     return code;
 }
 
@@ -158,7 +158,7 @@ static int open_stream(struct bead_movie *movie)
 static int open_cover(struct bead_movie *movie)
 {
     struct bead_encoder *e = movie->encoder;
-    AVStream *stream = avformat_new_stream(e->format, NULL);
+    AVStream *stream = e->av.avformat_new_stream(e->format, NULL);
     if (!stream)
         return AVERROR(ENOMEM);
     stream->time_base = e->frame_time;
@@ -173,9 +173,9 @@ static int open_cover(struct bead_movie *movie)
 static enum bead_error libav_cover(struct bead_movie *movie, const uint8_t *png, size_t bytes, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    av_packet_free(&e->cover);
-    e->cover = av_packet_alloc();
-    if (!e->cover || bytes > INT_MAX / 2 || av_new_packet(e->cover, (int)bytes) < 0)
+    e->av.av_packet_free(&e->cover);
+    e->cover = e->av.av_packet_alloc();
+    if (!e->cover || bytes > INT_MAX / 2 || e->av.av_new_packet(e->cover, (int)bytes) < 0)
         return no_memory(movie, msg);
     memcpy(e->cover->data, png, bytes);
     e->cover->stream_index = 1;
@@ -192,20 +192,20 @@ static enum bead_error open_file(struct bead_movie *movie, struct bead_message *
         code = open_cover(movie);
     if (code < 0)
         return fail(movie, "no stream", code, msg);
-    code = avio_open(&e->format->pb, e->format->url, AVIO_FLAG_WRITE);
+    code = e->av.avio_open(&e->format->pb, e->format->url, AVIO_FLAG_WRITE);
     if (code < 0) {
         char text[AV_ERROR_MAX_STRING_SIZE] = "";
-        av_strerror(code, text, sizeof text);
+        e->av.av_strerror(code, text, sizeof text);
         return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be written: %s", movie->path, text);
     }
     AVDictionary *options = NULL;
-    code = parse_options(movie->codec->muxer_options, &options);
+    code = parse_options(e, movie->codec->muxer_options, &options);
     if (code >= 0)
-        code = avformat_write_header(e->format, &options);
+        code = e->av.avformat_write_header(e->format, &options);
     e->begun = code >= 0;
-    if (code >= 0 && av_dict_count(options))
+    if (code >= 0 && e->av.av_dict_count(options))
         code = AVERROR_OPTION_NOT_FOUND;
-    av_dict_free(&options);
+    e->av.av_dict_free(&options);
     return code < 0 ? fail(movie, "the file cannot be begun", code, msg) : BEAD_OK;
 }
 
@@ -218,7 +218,7 @@ static enum bead_error open_format(struct bead_movie *movie, struct bead_message
     if (!url)
         return no_memory(movie, msg);
     snprintf(url, size, "file:%s", movie->part);
-    int code = avformat_alloc_output_context2(&e->format, NULL, movie->codec->muxer, url);
+    int code = e->av.avformat_alloc_output_context2(&e->format, NULL, movie->codec->muxer, url);
     free(url);
     if (code < 0)
         return fail(movie, "libavformat does not write this container", code, msg);
@@ -228,15 +228,20 @@ static enum bead_error open_format(struct bead_movie *movie, struct bead_message
 
 static enum bead_error libav_open(struct bead_movie *movie, struct bead_message *msg)
 {
-    silence();
+    struct bead_av av;
+    enum bead_error err = bead_av_open(&av, msg);
+    if (err)
+        return err;
     struct bead_encoder *e = movie->encoder = calloc(1, sizeof *e);
     if (!e)
         return no_memory(movie, msg);
+    e->av = av;
+    silence(e);
     double fps = movie->settings.fps;
-    e->frame_time = av_inv_q(av_d2q(fps, 100100));
+    e->frame_time = av_inv_q(e->av.av_d2q(fps, 100100));
     e->group = movie->codec->most_fps ? (int64_t)((fps + movie->codec->most_fps - 1e-6) / movie->codec->most_fps) : 1;
     e->group = e->group < 1 ? 1 : e->group;
-    enum bead_error err = open_format(movie, msg);
+    err = open_format(movie, msg);
     if (!err)
         err = open_codec(movie, &movie->codec->presets[movie->settings.quality], msg);
     if (!err)
@@ -251,10 +256,10 @@ static int release(struct bead_encoder *e, int64_t next)
         return 0;
     e->holding = false;
     e->held->duration = next - e->held->pts;
-    av_packet_rescale_ts(e->held, e->frame_time, e->format->streams[0]->time_base);
+    e->av.av_packet_rescale_ts(e->held, e->frame_time, e->format->streams[0]->time_base);
     e->held->stream_index = 0;
-    int code = av_write_frame(e->format, e->held);
-    av_packet_unref(e->held);
+    int code = e->av.av_write_frame(e->format, e->held);
+    e->av.av_packet_unref(e->held);
     return code;
 }
 
@@ -262,7 +267,7 @@ static enum bead_error drain(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
     for (;;) {
-        int code = avcodec_receive_packet(e->codec, e->packet);
+        int code = e->av.avcodec_receive_packet(e->codec, e->packet);
         if (code == AVERROR(EAGAIN) || code == AVERROR_EOF)
             return BEAD_OK;
         if (code < 0)
@@ -272,7 +277,7 @@ static enum bead_error drain(struct bead_movie *movie, struct bead_message *msg)
             code = e->format->pb->error;
         if (code < 0)
             return fail(movie, "writing failed", code, msg);
-        av_packet_move_ref(e->held, e->packet);
+        e->av.av_packet_move_ref(e->held, e->packet);
         e->holding = true;
     }
 }
@@ -282,7 +287,7 @@ static enum bead_error encode(struct bead_movie *movie, int64_t time, struct bea
     struct bead_encoder *e = movie->encoder;
     e->picture->pts = e->last = time;
     e->dirty = false;
-    int code = avcodec_send_frame(e->codec, e->picture);
+    int code = e->av.avcodec_send_frame(e->codec, e->picture);
     if (code < 0)
         return fail(movie, "encoding failed", code, msg);
     movie->encoded++;
@@ -293,24 +298,24 @@ static enum bead_error encode(struct bead_movie *movie, int64_t time, struct bea
  * goes on. av_frame_make_writable would not keep the lines aligned as the converters need them. */
 static int make_writable(struct bead_encoder *e)
 {
-    if (av_frame_is_writable(e->picture))
+    if (e->av.av_frame_is_writable(e->picture))
         return 0;
-    AVFrame *copy = av_frame_alloc();
+    AVFrame *copy = e->av.av_frame_alloc();
     if (!copy)
         return AVERROR(ENOMEM);
     copy->width = e->picture->width;
     copy->height = e->picture->height;
     copy->format = e->picture->format;
-    int code = av_frame_get_buffer(copy, LINE_ALIGN);
+    int code = e->av.av_frame_get_buffer(copy, LINE_ALIGN);
     if (code >= 0)
-        code = av_frame_copy_props(copy, e->picture);
+        code = e->av.av_frame_copy_props(copy, e->picture);
     if (code >= 0)
-        code = av_frame_copy(copy, e->picture);
+        code = e->av.av_frame_copy(copy, e->picture);
     if (code >= 0) {
-        av_frame_unref(e->picture);
-        av_frame_move_ref(e->picture, copy);
+        e->av.av_frame_unref(e->picture);
+        e->av.av_frame_move_ref(e->picture, copy);
     }
-    av_frame_free(&copy);
+    e->av.av_frame_free(&copy);
     return code;
 }
 
@@ -370,12 +375,13 @@ static int set_final_delay(const struct bead_movie *movie)
         return 0;
     AVRational base = {1, (int)unit};
     if (unit == 1) { /* an exact fraction of a second */
-        AVRational delay = av_mul_q((AVRational){(int)((int64_t)movie->shown - e->last), 1}, e->frame_time);
-        return av_opt_set_q(e->format->priv_data, "final_delay", delay, 0);
+        AVRational delay = e->av.av_mul_q((AVRational){(int)((int64_t)movie->shown - e->last), 1}, e->frame_time);
+        return e->av.av_opt_set_q(e->format->priv_data, "final_delay", delay, 0);
     }
-    int64_t end = av_rescale_q((int64_t)movie->shown, e->frame_time, base), last = av_rescale_q(e->last, e->frame_time, base);
+    int64_t end = e->av.av_rescale_q((int64_t)movie->shown, e->frame_time, base),
+            last = e->av.av_rescale_q(e->last, e->frame_time, base);
     int64_t least = movie->codec->most_fps ? unit / movie->codec->most_fps : 1;
-    return av_opt_set_int(e->format->priv_data, "final_delay", end - last > least ? end - last : least, 0);
+    return e->av.av_opt_set_int(e->format->priv_data, "final_delay", end - last > least ? end - last : least, 0);
 }
 
 static enum bead_error libav_finish(struct bead_movie *movie, struct bead_message *msg)
@@ -384,7 +390,7 @@ static enum bead_error libav_finish(struct bead_movie *movie, struct bead_messag
     enum bead_error err = last_frame(movie, msg);
     if (err)
         return err;
-    int code = avcodec_send_frame(e->codec, NULL);
+    int code = e->av.avcodec_send_frame(e->codec, NULL);
     if (code < 0)
         return fail(movie, "encoding failed", code, msg);
     err = drain(movie, msg);
@@ -394,17 +400,17 @@ static enum bead_error libav_finish(struct bead_movie *movie, struct bead_messag
     if (code >= 0)
         code = set_final_delay(movie);
     if (code >= 0 && e->cover)
-        code = av_write_frame(e->format, e->cover);
+        code = e->av.av_write_frame(e->format, e->cover);
     if (code >= 0) {
         e->begun = false;
-        code = av_write_trailer(e->format);
+        code = e->av.av_write_trailer(e->format);
     }
-    avio_flush(e->format->pb);
+    e->av.avio_flush(e->format->pb);
     if (code >= 0)
         code = e->format->pb->error;
     if (code < 0)
         return fail(movie, "the file cannot be finished", code, msg);
-    code = avio_closep(&e->format->pb);
+    code = e->av.avio_closep(&e->format->pb);
     return code < 0 ? bead_fail(msg, BEAD_ERROR_IO, "%s: closing failed", movie->path) : BEAD_OK;
 }
 
@@ -414,17 +420,17 @@ static void libav_destroy(struct bead_movie *movie)
     if (!e)
         return;
     bead_palette_destroy(e->palette);
-    av_packet_free(&e->cover);
-    av_packet_free(&e->held);
-    av_packet_free(&e->packet);
-    av_frame_free(&e->picture);
-    avcodec_free_context(&e->codec);
+    e->av.av_packet_free(&e->cover);
+    e->av.av_packet_free(&e->held);
+    e->av.av_packet_free(&e->packet);
+    e->av.av_frame_free(&e->picture);
+    e->av.avcodec_free_context(&e->codec);
     /* Muxers that set delays keep a packet back, and some free it only with the trailer. */
     if (e->begun && movie->codec->delay_unit)
-        av_write_trailer(e->format);
+        e->av.av_write_trailer(e->format);
     if (e->format)
-        avio_closep(&e->format->pb);
-    avformat_free_context(e->format);
+        e->av.avio_closep(&e->format->pb);
+    e->av.avformat_free_context(e->format);
     free(e);
 }
 
