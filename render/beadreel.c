@@ -37,6 +37,7 @@ static const struct command_list lists[] = {
     {"materials", command_list_materials},
     {"methods", command_list_methods},
     {"laws", command_list_laws},
+    {"equations", command_list_equations},
     {"measures", command_list_measures},
     {"colormaps", list_colormaps},
     {"codecs", list_codecs},

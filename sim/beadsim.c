@@ -2,13 +2,10 @@
 #include "sim/command_line.h"
 
 static const struct command_list lists[] = {
-    {"scenes", command_list_scenes},
-    {"materials", command_list_materials},
-    {"methods", command_list_methods},
-    {"laws", command_list_laws},
-    {"measures", command_list_measures},
-    {"keys", command_list_keys},
-    {NULL, NULL},
+    {"scenes", command_list_scenes},       {"materials", command_list_materials},
+    {"methods", command_list_methods},     {"laws", command_list_laws},
+    {"equations", command_list_equations}, {"measures", command_list_measures},
+    {"keys", command_list_keys},           {NULL, NULL},
 };
 
 int main(int argc, char **argv)

@@ -57,6 +57,7 @@ enum bead_error command_list_scenes(FILE *out, struct bead_message *msg);
 enum bead_error command_list_materials(FILE *out, struct bead_message *msg);
 enum bead_error command_list_methods(FILE *out, struct bead_message *msg);
 enum bead_error command_list_laws(FILE *out, struct bead_message *msg);
+enum bead_error command_list_equations(FILE *out, struct bead_message *msg); /* that a chain may be instead of beads */
 enum bead_error command_list_measures(FILE *out, struct bead_message *msg);
 enum bead_error command_list_keys(FILE *out, struct bead_message *msg); /* of scenes: unit, range, default */
 

@@ -7,6 +7,7 @@
 #include "beadreel/measure.h"
 #include "beadreel/methods.h"
 #include "beadreel/scene.h"
+#include "sim/equation.h"
 
 enum bead_error command_list_scenes(FILE *out, struct bead_message *msg)
 {
@@ -48,6 +49,15 @@ enum bead_error command_list_methods(FILE *out, struct bead_message *msg)
     for (size_t i = 0; (method = bead_method_info(i)); i++)
         fprintf(out, "%-10s  order %d, %d force evaluation%s a step%s: %s\n", method->name, method->order, method->evaluations,
                 method->evaluations == 1 ? "" : "s", method->damping ? ", damping" : "", method->description);
+    return BEAD_OK;
+}
+
+enum bead_error command_list_equations(FILE *out, struct bead_message *msg)
+{
+    (void)msg;
+    const struct bead_equation *equation;
+    for (size_t i = 0; (equation = bead_equation_info(i)); i++)
+        fprintf(out, "%-10s  %s\n", equation->name, equation->help);
     return BEAD_OK;
 }
 

@@ -3,7 +3,7 @@ _beadreel()
 {
     local cur prev words cword
     _init_completion -n = 2>/dev/null || { cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]}; }
-    local program=${COMP_WORDS[0]} lists="scenes materials methods laws measures keys"
+    local program=${COMP_WORDS[0]} lists="scenes materials methods laws equations measures keys"
     [[ $program == *beadsim ]] || lists+=" colormaps codecs views"
     local option=$prev value=$cur prefix=
     if [[ $cur == --*=* ]]; then

@@ -19,7 +19,7 @@ for program in beadreel beadsim; do
     ok "$program stdout closed" fails 1 bash -c "'$p' --help >/dev/full"
 done
 
-for what in scenes materials methods laws keys colormaps codecs views; do
+for what in scenes materials methods laws equations keys colormaps codecs views; do
     ok "--list $what" exits 0 "$beadreel" --list $what
     ok "--list $what has lines" test -s "$T/out"
     ok "--list $what is quiet on stderr" test ! -s "$T/err"
