@@ -220,6 +220,57 @@ static void a_pulse_is_a_soliton_of_its_kdv_limit(void **state)
     }
 }
 
+/* Strain at the masses' places of a pulse after the time `end`, computed with one equation or the other. */
+static void strain_after(const struct bead_equation *equation, const struct bead_equation_spec *spec, size_t points, double end,
+                         double *strain)
+{
+    struct bead_motion_settings settings = {spec, points, "auto", 1e-8, 0, end};
+    struct bead_motion *m = NULL;
+    struct bead_message msg = {""};
+    double *const to[BEAD_FIELD_COUNT] = {[BEAD_FIELD_STRAIN] = strain};
+    if (equation->create(&settings, &m, &msg))
+        fail_msg("%s", msg.text);
+    while (equation->time(m) < end)
+        assert_int_equal(equation->step(m, &msg), BEAD_OK);
+    assert_int_equal(equation->sample(m, end, BEAD_FIELD_BIT(BEAD_FIELD_STRAIN), to, &msg), BEAD_OK);
+    equation->destroy(m);
+}
+
+/* Largest difference between a string and r_t + r_x + alpha r r_x + r_xxx / 24 = 0, in parts of the pulse. With the amplitude e,
+ * lengths go as e^-1/2 and times as e^-3/2: then the two differ by terms of the order of e. */
+static double from_limit(double e)
+{
+    enum { N = 512 };
+    static double string[N], limit[2 * N];
+    const double end = 10 / (e * sqrt(e)), width = 4 / sqrt(e);
+    struct bead_equation_spec spec = {.name = "fput", .points = N, .alpha = 0.5, .ends = BEAD_ENDS_PERIODIC, .at = 200};
+    spec.start = BEAD_START_PULSE;
+    spec.moving = BEAD_MOVING_RIGHT;
+    spec.amplitude = e;
+    spec.width = width;
+    strain_after(&bead_equation_fput, &spec, N, end, string);
+    spec = (struct bead_equation_spec){.name = "kdv", .points = 2 * N, .length = N, .drift = 1, .nonlinearity = 0.5};
+    spec.dispersion = 1. / 24;
+    spec.variable = BEAD_FIELD_STRAIN;
+    spec.start = BEAD_START_PULSE;
+    spec.amplitude = e;
+    spec.width = width;
+    spec.at = 200;
+    strain_after(&bead_equation_kdv, &spec, 2 * N, end, limit);
+    double worst = 0;
+    for (size_t j = 0; j < N; j++)
+        worst = fmax(worst, fabs(string[j] - limit[2 * j]));
+    return worst / e;
+}
+
+static void long_waves_obey_their_kdv_equation(void **state)
+{
+    (void)state;
+    double weak = from_limit(0.02), strong = from_limit(0.04);
+    if (!(weak < 0.05 && strong < 0.1 && strong > 1.7 * weak && strong < 2.3 * weak))
+        fail_msg("string and limit differ by %g of an amplitude of 0.02, by %g of 0.04", weak, strong);
+}
+
 /* At rest it parts into two halves that run apart. */
 static void a_pulse_at_rest_parts_in_two(void **state)
 {
@@ -265,6 +316,7 @@ int main(void)
         cmocka_unit_test(modes_of_linear_strings_keep_their_energies),
         cmocka_unit_test(modes_share_the_energy),
         cmocka_unit_test(a_pulse_is_a_soliton_of_its_kdv_limit),
+        cmocka_unit_test(long_waves_obey_their_kdv_equation),
         cmocka_unit_test(a_pulse_at_rest_parts_in_two),
         cmocka_unit_test(a_torn_string_is_an_error),
     };
