@@ -1,6 +1,7 @@
 /* The cells of a scene's chains (thesis, Fig. 3): N_1 beads of one material, N_2 of the next, ...; both ways round where the chain
  * has them so. */
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,6 +10,8 @@
 #include "render/schematic_words.h"
 
 enum { MOST_CELLS = 16, MOST_GROUPS = 24, WHOLE_GROUP = 7, FIRST_SHOWN = 4, LAST_SHOWN = 2 };
+/* Cells of more groups than this may get one brace for all, and so many of their beads are shown. */
+enum { FEW_GROUPS = 6, PLAIN_WHOLE = 16, PLAIN_FIRST = 10, PLAIN_LAST = 5 };
 /* In units of the label's font size. */
 static const double title_row = 2.0, brace_depth = 0.75, brace_gap = 0.3, line = 1.35, row_gap = 1.2, gap = 2.2, side_column = 3.6,
                     aside = 0.7; /* labels further from their brace get a line */
@@ -24,6 +27,7 @@ struct drawing {
     const struct bead_drafting *d;
     struct cell cells[MOST_CELLS];
     size_t count, rows;
+    bool plain;       /* cells of many groups get one brace for all */
     bool names, both; /* a second line under the braces; some row is marked up or down */
     double scale, largest;
 };
@@ -74,13 +78,40 @@ static bool make_strip(const struct bead_cell_group *groups, size_t count, bool 
     return true;
 }
 
+/* All beads of a long cell as one group. */
+static bool make_plain(const struct bead_segment *segment, bool down, struct bead_strip *strip)
+{
+    size_t beads = segment->cell_beads;
+    for (size_t b = 0; b < beads; b++) {
+        bool left_out = beads > PLAIN_WHOLE && b == PLAIN_FIRST;
+        if (left_out)
+            b = beads - PLAIN_LAST - 1;
+        if (!bead_strip_add(strip, segment->cell[down ? beads - 1 - b : b], left_out, 0))
+            return false;
+    }
+    return true;
+}
+
+/* Groups that get a brace each; false: there are too many. */
+static bool find_groups(const struct drawing *g, const struct bead_segment *segment, struct bead_cell_group *groups, size_t *count)
+{
+    *count = bead_cell_groups(segment, groups, MOST_GROUPS);
+    if (g->plain && (*count == 0 || *count > FEW_GROUPS)) {
+        groups[0] = (struct bead_cell_group){SIZE_MAX, segment->cell_beads};
+        *count = 1;
+    }
+    return *count > 0;
+}
+
 static void group_words(const struct drawing *g, const struct bead_cell_group *groups, size_t count, size_t i, char number[200],
                         char name[200])
 {
     char symbol[160];
     bead_schematic_symbol("N", count > 1 ? (int)i + 1 : 0, symbol, sizeof symbol);
     snprintf(number, 200, "%s = %zu", symbol, groups[i].beads);
-    bead_text_escape(g->d->stage->scene->materials[groups[i].material].name, name, 200);
+    name[0] = '\0';
+    if (groups[i].material != SIZE_MAX)
+        bead_text_escape(g->d->stage->scene->materials[groups[i].material].name, name, 200);
 }
 
 /* Labels of the braces; false: they have no room. Draws them where y is given. */
@@ -153,8 +184,10 @@ static bool draw_row(const struct drawing *g, const struct cell *cell, bool down
     double width = g->d->area.width - column, middle = y + g->largest * g->scale, bottom = middle + g->largest * g->scale;
     struct bead_cell_group groups[MOST_GROUPS];
     struct bead_strip strip = {0};
-    size_t count = bead_cell_groups(cell->segment, groups, MOST_GROUPS);
-    bool room = count > 0 && make_strip(groups, count, down, &strip);
+    size_t count;
+    bool room = find_groups(g, cell->segment, groups, &count);
+    room = room &&
+           (groups[0].material == SIZE_MAX ? make_plain(cell->segment, down, &strip) : make_strip(groups, count, down, &strip));
     double needed = room ? bead_strip_width(&strip, scene, g->scale, gap * em) : 0;
     room = room && needed <= width;
     if (room) {
@@ -189,10 +222,12 @@ static bool draw_cells(const struct drawing *g, double y, bool draw)
     double column = g->both ? side_column * em : 0, middle = g->d->area.x + 0.5 * (g->d->area.width + column);
     for (size_t i = 0; i < g->count; i++) {
         const struct bead_segment *segment = g->cells[i].segment;
-        size_t count = bead_cell_groups(segment, groups, MOST_GROUPS);
-        title_words(g, groups, count, segment->cell_beads, title, sizeof title);
-        if (bead_sketch_width(&style, title) > g->d->area.width - column)
-            snprintf(title, sizeof title, "%zu beads", segment->cell_beads);
+        size_t count;
+        bool grouped = find_groups(g, segment, groups, &count) && groups[0].material != SIZE_MAX;
+        if (grouped)
+            title_words(g, groups, count, segment->cell_beads, title, sizeof title);
+        if (!grouped || bead_sketch_width(&style, title) > g->d->area.width - column)
+            snprintf(title, sizeof title, "cell of %zu beads", segment->cell_beads);
         if (draw)
             bead_sketch_text(g->d->sketch, &style, middle, y + 0.6 * em, title);
         y += title_row * em;
@@ -218,8 +253,9 @@ bool bead_schematic_cell(const struct bead_drafting *d)
             g.largest = radius > g.largest ? radius : g.largest;
         }
     }
-    for (int names = 1; names >= 0; names--) {
-        g.names = names;
+    for (int way = 0; way < 4; way++) { /* with names and without, then plain */
+        g.names = way % 2 == 0;
+        g.plain = way >= 2;
         for (double ball = largest_ball; ball >= smallest_ball; ball *= 0.9) {
             g.scale = ball * em / g.largest;
             if (!draw_cells(&g, d->area.y, false))

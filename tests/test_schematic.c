@@ -212,6 +212,24 @@ static void what_is_left_out_is_said(void **state)
     clear_stage(s);
 }
 
+/* N1 : N2 cells of many beads, and one of too many groups for a brace each. */
+static void long_cells(void **state)
+{
+    (void)state;
+    char text[2048] = "chain: {beads: [{count: 3, spins: up, cell: [glass";
+    struct seen seen = {.count = 0};
+    for (int i = 1; i < 70; i++)
+        strcat(text, i < 40 ? ", glass" : ", ptfe");
+    strcat(text, "]}, {cell: [glass, ptfe");
+    for (int i = 1; i < 15; i++)
+        strcat(text, ", glass, ptfe");
+    strcat(text, "]}]}\noutputs: [{plot: a.png, show: cell}]\n");
+    struct staged *s = set_stage(text);
+    assert_int_equal(draw(s, 0, &seen, NULL), BEAD_OK);
+    assert_true(wrote(&seen, "40 : 30") && wrote(&seen, "= 40") && wrote(&seen, "= 30") && wrote(&seen, "cell of 30 beads"));
+    clear_stage(s);
+}
+
 static void too_small_is_an_error(void **state)
 {
     (void)state;
@@ -456,15 +474,11 @@ static void text_is_text(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(setups_of_all_lengths),
-        cmocka_unit_test(the_experiment_is_all_there),
-        cmocka_unit_test(what_is_left_out_is_said),
-        cmocka_unit_test(too_small_is_an_error),
-        cmocka_unit_test(contact_is_to_scale),
-        cmocka_unit_test(cells_are_to_scale),
-        cmocka_unit_test(setup_shows_the_beads),
-        cmocka_unit_test(nothing_is_computed),
-        cmocka_unit_test(text_is_text),
+        cmocka_unit_test(setups_of_all_lengths),    cmocka_unit_test(the_experiment_is_all_there),
+        cmocka_unit_test(what_is_left_out_is_said), cmocka_unit_test(long_cells),
+        cmocka_unit_test(too_small_is_an_error),    cmocka_unit_test(contact_is_to_scale),
+        cmocka_unit_test(cells_are_to_scale),       cmocka_unit_test(setup_shows_the_beads),
+        cmocka_unit_test(nothing_is_computed),      cmocka_unit_test(text_is_text),
     };
     return cmocka_run_group_tests_name("schematic", tests, make_directory, remove_directory);
 }
