@@ -107,8 +107,10 @@ static void measure_axes(struct bead_composer *c)
     w->left = fmax(w->left, reach(look, time[0], time[1], unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, "time"));
     w->below_moving = reach(look, 0, most, "1", BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, NULL);
     for (size_t i = 0; w->follow && i < w->chain_count; i++) {
-        double radius, spacing = bead_chain_spacing(c->setup.chains[i], beads_of(c, i), &radius);
-        w->bead_height = fmax(w->bead_height, 0.9 * w->width * 2 * radius / (spacing * (double)c->setup.output->window));
+        struct bead_span beads = beads_of(c, i);
+        double radius, spacing = bead_chain_spacing(c->setup.chains[i], beads, &radius);
+        double shown = fmin((double)c->setup.output->window, (double)(beads.last - beads.first + 1));
+        w->bead_height = fmax(w->bead_height, 0.9 * w->width * 2 * radius / (spacing * shown));
     }
     w->below_time = reach(look, time[0], time[1], unit, BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, "time");
     struct bead_rect bar = {0, 0, 20, (int)(4 * length)};
@@ -158,14 +160,18 @@ static enum bead_error fill_wants(struct bead_composer *c, struct bead_message *
 static enum bead_error create_cameras(struct bead_composer *c, struct bead_message *msg)
 {
     size_t count = c->wants.chain_count;
-    double width = 0, radius, largest = 0;
+    double width = 0, longest = 0, radius, largest = 0;
     c->cameras = calloc(count, sizeof(struct bead_camera *));
     if (!c->cameras)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for cameras");
     for (size_t i = 0; i < count; i++) {
-        width = fmax(width, bead_chain_spacing(c->setup.chains[i], beads_of(c, i), &radius) * (double)c->setup.output->window);
+        struct bead_span beads = beads_of(c, i);
+        double spacing = bead_chain_spacing(c->setup.chains[i], beads, &radius);
+        width = fmax(width, spacing * (double)c->setup.output->window);
+        longest = fmax(longest, spacing * (double)(beads.last - beads.first + 1) + 3.2 * radius); /* with what is at the ends */
         largest = fmax(largest, radius);
     }
+    width = fmin(width, longest);
     for (size_t v = 0; v < c->wants.view_count; v++) {
         const struct bead_rect *plot = &c->layout.chains[0].plot[v];
         bool named = c->wants.sensors || c->layout.chains[0].labels[v];

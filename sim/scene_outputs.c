@@ -376,8 +376,9 @@ static const struct bead_option rows[] = {
      .offset = OUTPUT(follow),
      .initial = "all",
      .choices = follows,
-     .help = "what beads and profile show: all beads, or a window of them that moves with the front, each chain its own; "
-             "spacetime marks the window at the present",
+     .help =
+         "what beads and profile show: all beads, or a window of them that moves with the front, each chain its own; "
+         "spacetime marks the window at the present. Give long chains long films: nobody can follow more than half a bead a frame",
      .forms = MOVIE},
     {.key = "window",
      .type = BEAD_OPTION_COUNT,
