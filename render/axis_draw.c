@@ -7,7 +7,7 @@
 /* In units of the ticks' font size. */
 static const double tick_length = 0.38, minor_length = 0.55 /* of a tick */, label_gap = 0.3, digit_height = 0.7, title_gap = 0.45;
 /* Titles: how small they may become, and into what they may be broken. */
-static const double little_smaller = 0.85, smallest_title = 0.72, most_lines = 3.2, line_height = 1.3, narrowest_title = 5;
+static const double little_smaller = 0.85, smallest_title = 0.72, most_lines = 3.2, line_height = 1.3;
 
 void bead_box_draw(cairo_t *cr, const struct bead_look *look, struct bead_rect plot)
 {
@@ -108,6 +108,22 @@ static bool fits(const struct drawing *d, const struct bead_text_style *style, d
     return width <= room * (1 + 1e-6) && height <= most;
 }
 
+/* No word is broken in lines of this width. */
+static bool words_fit(const struct drawing *d, const struct bead_text_style *style, const char *markup, double room)
+{
+    while (*markup) {
+        char word[512];
+        size_t length = 0;
+        for (bool tag = false; markup[length] && (tag || markup[length] != ' '); length++)
+            tag = markup[length] == '<' || (tag && markup[length] != '>');
+        snprintf(word, sizeof word, "%.*s", (int)length, markup);
+        if (!fits(d, style, 0, word, room, INFINITY))
+            return false;
+        markup += length + (markup[length] == ' ');
+    }
+    return true;
+}
+
 /* A title that fits: a little smaller where it must be, then in lines (*wrap), then small, then only its unit, then none. */
 static bool fit_title(const struct drawing *d, const char *title, struct bead_text_style *style, double *wrap, char *markup,
                       size_t size)
@@ -123,7 +139,7 @@ static bool fit_title(const struct drawing *d, const char *title, struct bead_te
         return true;
     style->size = full;
     *wrap = room;
-    if (fits(d, style, room, markup, room, most_lines * line_height * full) && room > narrowest_title * full)
+    if (words_fit(d, style, markup, room) && fits(d, style, room, markup, room, most_lines * line_height * full))
         return true;
     *wrap = 0;
     style->size = full * fmin(1, fmax(smallest_title, 0.99 * room / width));

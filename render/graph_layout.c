@@ -10,8 +10,9 @@
 /* In units of the label's font size. */
 static const double title_gap = 0.7, caption_gap = 0.5, legend_gap = 0.7, head_gap = 0.35, between_columns = 1.0,
                     between_rows = 0.8;
-/* Legends beside the panels take at most this part of the width, and of pages that are wider than high by this. */
-static const double widest_legend = 0.3, wide_page = 1.5;
+/* Legends beside the panels of pages that are wider than high by this take at most a part of the width, others where it is worth
+ * it. */
+static const double usual_legend = 0.3, widest_legend = 0.5, wide_page = 1.5;
 /* Panels are this much wider than high if they can. */
 static const double wanted_shape = 1.45;
 static const int smallest_plot = 24; /* px */
@@ -202,17 +203,27 @@ static void gather_legends(struct graph_layout *l)
     }
 }
 
-/* Beside the panels or below them. */
+/* In one column beside the panels. False: that is too wide or too high. */
+static bool fits_beside(struct graph_layout *l, double part, double height)
+{
+    graph_legend_measure(&l->legend, l->look, part * (l->width - 2 * l->frame.margin), 1);
+    return l->legend.wrap == 0 && l->legend.box.height < height;
+}
+
+/* Beside the panels of wide pages, else below them or where more is left to these. */
 static void measure_outside(struct graph_layout *l)
 {
-    double em = l->look->label, width = l->width - 2 * l->frame.margin;
+    double em = l->look->label, width = l->width - 2 * l->frame.margin, height = l->height - 2 * l->frame.margin - 4 * em;
     l->legend_right = false;
     l->legend.box = (struct graph_box){0};
     if (l->legend.count == 0)
         return;
-    graph_legend_measure(&l->legend, l->look, widest_legend * width, 1);
-    l->legend_right = l->width > wide_page * l->height && l->legend.wrap == 0 && l->legend.count > 2 &&
-                      l->legend.box.height < l->height - 2 * l->frame.margin - 4 * em;
+    graph_legend_measure(&l->legend, l->look, width, 0);
+    double below = l->legend.box.height;
+    if (l->width > wide_page * l->height && l->legend.count > 2 && fits_beside(l, usual_legend, height))
+        l->legend_right = true;
+    else if (fits_beside(l, widest_legend, height))
+        l->legend_right = (width - l->legend.box.width) * height > width * (height - below);
     if (!l->legend_right)
         graph_legend_measure(&l->legend, l->look, width, 0);
 }
