@@ -119,7 +119,7 @@ enum bead_error bead_canvas_read(struct bead_canvas *canvas, struct bead_rect so
     if (!gl)
         return bead_fail(msg, BEAD_ERROR_GRAPHICS, "the OpenGL context is lost");
     gl->PixelStorei(GL_PACK_ROW_LENGTH, (GLint)(frame->stride / 4));
-    gl->ReadPixels(source.x, source.y, source.width, source.height, GL_BGRA, GL_UNSIGNED_BYTE,
+    gl->ReadPixels(source.x, source.y, source.width, source.height, GL_RGBA, GL_UNSIGNED_BYTE,
                    frame->pixels + (size_t)y * frame->stride + (size_t)x * 4);
     return bead_gl_check(gl, "reading pixels", msg);
 }

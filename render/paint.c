@@ -15,7 +15,8 @@ struct bead_painter {
     struct brush balls, marks;
 };
 
-/* One attribute of an instance. */
+/* One attribute of an instance. Canvases keep their pixels as frames do, blue first, in what OpenGL takes for red: read back, they
+ * are copied as they are. So the colours of what is drawn change their order too (GL_BGRA). */
 struct attribute {
     GLint numbers;
     GLenum type;
@@ -26,14 +27,14 @@ struct attribute {
 static const struct attribute ball_attributes[] = {
     {3, GL_FLOAT, GL_FALSE, offsetof(struct bead_ball, x)},
     {2, GL_FLOAT, GL_FALSE, offsetof(struct bead_ball, left)},
-    {4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(struct bead_ball, rgba)},
+    {GL_BGRA, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(struct bead_ball, rgba)},
     {0, 0, 0, 0},
 };
 static const struct attribute mark_attributes[] = {
     {4, GL_FLOAT, GL_FALSE, offsetof(struct bead_mark, box)},
     {4, GL_FLOAT, GL_FALSE, offsetof(struct bead_mark, shape)},
     {1, GL_FLOAT, GL_FALSE, offsetof(struct bead_mark, kind)},
-    {4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(struct bead_mark, rgba)},
+    {GL_BGRA, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(struct bead_mark, rgba)},
     {0, 0, 0, 0},
 };
 
