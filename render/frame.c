@@ -71,17 +71,27 @@ static struct bead_rect bounding_box(struct bead_rect a, struct bead_rect b)
     return (struct bead_rect){x, y, most(a.x + a.width, b.x + b.width) - x, most(a.y + a.height, b.y + b.height) - y};
 }
 
+static int64_t area(struct bead_rect r)
+{
+    return (int64_t)r.width * r.height;
+}
+
+/* A rectangle joins the one beside or over which it adds least to the pixels, where it adds none or there is no more room: what
+ * moves in every frame is kept once, and what moves far apart stays apart. */
 void bead_changes_add(struct bead_changes *changes, struct bead_rect rect)
 {
     const size_t room = sizeof changes->rect / sizeof changes->rect[0];
     if (rect.width <= 0 || rect.height <= 0)
         return;
-    if (changes->count < room) {
-        changes->rect[changes->count++] = rect;
-        return;
+    size_t best = 0;
+    int64_t added = INT64_MAX;
+    for (size_t i = 0; i < changes->count; i++) {
+        int64_t more = area(bounding_box(changes->rect[i], rect)) - area(changes->rect[i]) - area(rect);
+        best = more < added ? i : best;
+        added = more < added ? more : added;
     }
-    for (size_t i = 1; i < changes->count; i++)
-        changes->rect[0] = bounding_box(changes->rect[0], changes->rect[i]);
-    changes->rect[0] = bounding_box(changes->rect[0], rect);
-    changes->count = 1;
+    if (changes->count == 0 || (added > 0 && changes->count < room))
+        changes->rect[changes->count++] = rect;
+    else
+        changes->rect[best] = bounding_box(changes->rect[best], rect);
 }

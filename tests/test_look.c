@@ -423,6 +423,24 @@ static void test_changes_merge(void **state)
     }
 }
 
+/* What changes in every frame is kept once, and places far apart do not take in what lies between them. */
+static void test_changes_stay_small(void **state)
+{
+    (void)state;
+    struct bead_changes changes = {0};
+    for (int i = 0; i < 40; i++) {
+        bead_changes_add(&changes, (struct bead_rect){i % 3, 0, 20, 10});
+        bead_changes_add(&changes, (struct bead_rect){1900, 1070 - i % 2, 20, 10});
+    }
+    assert_int_equal(changes.count, 2);
+    for (int i = 0; i < 40; i++)
+        bead_changes_add(&changes, (struct bead_rect){40 * i, 500, 2, 2});
+    size_t pixels = 0;
+    for (size_t r = 0; r < changes.count; r++)
+        pixels += (size_t)changes.rect[r].width * (size_t)changes.rect[r].height;
+    assert_true(pixels < 22 * 10 + 20 * 11 + 41 * 40 * 2);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -441,6 +459,7 @@ int main(void)
         cmocka_unit_test(test_unknown_map),
         cmocka_unit_test(test_values_to_colours),
         cmocka_unit_test(test_changes_merge),
+        cmocka_unit_test(test_changes_stay_small),
     };
     return cmocka_run_group_tests_name("looks", tests, NULL, NULL);
 }

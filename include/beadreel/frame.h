@@ -19,7 +19,7 @@ struct bead_frame {
     uint8_t *pixels;
 };
 
-/* Rectangles changed since the frame before; more than fit are merged into their bounding box. */
+/* Rectangles changed since the frame before; those that overlap much, and more than fit, are merged into bounding boxes. */
 struct bead_changes {
     size_t count;
     struct bead_rect rect[32];
