@@ -172,13 +172,28 @@ enum bead_error bead_stepper_branch(const struct bead_stepper *s, struct bead_st
 
 void bead_stepper_evaluate(struct bead_stepper *s, const double *u, const double *v, double *f, double *a)
 {
-    if (s->force == s->kernels->hertz) {
-        s->kernels->hertz_move(s->span, &s->table, u, s->inverse_mass, f, a);
-    } else {
-        s->force(s->active, &s->table, u, v, f);
-        s->accelerate(s->active, f, s->inverse_mass, a);
-    }
+    bead_stepper_evaluate_part(s, u, v, f, a, (struct bead_part){0, s->span});
     s->evaluations += s->active;
+}
+
+void bead_stepper_evaluate_part(const struct bead_stepper *s, const double *u, const double *v, double *f, double *a,
+                                struct bead_part part)
+{
+    const size_t from = part.from;
+    struct bead_contact_table table = s->table;
+    table.stiffness += from;
+    if (s->force == s->kernels->hertz) {
+        s->kernels->hertz_move(part.to - from, &table, u + from, s->inverse_mass + from, f + from, a + from);
+        return;
+    }
+    const size_t to = part.to < s->active ? part.to : s->active;
+    if (to <= from)
+        return;
+    table.static_compression += from;
+    table.static_force += from;
+    table.closed = table.closed ? table.closed + from : NULL;
+    s->force(to - from, &table, u + from, v ? v + from : NULL, f + from);
+    s->accelerate(to - from, f + from, s->inverse_mass + from, a + from);
 }
 
 void bead_stepper_advance(struct bead_stepper *s, double t1)

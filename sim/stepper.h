@@ -83,6 +83,12 @@ void bead_stepper_advance(struct bead_stepper *stepper, double t1);
 void bead_stepper_advance_by(struct bead_stepper *stepper, double h, double t1);
 /* Forces and accelerations of displacements u (and velocities v) in the active window. */
 void bead_stepper_evaluate(struct bead_stepper *stepper, const double *u, const double *v, double *f, double *a);
+/* The same for beads from..to - 1 (whole vectors, within the span); forces before them are there. Evaluations are not counted. */
+struct bead_part {
+    size_t from, to;
+};
+void bead_stepper_evaluate_part(const struct bead_stepper *stepper, const double *u, const double *v, double *f, double *a,
+                                struct bead_part part);
 /* Energy above the static state, J, and momentum, kg m/s, of a state. */
 double bead_stepper_energy(const struct bead_stepper *stepper, const struct bead_state *state);
 double bead_stepper_momentum(const struct bead_stepper *stepper, const struct bead_state *state);

@@ -311,6 +311,32 @@ static void bits_are_the_same(void **state)
     drop(&x, NULL);
 }
 
+/* A long chain goes through the stages in tiles, a short one does not. With the same beads, all moving, they agree to the bit but
+ * for what the short one's end has told its neighbours. */
+static void tiles_change_no_bit(void **state)
+{
+    (void)state;
+    enum { CELLS = 8000, PART = 1000, STEPS = 12, REACH = 10 * STEPS };
+    struct setup x[2];
+    struct bead_stepper *s[2];
+    for (int i = 0; i < 2; i++) {
+        describe(&x[i], 2, STEEL, ALUMINIUM, i ? PART : CELLS, NULL, 0.443);
+        x[i].spec.wall = BEAD_WALL_NONE;
+        make(&x[i]);
+        s[i] = make_stepper(&x[i], "rkn8", NULL, true);
+        s[i]->event_tolerance = 1e-8;
+        for (size_t j = 0; j < s[i]->beads; j++)
+            s[i]->end.v[j] = 0.1 * sin(1.7 * (double)j);
+        bead_stepper_evaluate(s[i], s[i]->end.u, s[i]->end.v, s[i]->end.f, s[i]->end.a);
+        steps(s[i], 4e-6, STEPS);
+    }
+    assert_memory_equal(s[0]->end.u, s[1]->end.u, (2 * PART - REACH) * sizeof(double));
+    assert_memory_equal(s[0]->end.v, s[1]->end.v, (2 * PART - REACH) * sizeof(double));
+    assert_memory_equal(s[0]->end.a, s[1]->end.a, (2 * PART - REACH) * sizeof(double));
+    for (int i = 0; i < 2; i++)
+        drop(&x[i], s[i]);
+}
+
 /* Velocities of P3 at 0.6 ms. */
 static double error_with(const char *method, double tolerance)
 {
@@ -506,6 +532,7 @@ int main(void)
         cmocka_unit_test(peaks_of_beads),
         cmocka_unit_test(two_beads_collide_exactly),
         cmocka_unit_test(other_powers_collide),
+        cmocka_unit_test(tiles_change_no_bit),
         cmocka_unit_test(kinks_are_put_right),
         cmocka_unit_test(momentum_is_kept),
         cmocka_unit_test(scaling_is_exact),

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Work against error of our methods and of whatever else is installed, as a table and as a diagram:
-#   precision.sh BUILD       writes BUILD/bench/work-precision.csv, .png and .pdf
+#   precision.sh BUILD       writes BUILD/bench/work-precision.csv, .png and .pdf (errors of peaks), work-precision-velocities.png
+#                            and .pdf (of velocities at an early time)
 # BENCH_QUICK=1: seconds instead of minutes. BENCH_LIMIT: CPU seconds that one run may take (default 5).
 set -e
 programs=$1/tests/bench here=$(dirname "$0") out=$1/bench
@@ -31,6 +32,7 @@ sweep() {
     done
 }
 scipy() { "$python" "$here/precision_scipy.py" "$2" "$1" "$3"; }
+boost() { "$work/boost" "$2" "$1" "$3"; }
 thesis() { octave-cli --norc --quiet "$here/precision_thesis.m" "$1" "$2"; }
 
 peers() {
@@ -47,6 +49,13 @@ peers() {
         done
     else
         say "SciPy is not installed and left out: python3-scipy would add it"
+    fi
+    if c++ -O3 -march=native -o "$work/boost" "$here/precision_boost.cc" 2> "$work/errors"; then
+        steps=${quick:+2e-6} tolerances=${quick:+1e-4}
+        sweep "Boost rkn_sb3a" "${steps:-4e-6 2e-6 1e-6 0.5e-6 0.25e-6 0.1e-6 0.05e-6 0.025e-6}" boost rkn_sb3a
+        sweep "Boost rkf78" "${tolerances:-1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10 1e-11 1e-12}" boost rkf78
+    else
+        say "Boost.odeint is not installed (or no C++ compiler) and left out: g++ and libboost-dev would add it"
     fi
     if octave-cli --version > "$work/version" 2>&1; then
         steps=${quick:+0.8e-6}
@@ -90,4 +99,5 @@ echo problem,solver,setting,cpu_s,error_peaks,error_velocity,evaluations > "$tab
 mv "$table.part" "$table"
 summary
 "$programs/precision_diagram" "$table" "$out/work-precision"
-say "wrote $table, $out/work-precision.png and .pdf"
+"$programs/precision_diagram" "$table" "$out/work-precision-velocities" velocity
+say "wrote $table, $out/work-precision.png and .pdf, work-precision-velocities.png and .pdf"

@@ -1,5 +1,5 @@
 /* The work-precision diagram of a table of precision.sh, drawn with this program's own axes and text.
- *   precision_diagram TABLE.csv NAME       writes NAME.png and NAME.pdf */
+ *   precision_diagram TABLE.csv NAME [velocity]       writes NAME.png and NAME.pdf: errors of peaks, or of velocities */
 #include "beadreel/picture.h"
 
 #include "beadreel/colormap.h"
@@ -42,6 +42,8 @@ static const struct style {
     {"GSL rk8pd", "GSL rk8pd", {0.00, 0.45, 0.70}, 1.5, true, SQUARE},
     {"CVODE Adams", "SUNDIALS CVODE, Adams", {0.00, 0.60, 0.60}, 1.5, true, TRIANGLE},
     {"ARKODE ERK8", "SUNDIALS ARKODE, ERK 8", {0.20, 0.70, 0.85}, 1.5, true, DIAMOND},
+    {"Boost rkn_sb3a", "Boost.odeint, RKN SB3A", {0.55, 0.35, 0.15}, 1.5, true, SQUARE},
+    {"Boost rkf78", "Boost.odeint, RKF 7(8)", {0.85, 0.60, 0.30}, 1.5, true, TRIANGLE},
     {"SciPy DOP853", "SciPy DOP853", {0.25, 0.25, 0.75}, 1.5, true, DISC},
     {"SciPy LSODA", "SciPy LSODA", {0.60, 0.60, 0.90}, 1.5, true, RING},
     {"thesis (Octave)", "the thesis's program, Octave", {0.10, 0.10, 0.10}, 1.5, true, DISC},
@@ -51,9 +53,10 @@ enum { STYLES = sizeof styles / sizeof *styles };
 struct diagram {
     struct bead_look look;
     struct points points;
+    bool velocities;
 };
 
-static struct points read_points(const char *path)
+static struct points read_points(const char *path, bool velocities)
 {
     struct points all = {NULL, 0};
     char line[512];
@@ -62,8 +65,11 @@ static struct points read_points(const char *path)
         GIVE_UP("cannot read %s", path);
     while (fgets(line, sizeof line, file)) {
         struct point p;
-        if (sscanf(line, "%47[^,],%47[^,],%*[^,],%lf,%lf", p.problem, p.solver, &p.cpu, &p.error) != 4 || !(p.cpu > 0) ||
-            !isfinite(p.error))
+        double velocity;
+        if (sscanf(line, "%47[^,],%47[^,],%*[^,],%lf,%lf,%lf", p.problem, p.solver, &p.cpu, &p.error, &velocity) != 5)
+            continue;
+        p.error = velocities ? velocity : p.error;
+        if (!(p.cpu > 0) || !isfinite(p.error))
             continue;
         struct point *grown = realloc(all.point, (all.count + 1) * sizeof *grown);
         if (!grown)
@@ -179,7 +185,9 @@ static void draw_panel(cairo_t *cr, const struct diagram *d, struct panel *panel
     bead_box_draw(cr, look, panel->plot);
     bead_axis_draw(cr, look, &panel->work, panel->plot, BEAD_SIDE_BOTTOM, false, true, "CPU time");
     bead_axis_draw(cr, look, &panel->error, panel->plot, BEAD_SIDE_LEFT, false, true,
-                   left ? "relative error of peak forces" : NULL);
+                   !left           ? NULL
+                   : d->velocities ? "error of velocities, of the striker's"
+                                   : "relative error of peak forces");
     struct bead_text_style title = {.family = look->family, .size = look->title, .colour = look->ink, .down = BEAD_ALIGN_END};
     bead_text_draw(cr, &title, panel->plot.x, panel->plot.y - look->gap, panel->title);
     cairo_save(cr);
@@ -272,9 +280,12 @@ int main(int count, char **word)
     struct bead_message msg = {""};
     struct bead_picture_notes notes = {dpi, "Work against error", "Waves in chains of beads: CPU time and error of peak forces",
                                        NULL, NULL};
-    if (count != 3)
-        GIVE_UP("precision_diagram TABLE.csv NAME");
-    struct diagram diagram = {.points = read_points(word[1])};
+    const bool velocities = count == 4 && strcmp(word[3], "velocity") == 0;
+    if (count != 3 && !velocities)
+        GIVE_UP("precision_diagram TABLE.csv NAME [velocity]");
+    if (velocities)
+        notes.description = "Waves in chains of beads: CPU time of a whole run and error of velocities at an early time";
+    struct diagram diagram = {.points = read_points(word[1], velocities), .velocities = velocities};
     bead_look_paper(&diagram.look, dpi);
     snprintf(path, sizeof path, "%s.png", word[2]);
     enum bead_error err = write_png(&diagram, path, &notes, &msg);
