@@ -42,19 +42,21 @@ static enum bead_error compile(const struct bead_gl *gl, const char *asset, GLen
     return bead_fail(msg, BEAD_ERROR_GRAPHICS, "%s does not compile: %s", asset, log);
 }
 
-enum bead_error bead_gl_program(const struct bead_gl *gl, const char *name, GLuint *program, struct bead_message *msg)
+enum bead_error bead_gl_program(const struct bead_gl *gl, const char *vertex, const char *fragment, GLuint *program,
+                                struct bead_message *msg)
 {
     static const struct {
         const char *extension;
         GLenum kind;
     } stages[2] = {{"vert", GL_VERTEX_SHADER}, {"frag", GL_FRAGMENT_SHADER}};
+    const char *const names[2] = {vertex, fragment};
     GLint good = 0;
     enum bead_error err = BEAD_OK;
     *program = gl->CreateProgram();
     for (int i = 0; !err && i < 2; i++) {
         char asset[64];
         GLuint shader;
-        snprintf(asset, sizeof asset, "shaders/%s.%s", name, stages[i].extension);
+        snprintf(asset, sizeof asset, "shaders/%s.%s", names[i], stages[i].extension);
         err = compile(gl, asset, stages[i].kind, &shader, msg);
         if (!err) {
             gl->AttachShader(*program, shader);
@@ -68,7 +70,7 @@ enum bead_error bead_gl_program(const struct bead_gl *gl, const char *name, GLui
     if (!err && !good) {
         char log[512] = "";
         gl->GetProgramInfoLog(*program, sizeof log, NULL, log);
-        err = bead_fail(msg, BEAD_ERROR_GRAPHICS, "shaders/%s does not link: %s", name, log);
+        err = bead_fail(msg, BEAD_ERROR_GRAPHICS, "shaders/%s does not link: %s", fragment, log);
     }
     if (err) {
         gl->DeleteProgram(*program);

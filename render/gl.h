@@ -68,9 +68,10 @@ struct bead_canvas;
 
 /* Fill `gl` from the canvas's back end. Errors: GRAPHICS. */
 BEAD_CHECK enum bead_error bead_gl_load(struct bead_gl *gl, const struct bead_canvas *canvas, struct bead_message *msg);
-/* Compile and link shaders/`name`.vert and shaders/`name`.frag of the assets. Errors: IO, MEMORY, GRAPHICS (with the compiler's
- * words). */
-BEAD_CHECK enum bead_error bead_gl_program(const struct bead_gl *gl, const char *name, GLuint *program, struct bead_message *msg);
+/* Compile and link shaders/`vertex`.vert and shaders/`fragment`.frag of the assets. Errors: IO, MEMORY, GRAPHICS (with the
+ * compiler's words). */
+BEAD_CHECK enum bead_error bead_gl_program(const struct bead_gl *gl, const char *vertex, const char *fragment, GLuint *program,
+                                           struct bead_message *msg);
 /* A texture of that size, RGBA8, with an own framebuffer object; `pixels` (B G R X rows, NULL: undefined) of `stride` bytes a row.
  * Errors: GRAPHICS. */
 BEAD_CHECK enum bead_error bead_gl_target(const struct bead_gl *gl, int width, int height, const void *pixels, size_t stride,

@@ -10,9 +10,13 @@ struct brush {
     GLuint program, vertices;
 };
 
+/* Fragment shaders of marks. Software renderers run all branches of a shader for every pixel: what covers many has its own. */
+enum { PLAIN, GLOW, ZOOM, MARK_BRUSHES };
+static const char *const mark_shaders[MARK_BRUSHES] = {[PLAIN] = "mark", [GLOW] = "glow", [ZOOM] = "zoom"};
+
 struct bead_painter {
     GLuint buffer;
-    struct brush balls, marks;
+    struct brush balls, marks[MARK_BRUSHES];
 };
 
 /* One attribute of an instance. Canvases keep their pixels as frames do, blue first, in what OpenGL takes for red: read back, they
@@ -38,11 +42,11 @@ static const struct attribute mark_attributes[] = {
     {0, 0, 0, 0},
 };
 
-static enum bead_error make_brush(struct bead_canvas *canvas, const char *name, GLuint buffer, size_t stride,
-                                  const struct attribute *attributes, struct brush *brush, struct bead_message *msg)
+static enum bead_error make_brush(struct bead_canvas *canvas, const char *vertex, const char *fragment, GLuint buffer,
+                                  size_t stride, const struct attribute *attributes, struct brush *brush, struct bead_message *msg)
 {
     const struct bead_gl *gl = &canvas->gl;
-    enum bead_error err = bead_gl_program(gl, name, &brush->program, msg);
+    enum bead_error err = bead_gl_program(gl, vertex, fragment, &brush->program, msg);
     if (err)
         return err;
     gl->UseProgram(brush->program);
@@ -66,20 +70,26 @@ static enum bead_error make_painter(struct bead_canvas *canvas, struct bead_mess
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for drawing");
     canvas->painter = p; /* freed with the canvas, also when half made */
     canvas->gl.GenBuffers(1, &p->buffer);
-    enum bead_error err = make_brush(canvas, "ball", p->buffer, sizeof(struct bead_ball), ball_attributes, &p->balls, msg);
-    return err ? err : make_brush(canvas, "mark", p->buffer, sizeof(struct bead_mark), mark_attributes, &p->marks, msg);
+    enum bead_error err = make_brush(canvas, "ball", "ball", p->buffer, sizeof(struct bead_ball), ball_attributes, &p->balls, msg);
+    for (int i = 0; !err && i < MARK_BRUSHES; i++)
+        err = make_brush(canvas, "mark", mark_shaders[i], p->buffer, sizeof(struct bead_mark), mark_attributes, &p->marks[i], msg);
+    return err;
+}
+
+static void free_brush(const struct brush *brush, const struct bead_gl *gl)
+{
+    gl->DeleteVertexArrays(1, &brush->vertices);
+    if (brush->program)
+        gl->DeleteProgram(brush->program);
 }
 
 void bead_painter_destroy(struct bead_painter *painter, const struct bead_gl *gl)
 {
     if (!painter)
         return;
-    const struct brush brushes[] = {painter->balls, painter->marks};
-    for (int i = 0; i < 2; i++) {
-        gl->DeleteVertexArrays(1, &brushes[i].vertices);
-        if (brushes[i].program)
-            gl->DeleteProgram(brushes[i].program);
-    }
+    free_brush(&painter->balls, gl);
+    for (int i = 0; i < MARK_BRUSHES; i++)
+        free_brush(&painter->marks[i], gl);
     gl->DeleteBuffers(1, &painter->buffer);
     free(painter);
 }
@@ -150,7 +160,17 @@ void bead_paint_balls(struct bead_canvas *canvas, const struct bead_ball *balls,
     paint(canvas, &canvas->painter->balls, balls, sizeof *balls, count);
 }
 
+static int brush_of(const struct bead_mark *mark)
+{
+    return mark->kind == BEAD_MARK_GLOW ? GLOW : mark->kind == BEAD_MARK_ZOOM ? ZOOM : PLAIN;
+}
+
 void bead_paint_marks(struct bead_canvas *canvas, const struct bead_mark *marks, size_t count)
 {
-    paint(canvas, &canvas->painter->marks, marks, sizeof *marks, count);
+    for (size_t i = 0, end; i < count; i = end) {
+        int brush = brush_of(&marks[i]);
+        for (end = i + 1; end < count && brush_of(&marks[end]) == brush;)
+            end++;
+        paint(canvas, &canvas->painter->marks[brush], marks + i, sizeof *marks, end - i);
+    }
 }
