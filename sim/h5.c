@@ -85,6 +85,8 @@ void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *m
     }
     if (h5->disk.file >= 0)
         close(h5->disk.file);
+    if (h5->file < 0)
+        bead_h5_disk_leave(&h5->disk);
 }
 
 /* What the disk said, if it failed: HDF5 has not noticed. */
@@ -150,6 +152,7 @@ void bead_h5_shut(struct bead_h5 *h5)
     if (h5->file >= 0 && H5Fclose(h5->file) < 0)
         bead_h5_fail(h5, true, "cannot be closed properly");
     h5->file = -1;
+    bead_h5_disk_leave(&h5->disk);
     check_disk(h5);
 }
 

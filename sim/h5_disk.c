@@ -186,9 +186,13 @@ static const H5FD_class_t driver = {
 herr_t bead_h5_disk_use(hid_t access, struct bead_h5_disk *disk)
 {
     struct info info = {disk};
-    hid_t id = H5FDregister(&driver);
-    herr_t status = id < 0 ? -1 : H5Pset_driver(access, id, &info);
-    if (id >= 0)
-        H5FDunregister(id); /* the list and the file keep it as long as they need it */
-    return status;
+    disk->driver = H5FDregister(&driver);
+    return disk->driver < 0 ? -1 : H5Pset_driver(access, disk->driver, &info);
+}
+
+void bead_h5_disk_leave(struct bead_h5_disk *disk)
+{
+    if (disk->driver > 0)
+        H5FDunregister(disk->driver);
+    disk->driver = -1;
 }

@@ -12,9 +12,12 @@
 struct bead_h5_disk {
     int file;  /* open for reading and writing; taken over (and set to -1) when HDF5 opens its file */
     int error; /* errno of the first failure, 0: none */
+    hid_t driver;
 };
 
-/* Make `access` (a file access list) use the driver. Returns < 0 on failure. */
+/* Make `access` (a file access list) use the driver, which stays until bead_h5_disk_leave. Returns < 0 on failure. */
 herr_t bead_h5_disk_use(hid_t access, struct bead_h5_disk *disk);
+/* After the file is closed, and not before: HDF5 reads the driver's table once more when it has let go of it. */
+void bead_h5_disk_leave(struct bead_h5_disk *disk);
 
 #endif
