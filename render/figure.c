@@ -51,9 +51,8 @@ enum bead_error bead_figure_times(const struct bead_output *output, const struct
     time[0] = isnan(output->time[0]) ? 0 : output->time[0];
     time[1] = isnan(output->time[1]) ? end : fmin(output->time[1], end);
     if (!(time[1] > time[0]) || !isfinite(time[1]))
-        return bead_fail(msg, BEAD_ERROR_SCENE,
-                         "%s:%zu:%zu: time: from %g s to %g s there is nothing to show; the run ends at %g s", stage->scene->file,
-                         output->place.line, output->place.column, time[0], time[1], end);
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: time: from %g to %g there is nothing to show; the run ends at %g",
+                         stage->scene->file, output->place.line, output->place.column, time[0], time[1], end);
     return BEAD_OK;
 }
 

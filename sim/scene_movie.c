@@ -62,6 +62,12 @@ static const struct bead_option card_rows[] = {
 const struct bead_options bead_card_options = {"outputs.card", "a title card: title, chains, scale of time",
                                                BEAD_OPTIONS(card_rows), NULL, NULL};
 
+/* Behind times of the motion in messages. */
+static const char *unit_of(const struct bead_reader *reader)
+{
+    return bead_scene_plain(reader->scene) ? "" : " s";
+}
+
 static enum bead_error read_caption(struct bead_reader *reader, const struct bead_at *at, struct bead_caption *caption)
 {
     enum bead_error err = bead_options_read(reader, at, &bead_caption_options, 0, caption);
@@ -72,7 +78,8 @@ static enum bead_error read_caption(struct bead_reader *reader, const struct bea
     if (!err && !isnan(caption->until) && !isnan(caption->lasting))
         return bead_wrong(reader, &where, "is given beside `for`; give one of them");
     if (!err && caption->until <= caption->at)
-        return bead_wrong(reader, &where, "is %g s; must be later than `at`, %g s", caption->until, caption->at);
+        return bead_wrong(reader, &where, "is %g%s; must be later than `at`, %g%s", caption->until, unit_of(reader), caption->at,
+                          unit_of(reader));
     return err;
 }
 
@@ -98,8 +105,8 @@ BEAD_OUTPUT_READER(bead_output_read_captions)
         err = read_caption(reader, &element, &output->captions[i]);
         struct bead_at where = bead_at_key(&element, "at");
         if (!err && i > 0 && output->captions[i].at <= output->captions[i - 1].at)
-            err = bead_wrong(reader, &where, "is %g s; must be later than that of the caption before, %g s", output->captions[i].at,
-                             output->captions[i - 1].at);
+            err = bead_wrong(reader, &where, "is %g%s; must be later than that of the caption before, %g%s", output->captions[i].at,
+                             unit_of(reader), output->captions[i - 1].at, unit_of(reader));
     }
     return err;
 }
@@ -156,8 +163,8 @@ static enum bead_error check_captions(const struct bead_reader *reader, const st
     for (size_t i = 0; i < output->caption_count; i++) {
         struct bead_at element = {&list, NULL, i, list.node->items[i]}, where = bead_at_key(&element, "at");
         if (output->captions[i].at >= end)
-            return bead_wrong(reader, &where, "is %g s; must be before the end of what is shown, at %g s", output->captions[i].at,
-                              end);
+            return bead_wrong(reader, &where, "is %g%s; must be before the end of what is shown, at %g%s", output->captions[i].at,
+                              unit_of(reader), end, unit_of(reader));
     }
     return BEAD_OK;
 }
@@ -178,7 +185,7 @@ enum bead_error bead_output_check_movie(const struct bead_reader *reader, const 
     if (!isnan(output->poster_at) && !output->poster[0])
         return bead_wrong(reader, &where, "is given, but no `poster`");
     if (output->poster_at > fmin(reader->scene->simulate.until, output->time[1]) || output->poster_at < output->time[0])
-        return bead_wrong(reader, &where, "is %g s; must be a time that the movie shows", output->poster_at);
+        return bead_wrong(reader, &where, "is %g%s; must be a time that the movie shows", output->poster_at, unit_of(reader));
     return check_captions(reader, at, output);
 }
 

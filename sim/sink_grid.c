@@ -35,15 +35,15 @@ enum bead_error bead_sink_grid(const struct bead_output *output, const struct be
     grid->end = isnan(output->time[1]) ? stage->end : fmin(output->time[1], stage->end);
     grid->every = output->every > 0 ? output->every : bead_round_down(resolution);
     if (!(grid->start >= 0) || !(grid->end >= grid->start))
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: time: starts at %g s, but the run ends at %g s", file, place.line,
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: time: starts at %g, but the run ends at %g", file, place.line,
                          place.column, grid->start, grid->end);
     if (stage->native.every > 0)
         snap(&stage->native, output->every, grid);
     if (!((grid->end - grid->start) / grid->every < most_samples))
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: every: %g s gives %.3g samples, at most %g are allowed", file,
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: every: %g gives %.3g samples, at most %g are allowed", file,
                          place.line, place.column, grid->every, (grid->end - grid->start) / grid->every, most_samples);
     if (bead_grid_count(grid) == 0)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: time: there are no samples from %g s to %g s", file, place.line,
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: time: there are no samples from %g to %g", file, place.line,
                          place.column, grid->start, grid->end);
     return BEAD_OK;
 }

@@ -260,7 +260,7 @@ static void check_finite(struct bead_sink *sink, enum bead_series_id id)
     for (size_t i = sink->written * series->columns; i < sink->filled * series->columns; i++) {
         if (isfinite(series->buffer[i]))
             continue;
-        sink->h5.error = bead_fail(sink->h5.msg, BEAD_ERROR_NUMBERS, "%s: the %s at %g s is not a finite number", sink->path,
+        sink->h5.error = bead_fail(sink->h5.msg, BEAD_ERROR_NUMBERS, "%s: the %s at the time %g is not a finite number", sink->path,
                                    bead_field_info(bead_series[id].field)->title, sink->times[i / series->columns]);
         return;
     }
