@@ -5,6 +5,7 @@
 
 #include "beadreel/file.h"
 #include "render/graph.h"
+#include "render/markup.h"
 #include "render/sinks.h"
 
 /* Times of a curve where the scene does not say how often; more cannot be seen. */
@@ -139,7 +140,10 @@ static enum bead_error end(struct bead_sink *s, const struct bead_outcome *outco
                                 .series = series + c * s->modes,
                                 .series_count = s->modes};
     }
-    struct bead_graph graph = {.title = *s->stage.scene->title ? s->stage.scene->title : NULL,
+    char title[2048] = "";
+    if (s->output.style != BEAD_STYLE_PAPER) /* on paper the text says what it is */
+        bead_markup_quote(s->stage.scene->title, title, sizeof title);
+    struct bead_graph graph = {.title = *title ? title : NULL,
                                .caption = s->output.caption && *s->output.caption ? s->output.caption : NULL,
                                .panels = panels,
                                .panel_count = chains,

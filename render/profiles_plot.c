@@ -6,6 +6,7 @@
 #include "beadreel/file.h"
 #include "beadreel/look.h"
 #include "render/graph.h"
+#include "render/markup.h"
 #include "render/sinks.h"
 #include "render/units.h"
 
@@ -230,7 +231,10 @@ static enum bead_error end(struct bead_sink *s, const struct bead_outcome *outco
     }
     for (size_t c = 0; !err && c < chains; c++)
         fill_panel(s, c, label, series + c * moments, &panels[c]);
-    struct bead_graph graph = {.title = *s->stage.scene->title ? s->stage.scene->title : NULL,
+    char title[2048] = "";
+    if (s->output.style != BEAD_STYLE_PAPER) /* on paper the text says what it is */
+        bead_markup_quote(s->stage.scene->title, title, sizeof title);
+    struct bead_graph graph = {.title = *title ? title : NULL,
                                .caption = s->output.caption && *s->output.caption ? s->output.caption : NULL,
                                .panels = panels,
                                .panel_count = chains,
