@@ -2,6 +2,7 @@
 #include "beadreel/colormap.h"
 #include "beadreel/movie.h"
 #include "beadreel/render.h"
+#include "beadreel/sweep.h"
 #include "beadreel/view.h"
 #include "sim/command_line.h"
 
@@ -39,6 +40,7 @@ static const struct command_list lists[] = {
     {"laws", command_list_laws},
     {"equations", command_list_equations},
     {"measures", command_list_measures},
+    {"thresholds", command_list_thresholds},
     {"colormaps", list_colormaps},
     {"codecs", list_codecs},
     {"keys", command_list_keys},
@@ -50,6 +52,7 @@ int main(int argc, char **argv)
 {
     static const char *const canvases[] = {"osmesa", "egl", NULL};
     const struct bead_sink_type *const *const sinks[] = {bead_data_sinks(), bead_render_sinks(), NULL};
+    const struct bead_sweep_sink *const *const sweep_sinks[] = {bead_sweep_data_sinks(), bead_sweep_render_sinks(), NULL};
     const struct command_program program = {
         .name = "beadreel",
         .purpose = "strikes chains of beads and makes pictures and movies of the waves in them",
@@ -62,6 +65,7 @@ int main(int argc, char **argv)
                     "  beadreel scene.yaml --only beads.mp4 --set outputs.0.size='[640, 360]'\n",
         .lists = lists,
         .sinks = sinks,
+        .sweep_sinks = sweep_sinks,
         .canvases = canvases,
     };
     return command_main(&program, argc, argv);

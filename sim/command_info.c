@@ -10,6 +10,7 @@
 
 #include "beadreel/chain.h"
 #include "beadreel/scene.h"
+#include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
 
 #define SHOWN 72 /* longer spin strings are cut */
@@ -74,7 +75,7 @@ static void print_chain(FILE *out, const struct bead_chain *chain, size_t index)
 
 static void print_outputs(FILE *out, const struct bead_scene *scene)
 {
-    static const char *const kinds[BEAD_OUTPUT_KINDS] = {"trajectory", "image", "movie", "plot", "table"};
+    static const char *const kinds[BEAD_OUTPUT_KINDS] = {"trajectory", "image", "movie", "plot", "table", "sweep"};
     for (size_t i = 0; i < scene->output_count; i++)
         fprintf(out, "output %zu: %s %s\n", i, kinds[scene->outputs[i].kind], scene->outputs[i].path);
 }
@@ -188,7 +189,50 @@ static enum bead_error trajectory_info(const struct command *command, FILE *out,
     return err;
 }
 
+static void print_sweep(FILE *out, const struct bead_sweep *sweep, size_t index)
+{
+    const struct bead_sweep_panel *panel = bead_sweep_panel(sweep, index);
+    const struct bead_sweep_spec *spec = panel->spec;
+    fprintf(out, "sweep %s%s%zu configurations of striker and %zu beads, %zu random cells, seed %llu\n", panel->name,
+            *panel->name ? ": " : "", panel->configurations, panel->beads - 1, spec->cells, (unsigned long long)spec->seed);
+    if (spec->spins)
+        fprintf(out, "  spins as given\n");
+    else if (!spec->own_magnetism)
+        fprintf(out, "  magnetism: %zu from %.4g to %.4g\n", spec->group_count, spec->groups[0].magnetism,
+                spec->groups[spec->group_count - 1].magnetism);
+    for (size_t place = 0; place < panel->places; place++) {
+        struct bead_sweep_configuration clean;
+        char force[32];
+        if (bead_sweep_configuration(sweep, index, BEAD_SWEEP_CLEAN, &clean))
+            fprintf(out, "  %s: %s with all cells up\n", bead_sweep_place(sweep, index, place),
+                    command_quantity(clean.peaks[place].force, "N", force, sizeof force));
+    }
+    if (spec->measures.decay)
+        fprintf(out, "  peaks of force and energy of every bead\n");
+}
+
+static enum bead_error sweep_info(const struct command *command, FILE *out, struct bead_message *msg)
+{
+    struct bead_sweep *sweep = NULL;
+    enum bead_error err = bead_sweep_open(command->input, command->settings, command->setting_count, &sweep, msg);
+    if (err)
+        return err;
+    size_t part = 0, parts = 0, known = 0, all = bead_sweep_count(sweep, &known);
+    print_head(out, command->input, "sweep", bead_sweep_scene(sweep));
+    for (size_t i = 0; i < bead_sweep_panels(sweep); i++)
+        print_sweep(out, sweep, i);
+    bead_sweep_part(sweep, &part, &parts);
+    if (parts > 1)
+        fprintf(out, "part %zu of %zu: %zu of %zu chains\n", part, parts, known, all);
+    fprintf(out, "computed by version %s\n", bead_sweep_version(sweep));
+    print_outputs(out, bead_sweep_scene(sweep));
+    bead_sweep_close(sweep);
+    return BEAD_OK;
+}
+
 enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg)
 {
+    if (bead_sweep_is(command->input))
+        return sweep_info(command, out, msg);
     return bead_trajectory_is(command->input) ? trajectory_info(command, out, msg) : scene_info(command, out, msg);
 }

@@ -149,6 +149,35 @@ static enum bead_error set_plan(struct command *command, const char *value, stru
     return BEAD_OK;
 }
 
+static enum bead_error set_configuration(struct command *command, const char *value, struct bead_message *msg)
+{
+    if (!*value)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--configuration: the number is empty");
+    command->configuration = value;
+    return BEAD_OK;
+}
+
+static enum bead_error set_shard(struct command *command, const char *value, struct bead_message *msg)
+{
+    char *slash = NULL, *end = NULL;
+    errno = 0;
+    unsigned long part = strtoul(value, &slash, 10), parts = *slash == '/' ? strtoul(slash + 1, &end, 10) : 0;
+    if (*value < '0' || *value > '9' || *slash != '/' || slash[1] < '0' || slash[1] > '9' || *end || errno || part < 1 ||
+        part > parts || parts > 1000000)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: `%s` is not of the form K/N with K from 1 to N, N at most 1000000",
+                         value);
+    command->shard = part;
+    command->shards = parts;
+    return BEAD_OK;
+}
+
+static enum bead_error set_merge(struct command *command, const char *value, struct bead_message *msg)
+{
+    (void)value, (void)msg;
+    command->action = COMMAND_MERGE;
+    return BEAD_OK;
+}
+
 static enum bead_error set_help(struct command *command, const char *value, struct bead_message *msg)
 {
     if (value && strcmp(value, "man") != 0)
@@ -170,7 +199,10 @@ static const struct option_row rows[] = {
     {"only", 0, "NAME", "make only this output, by its file name (repeatable)", set_only},
     {"plan", 0, NULL, "say what would be computed, what is skipped and why, and stop", set_plan},
     {"list", 0, "WHAT", "list %s", set_list},
-    {"info", 0, "FILE", "describe a scene or a trajectory and stop", set_info},
+    {"info", 0, "FILE", "describe a scene, a trajectory or a sweep's file and stop", set_info},
+    {"configuration", 0, "N", "run chain N of a sweep's file alone, NAME:N where it has several sweeps", set_configuration},
+    {"shard", 0, "K/N", "compute part K of N of a sweep, into a file of its own: sweep.h5 -> sweep.KofN.h5", set_shard},
+    {"merge", 0, NULL, "put the parts of a sweep that are named, in any order, together into the file -o", set_merge},
     {"threads", 0, "N", "use N threads (default 0: all cores); the results are the same for any", set_threads},
     {"instructions", 0, "SET", "vector instructions sse2, avx2 or avx512 (default: best); same results", set_instructions},
     {"canvas", 0, "NAME", "draw beads with osmesa or egl (default: the first that works); same pixels", set_canvas},
@@ -266,6 +298,8 @@ static enum bead_error unknown_option(char **argv, int found, struct bead_messag
 
 static enum bead_error take_input(struct command *command, int argc, char **argv, struct bead_message *msg)
 {
+    while (command->action == COMMAND_MERGE && optind < argc)
+        command->parts[command->part_count++] = argv[optind++];
     if (optind < argc && command->input)
         return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: `%s` and `%s`", command->input, argv[optind]);
     if (optind < argc)
@@ -340,6 +374,8 @@ static enum bead_error act(const struct command *command, struct bead_message *m
         return command->list->print(stdout, msg);
     case COMMAND_INFO:
         return command_info(command, stdout, msg);
+    case COMMAND_MERGE:
+        return command_merge(command, msg);
     case COMMAND_PLAN:
         return command_plan(command, &stop_signal, msg);
     case COMMAND_RUN:
@@ -365,7 +401,8 @@ int command_main(const struct command_program *program, int argc, char **argv)
     enum bead_error err = BEAD_OK;
     command.settings = calloc((size_t)argc + 1, sizeof *command.settings);
     command.only = calloc((size_t)argc + 1, sizeof *command.only);
-    if (!err && (!command.settings || !command.only))
+    command.parts = calloc((size_t)argc + 1, sizeof *command.parts);
+    if (!err && (!command.settings || !command.only || !command.parts))
         err = bead_fail(&msg, BEAD_ERROR_MEMORY, "out of memory");
     if (!err)
         err = parse(&command, argc, argv, &msg);
@@ -375,6 +412,7 @@ int command_main(const struct command_program *program, int argc, char **argv)
         err = bead_fail(&msg, BEAD_ERROR_IO, "cannot write to standard output: %s", strerror(errno));
     free(command.settings);
     free(command.only);
+    free(command.parts);
     int number = stop_signal;
     if (err == BEAD_ERROR_STOPPED && number) {
         snprintf(msg.text, sizeof msg.text, "stopped by signal %d (%s)", number, strsignal(number));

@@ -26,10 +26,20 @@ struct command_program {
     const char *usage, *examples;                     /* paragraphs for --help */
     const struct command_list *lists;                 /* ends with a NULL name */
     const struct bead_sink_type *const *const *sinks; /* for the job, NULL-terminated */
-    const char *const *canvases;                      /* what --canvas allows, NULL-terminated; NULL: the program does not draw */
+    const struct bead_sweep_sink *const *const *sweep_sinks;
+    const char *const *canvases; /* what --canvas allows, NULL-terminated; NULL: the program does not draw */
 };
 
-enum command_action { COMMAND_RUN, COMMAND_PLAN, COMMAND_LIST, COMMAND_INFO, COMMAND_HELP, COMMAND_MAN, COMMAND_VERSION };
+enum command_action {
+    COMMAND_RUN,
+    COMMAND_PLAN,
+    COMMAND_LIST,
+    COMMAND_INFO,
+    COMMAND_MERGE,
+    COMMAND_HELP,
+    COMMAND_MAN,
+    COMMAND_VERSION
+};
 enum command_progress { COMMAND_PROGRESS_AUTO, COMMAND_PROGRESS_PLAIN, COMMAND_PROGRESS_JSON, COMMAND_PROGRESS_NONE };
 
 /* A parsed command line; strings are borrowed from argv. */
@@ -37,9 +47,10 @@ struct command {
     const struct command_program *program;
     enum command_action action;
     const struct command_list *list;
-    const char *input, *output, *instructions, *canvas;
-    const char **settings, **only; /* owned arrays */
-    size_t setting_count, only_count;
+    const char *input, *output, *instructions, *canvas, *configuration;
+    const char **settings, **only, **parts; /* owned arrays; parts: files to merge */
+    size_t setting_count, only_count, part_count;
+    size_t shard, shards; /* 0, 0: all */
     int threads;
     enum command_progress progress;
 };
@@ -50,6 +61,7 @@ int command_main(const struct command_program *program, int argc, char **argv);
 /* The actions. Errors: those of session.h, scene.h, trajectory.h; IO where stdout fails. */
 enum bead_error command_run(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
 enum bead_error command_plan(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
+enum bead_error command_merge(const struct command *command, struct bead_message *msg);
 enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg);
 
 /* Lists that need no graphics. */
@@ -59,12 +71,14 @@ enum bead_error command_list_methods(FILE *out, struct bead_message *msg);
 enum bead_error command_list_laws(FILE *out, struct bead_message *msg);
 enum bead_error command_list_equations(FILE *out, struct bead_message *msg); /* that a chain may be instead of beads */
 enum bead_error command_list_measures(FILE *out, struct bead_message *msg);
+enum bead_error command_list_thresholds(FILE *out, struct bead_message *msg);
 enum bead_error command_list_keys(FILE *out, struct bead_message *msg); /* of scenes: unit, range, default */
 
 /* Progress on stderr. */
 struct command_meter {
-    enum command_progress mode; /* AUTO stands for a bar on a terminal */
-    double began, said;         /* s, monotonic clock: this stage began, the last line was written */
+    enum command_progress mode;     /* AUTO stands for a bar on a terminal */
+    double done_began, items_began; /* of a stage that goes on where another process was stopped */
+    double began, said;             /* s, monotonic clock: this stage began, the last line was written */
     char what[160];
     bool drawn; /* the terminal's line is not empty */
 };

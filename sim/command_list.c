@@ -7,6 +7,7 @@
 #include "beadreel/measure.h"
 #include "beadreel/methods.h"
 #include "beadreel/scene.h"
+#include "beadreel/statistics.h"
 #include "sim/equation.h"
 
 enum bead_error command_list_scenes(FILE *out, struct bead_message *msg)
@@ -67,6 +68,15 @@ enum bead_error command_list_laws(FILE *out, struct bead_message *msg)
     const struct bead_law *law;
     for (size_t i = 0; (law = bead_law_info(i)); i++)
         fprintf(out, "%-16s  %s\n", law->name, law->description);
+    return BEAD_OK;
+}
+
+enum bead_error command_list_thresholds(FILE *out, struct bead_message *msg)
+{
+    const struct bead_threshold_info *info;
+    (void)msg;
+    for (size_t i = 0; (info = bead_threshold_info(i)); i++)
+        fprintf(out, "%-14s  %s\n", info->name, info->formula);
     return BEAD_OK;
 }
 

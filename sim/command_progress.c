@@ -38,30 +38,41 @@ static const char *duration(double seconds, char *text, size_t size)
     return text;
 }
 
-static void draw_bar(struct command_meter *meter, double done, double left)
+/* ", 83 chains/s": what was done since this stage began. */
+static void rate_words(const struct command_meter *meter, const struct bead_progress *progress, double elapsed, char *text,
+                       size_t size)
+{
+    double items = progress->items - meter->items_began;
+    text[0] = 0;
+    if (progress->item && items > 0 && elapsed > 0.5)
+        snprintf(text, size, ", %.3g %s/s", items / elapsed, progress->item);
+}
+
+static void draw_bar(struct command_meter *meter, double done, double left, const char *rate)
 {
     enum { WIDTH = 24 };
     char bar[WIDTH + 1], time[32];
     for (int i = 0; i < WIDTH; i++)
         bar[i] = i < (int)(done * WIDTH + 0.5) ? '#' : '.';
     bar[WIDTH] = 0;
-    fprintf(stderr, "\r\033[K[%s] %3.0f %%  %.40s", bar, 100 * done, meter->what);
+    fprintf(stderr, "\r\033[K[%s] %3.0f %%  %.40s%s", bar, 100 * done, meter->what, rate);
     if (left >= 0)
         fprintf(stderr, ", %s left", duration(left, time, sizeof time));
     fflush(stderr);
     meter->drawn = true;
 }
 
-static void write_plain(const struct command_meter *meter, double done, double left)
+static void write_plain(const struct command_meter *meter, double done, double left, const char *rate)
 {
     char time[32];
     if (left >= 0)
-        fprintf(stderr, "%s: %.0f %%, %s left\n", meter->what, 100 * done, duration(left, time, sizeof time));
+        fprintf(stderr, "%s: %.0f %%%s, %s left\n", meter->what, 100 * done, rate, duration(left, time, sizeof time));
     else
-        fprintf(stderr, "%s: %.0f %%\n", meter->what, 100 * done);
+        fprintf(stderr, "%s: %.0f %%%s\n", meter->what, 100 * done, rate);
 }
 
-static void write_json(const struct command_meter *meter, double done, double left, double elapsed, double time)
+static void write_json(const struct command_meter *meter, double done, double left, double elapsed,
+                       const struct bead_progress *progress)
 {
     fputs("{\"what\": \"", stderr);
     for (const unsigned char *c = (const unsigned char *)meter->what; *c; c++)
@@ -72,8 +83,10 @@ static void write_json(const struct command_meter *meter, double done, double le
     fprintf(stderr, "\", \"done\": %.4f, \"elapsed_s\": %.3f", done, elapsed);
     if (left >= 0)
         fprintf(stderr, ", \"left_s\": %.3f", left);
-    if (isfinite(time))
-        fprintf(stderr, ", \"time_s\": %.9g", time);
+    if (progress->item)
+        fprintf(stderr, ", \"%s\": %.0f", progress->item, progress->items);
+    if (isfinite(progress->time))
+        fprintf(stderr, ", \"time_s\": %.9g", progress->time);
     fputs("}\n", stderr);
 }
 
@@ -88,6 +101,8 @@ void command_meter_tell(void *context, const struct bead_progress *progress)
         if (*meter->what)
             meter->began = now; /* the first stage began with the program */
         snprintf(meter->what, sizeof meter->what, "%s", progress->what);
+        meter->done_began = progress->items > 0 ? progress->done : 0;
+        meter->items_began = progress->items;
         if (meter->mode == COMMAND_PROGRESS_PLAIN)
             meter->said = now; /* what takes no time needs no line */
     }
@@ -96,13 +111,16 @@ void command_meter_tell(void *context, const struct bead_progress *progress)
         return;
     meter->said = now;
     double done = progress->done >= 0 ? fmin(progress->done, 1) : 0, elapsed = now - meter->began;
-    double left = elapsed > 0.5 && done > 0.005 ? elapsed * (1 - done) / done : -1;
+    double gone = done - meter->done_began; /* what was there before took no time */
+    double left = elapsed > 0.5 && gone > 0.005 ? elapsed * (1 - done) / gone : -1;
+    char rate[64];
+    rate_words(meter, progress, elapsed, rate, sizeof rate);
     if (meter->mode == COMMAND_PROGRESS_JSON)
-        write_json(meter, done, left, elapsed, progress->time);
+        write_json(meter, done, left, elapsed, progress);
     else if (meter->mode == COMMAND_PROGRESS_PLAIN)
-        write_plain(meter, done, left);
+        write_plain(meter, done, left, rate);
     else
-        draw_bar(meter, done, left);
+        draw_bar(meter, done, left, rate);
 }
 
 void command_meter_clear(struct command_meter *meter)

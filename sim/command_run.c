@@ -7,6 +7,8 @@
 #include <string.h>
 
 #include "beadreel/chain.h"
+#include "beadreel/file.h"
+#include "beadreel/sweep.h"
 
 static void fill_job(const struct command *command, const volatile sig_atomic_t *stop, struct bead_job *job)
 {
@@ -21,6 +23,10 @@ static void fill_job(const struct command *command, const volatile sig_atomic_t 
     job->instructions = command->instructions;
     job->canvas = command->canvas;
     job->sinks = command->program->sinks;
+    job->sweep_sinks = command->program->sweep_sinks;
+    job->configuration = command->configuration;
+    job->part = command->shard;
+    job->parts = command->shards;
     job->stop = stop;
 }
 
@@ -68,6 +74,19 @@ static void print_errors(const struct bead_outcome *outcomes, size_t chains)
     }
 }
 
+/* ": 2581 chains, 83 a second"; of a sweep that had begun before, those computed now. */
+static void print_sweep(const struct bead_session *session, double seconds)
+{
+    size_t known = 0, all = bead_sweep_count(bead_session_sweep(session), &known);
+    uint64_t now = bead_session_counts(session)->chains;
+    if (now == 0)
+        return;
+    printf(": %" PRIu64 " chain%s", now, now == 1 ? "" : "s");
+    if (now < known)
+        printf(" of %zu, %zu there before", all, known - (size_t)now);
+    printf(", %.3g a second", (double)now / fmax(seconds, 1e-3));
+}
+
 /* "2 files, 1.8 MB, in 2.1 s: 2 chains to 1.05 ms with rkn8, step 0.36 us" */
 static void print_summary(const struct bead_session *session, size_t files, uint64_t bytes, double seconds)
 {
@@ -76,6 +95,8 @@ static void print_summary(const struct bead_session *session, size_t files, uint
     const struct bead_outcome *outcomes = bead_session_outcomes(session, &chains);
     printf("%zu file%s, %s, in %.2f s", files, files == 1 ? "" : "s", command_quantity((double)bytes, "B", size, sizeof size),
            seconds);
+    if (bead_session_sweep(session))
+        print_sweep(session, seconds);
     if (outcomes && chains > 0) {
         const char *unit = bead_session_time_unit(session);
         double end = outcomes[0].end;
@@ -136,5 +157,21 @@ enum bead_error command_run(const struct command *command, const volatile sig_at
         return err;
     err = play(command, session, &meter, began, msg);
     bead_session_close(session);
+    return err;
+}
+
+enum bead_error command_merge(const struct command *command, struct bead_message *msg)
+{
+    struct bead_sweep *sweep = NULL;
+    if (!command->output)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--merge: say where to with -o FILE.h5");
+    enum bead_error err = bead_sweep_merge(command->parts, command->part_count, &sweep, msg);
+    if (!err)
+        err = bead_sweep_write(sweep, command->output, msg);
+    if (!err) {
+        const struct bead_result result = {command->output, bead_file_bytes(command->output), 0};
+        print_results(&result, 1);
+    }
+    bead_sweep_close(sweep);
     return err;
 }

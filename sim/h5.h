@@ -17,6 +17,7 @@
 struct bead_h5 {
     hid_t file;               /* -1: not open */
     const char *path;         /* for messages; borrowed */
+    const char *kind;         /* "sweep"; NULL: trajectory */
     enum bead_error code;     /* of failures: IO when writing, FORMAT when reading */
     struct bead_h5_disk disk; /* of a file being written */
     enum bead_error error;    /* the first failure */
@@ -54,6 +55,13 @@ void bead_h5_write_texts(struct bead_h5 *h5, hid_t parent, const char *name, hid
 void bead_h5_write_text(struct bead_h5 *h5, hid_t parent, const char *name, const char *text); /* a scalar dataset */
 /* Overwrite a scalar integer attribute. */
 void bead_h5_set_int(struct bead_h5 *h5, hid_t object, const char *name, int64_t value);
+
+/* Tables [rows][columns] written and read whole: doubles, 64-bit integers, or bytes. rows > 0, columns > 0; `units` may be NULL;
+ * scales of both axes, -1: none. */
+enum bead_h5_type { BEAD_H5_DOUBLE, BEAD_H5_INT, BEAD_H5_BYTE };
+void bead_h5_write_table(struct bead_h5 *h5, hid_t parent, const char *name, const char *units, enum bead_h5_type type, size_t rows,
+                         size_t columns, const hid_t scales[2], const void *values);
+void bead_h5_read_table(struct bead_h5 *h5, const char *name, enum bead_h5_type type, size_t rows, size_t columns, void *values);
 
 /* Growing datasets [time][columns], or [time][columns][components] of which each component has its own chunks:
  * components never written cost nothing and read as 0. columns 0: [time] alone. Type double, or 64-bit integer. */

@@ -31,7 +31,7 @@ static hid_t open_object(struct bead_h5 *h5, const char *name, H5I_type_t kind)
     if (h5->error)
         return -1;
     if (!bead_h5_has(h5, name)) {
-        bead_h5_fail(h5, false, "not a trajectory of this program: it has no %s", name);
+        bead_h5_fail(h5, false, "not a %s of this program: it has no %s", h5->kind ? h5->kind : "trajectory", name);
         return -1;
     }
     BEAD_H5_AUTO access = bead_h5_access(kind == H5I_GROUP ? H5P_GROUP_ACCESS : H5P_DATASET_ACCESS);
@@ -39,7 +39,8 @@ static hid_t open_object(struct bead_h5 *h5, const char *name, H5I_type_t kind)
     if (access >= 0)
         object = kind == H5I_GROUP ? H5Gopen2(h5->file, name, access) : H5Dopen2(h5->file, name, access);
     if (object < 0)
-        bead_h5_fail(h5, false, "not a trajectory of this program: %s is not a %s", name, kind == H5I_GROUP ? "group" : "dataset");
+        bead_h5_fail(h5, false, "not a %s of this program: %s is not a %s", h5->kind ? h5->kind : "trajectory", name,
+                     kind == H5I_GROUP ? "group" : "dataset");
     return object;
 }
 

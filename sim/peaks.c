@@ -18,21 +18,23 @@ static const double least_part = 1e-9;
 
 struct bead_peaks {
     bool of_beads;
-    size_t count;
+    size_t first, count; /* first..count-1 are looked at */
     struct bead_peak *best;
     unsigned char *mark;   /* [beads]: has a maximum in this step */
     double *least;         /* [beads]: compressions beyond the static one, m, that a higher maximum takes */
     double *rate0, *rate1; /* [beads]: of the bead forces at the ends of the step, N/s */
 };
 
-enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_beads, struct bead_peaks **peaks,
-                                  struct bead_message *msg)
+enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_beads, struct bead_span span,
+                                  struct bead_peaks **peaks, struct bead_message *msg)
 {
     size_t beads = stepper->beads;
     struct bead_peaks *p = *peaks = calloc(1, sizeof *p);
     if (p) {
         p->of_beads = of_beads;
         p->count = of_beads ? beads : stepper->chain->contacts;
+        p->first = span.first < p->count ? span.first : p->count;
+        p->count = span.last < p->count ? span.last + 1 : p->count;
         p->best = calloc(beads, sizeof *p->best);
         p->mark = calloc(beads + PADDING, 1);
         p->least = calloc(beads + PADDING, sizeof(double));
@@ -263,11 +265,11 @@ static bool mark_contacts(struct bead_peaks *p, const struct bead_stepper *s, si
     return s->kernels->turns(n, &ends, p->of_beads ? NULL : p->least, p->mark);
 }
 
-/* Rates of all bead forces in a state. */
-static void find_rates(const struct bead_stepper *s, const struct bead_state *state, double *rate)
+/* Rates of bead forces first..last - 1 in a state. */
+static void find_rates(const struct bead_stepper *s, const struct bead_state *state, size_t first, size_t last, double *rate)
 {
-    double before = 0;
-    for (size_t j = 0; j < s->active; j++) {
+    double before = first > 0 ? bead_dense_force_rate(s, state, first - 1) : 0;
+    for (size_t j = first; j < last; j++) {
         double here = bead_dense_force_rate(s, state, j);
         rate[j] = 0.5 * (before + here);
         before = here;
@@ -275,18 +277,18 @@ static void find_rates(const struct bead_stepper *s, const struct bead_state *st
 }
 
 /* A bead's force may turn where its rate changes sign, or where one of its contacts turns there and back. */
-static bool mark_beads(struct bead_peaks *p, const struct bead_stepper *s)
+static bool mark_beads(struct bead_peaks *p, const struct bead_stepper *s, size_t n)
 {
-    mark_contacts(p, s, s->active < s->chain->contacts ? s->active : s->chain->contacts);
+    mark_contacts(p, s, n < s->chain->contacts ? n : s->chain->contacts);
     double *rate = p->rate0;
     p->rate0 = p->rate1;
     p->rate1 = rate;
     if (s->steps == 1)
-        find_rates(s, &s->start, p->rate0);
-    find_rates(s, &s->end, p->rate1);
+        find_rates(s, &s->start, p->first, n, p->rate0);
+    find_rates(s, &s->end, p->first, n, p->rate1);
     bool any = false;
-    unsigned char left = 0;
-    for (size_t j = 0; j < s->active; j++) {
+    unsigned char left = p->first > 0 ? p->mark[p->first - 1] : 0;
+    for (size_t j = p->first; j < n; j++) {
         unsigned char here = j < s->chain->contacts ? p->mark[j] : 0;
         p->mark[j] = left | here | (p->rate0[j] > 0 && p->rate1[j] <= 0);
         any = any || p->mark[j];
@@ -298,17 +300,17 @@ static bool mark_beads(struct bead_peaks *p, const struct bead_stepper *s)
 void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double limit)
 {
     size_t n = s->active < p->count ? s->active : p->count;
-    if (s->t0 > limit)
+    if (s->t0 > limit || n <= p->first)
         return;
     if (s->closed) {
-        for (size_t i = 0; i < n; i++)
+        for (size_t i = p->first; i < n; i++)
             find_peak(p, s, i, limit);
     }
-    bool any = s->closed ? false : p->of_beads ? mark_beads(p, s) : mark_contacts(p, s, n);
-    for (size_t i = 0; any && i < n; i++) {
+    bool any = s->closed ? false : p->of_beads ? mark_beads(p, s, n) : mark_contacts(p, s, n);
+    for (size_t i = p->first; any && i < n; i++) {
         if (p->mark[i])
             find_peak(p, s, i, limit);
     }
-    for (size_t i = 0; limit <= s->t1 && i < n; i++)
+    for (size_t i = p->first; limit <= s->t1 && i < n; i++)
         find_open(p, s, i, limit);
 }

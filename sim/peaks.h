@@ -14,9 +14,9 @@
 
 struct bead_peaks;
 
-/* of_beads: mean of a bead's two contact forces; else contact forces. Errors: MEMORY. */
-BEAD_CHECK enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_beads, struct bead_peaks **peaks,
-                                             struct bead_message *msg);
+/* of_beads: mean of a bead's two contact forces; else contact forces. Only those in `span` are looked for. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_beads, struct bead_span span,
+                                             struct bead_peaks **peaks, struct bead_message *msg);
 void bead_peaks_destroy(struct bead_peaks *peaks);
 /* Look at the step just made; maxima behind time `limit` do not count. Once `limit` lies within the step, the forces
  * still rising then are noted as open. */

@@ -42,7 +42,7 @@ static enum bead_error look_up(struct pass *pass, double time, struct bead_messa
     if (pass->done)
         fraction = fmin(((double)atomic_load(pass->done) + fraction) / (double)p->chain_count, 1);
     pass->fraction = fmax(pass->fraction, fraction);
-    struct bead_progress progress = {p->what, pass->fraction, time};
+    struct bead_progress progress = {.what = p->what, .done = pass->fraction, .time = time};
     p->progress(p->progress_context, &progress);
     return BEAD_OK;
 }

@@ -108,6 +108,7 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
     r->settings = *settings;
     r->front.arrival = NAN;
     const double looser = settings->looser > 0 ? settings->looser : 1;
+    const struct bead_span span = settings->peak_span ? *settings->peak_span : (struct bead_span){0, SIZE_MAX};
     enum bead_error err = bead_run_twin_stepping(settings->chain, looser, &r->stepping, msg);
     if (!err)
         err = bead_stepper_create(settings->chain, r->stepping.method, settings->kernels, settings->full_window, &r->stepper, msg);
@@ -116,9 +117,9 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
     if (!err)
         err = allocate(r, msg);
     if (!err && settings->contact_peaks)
-        err = bead_peaks_create(r->stepper, false, &r->contact_peaks, msg);
+        err = bead_peaks_create(r->stepper, false, span, &r->contact_peaks, msg);
     if (!err && settings->bead_peaks)
-        err = bead_peaks_create(r->stepper, true, &r->bead_peaks, msg);
+        err = bead_peaks_create(r->stepper, true, span, &r->bead_peaks, msg);
     if (err) {
         bead_run_destroy(r);
         return err;

@@ -27,6 +27,7 @@ struct bead_run_settings {
     double end;   /* s: the last step ends here; INFINITY: not known, steps keep their length */
     bool passage; /* peaks count until the front has arrived only, and not knowing end, the run is over then */
     bool contact_peaks, bead_peaks;
+    const struct bead_span *peak_span; /* of these contacts and beads only; NULL: all */
     bool full_window, hash;
     double looser; /* a twin: accuracy, or the step given, times this; 0: as the scene says */
 };

@@ -6,7 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/fingerprint.h"
 #include "sim/scene_output.h"
+#include "sim/sweep_yaml.h"
 
 static enum bead_error read_chain(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
                                   void *settings);
@@ -19,7 +21,6 @@ static enum bead_error read_outputs(struct bead_reader *reader, const struct bea
 
 /* In the order of reading: outputs are checked against chains, chains name materials. */
 static const struct bead_option rows[] = {
-    {.key = "sweep", .type = BEAD_OPTION_CUSTOM, .help = "many random chains", .read = bead_scene_read_sweep},
     {.key = "title",
      .type = BEAD_OPTION_TEXT,
      .offset = offsetof(struct bead_scene, title),
@@ -36,6 +37,16 @@ static const struct bead_option rows[] = {
      .shape = "a list of chains, each with a name",
      .help = "several chains, instead of `chain`",
      .read = read_chains},
+    {.key = "sweep",
+     .type = BEAD_OPTION_CUSTOM,
+     .shape = "a map",
+     .help = "many chains with random spins, instead of one: see sweep",
+     .read = bead_scene_read_sweep},
+    {.key = "sweeps",
+     .type = BEAD_OPTION_CUSTOM,
+     .shape = "a list of sweeps, each with a name",
+     .help = "several sweeps, instead of `sweep`",
+     .read = bead_scene_read_sweeps},
     {.key = "simulate",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "{}",
@@ -50,13 +61,6 @@ static const struct bead_option rows[] = {
      .read = read_outputs},
 };
 const struct bead_options bead_scene_options = {"scene", "the keys at the top of the file", BEAD_OPTIONS(rows), NULL, NULL};
-
-enum bead_error bead_scene_read_sweep(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                      void *settings)
-{
-    (void)option, (void)settings;
-    return bead_wrong(reader, at, "sweeps are not yet supported; give `chain` or `chains`, and other outputs");
-}
 
 static enum bead_error make_chains(const struct bead_reader *reader, size_t count)
 {
@@ -75,6 +79,8 @@ static enum bead_error read_chain(struct bead_reader *reader, const struct bead_
     struct bead_at several = bead_at_key(at->up, "chains");
     if (several.node != at->up->node)
         return bead_wrong(reader, at, "is given beside `chains`; give one of them");
+    if (bead_sweep_node(at->up->node, 0))
+        return BEAD_OK; /* read with the sweep, whose pattern it is */
     enum bead_error err = make_chains(reader, 1);
     return err ? err : bead_scene_read_chain(reader, at, &scene->chains[0]);
 }
@@ -112,6 +118,8 @@ static enum bead_error read_chains(struct bead_reader *reader, const struct bead
     size_t beads = 0, count = at->node->count;
     if (at->node->kind != BEAD_NODE_LIST)
         return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
+    if (bead_sweep_node(at->up->node, 0))
+        return BEAD_OK; /* refused with the sweep */
     if (count == 0 || count > BEAD_SCENE_CHAINS)
         return bead_wrong(reader, at, "has %zu chains; must have from 1 to %d", count, BEAD_SCENE_CHAINS);
     enum bead_error err = make_chains(reader, count);
@@ -190,6 +198,21 @@ static enum bead_error keep_text(const struct bead_reader *reader, const char *t
     return reader->scene->text ? BEAD_OK : bead_no_memory(reader);
 }
 
+/* Of the program, the ready materials and those of the scene, and its text but for what changes no result. */
+static enum bead_error find_fingerprint(const struct bead_reader *reader)
+{
+    struct bead_scene *scene = reader->scene;
+    uint64_t hash = bead_fingerprint(BEAD_FINGERPRINT_START, BEADREEL_VERSION, sizeof BEADREEL_VERSION);
+    for (size_t i = 0; i < scene->material_count; i++) {
+        const struct bead_material *m = &scene->materials[i];
+        const double numbers[] = {m->mass, m->radius, m->modulus, m->poisson};
+        hash = bead_fingerprint(bead_fingerprint(hash, m->name, strlen(m->name)), numbers, sizeof numbers);
+    }
+    enum bead_error err = bead_sweep_hash_scene(scene->text, &hash, reader->msg);
+    scene->fingerprint = hash;
+    return err;
+}
+
 static enum bead_error read_scene(struct bead_reader *reader, const char *text, size_t length, bool changed)
 {
     const char *name = bead_yaml_name(reader->yaml, NULL);
@@ -200,7 +223,9 @@ static enum bead_error read_scene(struct bead_reader *reader, const char *text, 
     enum bead_error err = keep_text(reader, text, length, changed);
     if (!err)
         err = prepare(reader);
-    return err ? err : bead_options_read(reader, &root, &bead_scene_options, 0, reader->scene);
+    if (!err)
+        err = bead_options_read(reader, &root, &bead_scene_options, 0, reader->scene);
+    return err || reader->scene->sweep_count == 0 ? err : find_fingerprint(reader);
 }
 
 enum bead_error bead_scene_parse(const char *name, const char *text, size_t length, const char *const *settings,
@@ -281,6 +306,7 @@ void bead_scene_free(struct bead_scene *scene)
         free(scene->materials[i].name);
     for (size_t i = 0; i < scene->chain_count; i++)
         free_chain(&scene->chains[i]);
+    bead_scene_free_sweeps(scene);
     for (size_t i = 0; i < scene->output_count; i++)
         bead_output_free(&scene->outputs[i]);
     free(scene->materials);

@@ -9,7 +9,7 @@
 #include "sim/equation.h"
 #include "sim/suggest.h"
 
-static const char *const kinds[] = {"trajectory", "image", "movie", "plot", "table"};
+static const char *const kinds[] = {"trajectory", "image", "movie", "plot", "table", "sweep"};
 
 bool bead_scene_has_sensors(const struct bead_scene *scene)
 {
@@ -26,6 +26,14 @@ static bool is_vector(const char *path)
 {
     const char *dot = strrchr(path, '.');
     return dot && (strcasecmp(dot, ".pdf") == 0 || strcasecmp(dot, ".svg") == 0);
+}
+
+/* Plots and tables of sweeps have keys of their own. */
+static unsigned form_of(const struct bead_scene *scene, enum bead_output_kind kind)
+{
+    if (scene->sweep_count > 0 && kind == BEAD_OUTPUT_PLOT)
+        return BEAD_OUTPUT_SWEEP_PLOT;
+    return scene->sweep_count > 0 && kind == BEAD_OUTPUT_TABLE ? BEAD_OUTPUT_SWEEP_TABLE : (unsigned)kind;
 }
 
 /* Which kind: the one key of the map that is the name of one. */
@@ -47,7 +55,7 @@ static enum bead_error find_kind(const struct bead_reader *reader, const struct 
         output->kind = (enum bead_output_kind)i;
         bool vector = where.node->kind == BEAD_NODE_SCALAR && is_vector(where.node->text) &&
                       (output->kind == BEAD_OUTPUT_IMAGE || output->kind == BEAD_OUTPUT_PLOT);
-        *form = 1u << (i + (vector ? BEAD_OUTPUT_KINDS : 0));
+        *form = 1u << (form_of(reader->scene, output->kind) + (vector ? BEAD_OUTPUT_VECTOR : 0));
     }
     return BEAD_OK;
 }
@@ -66,7 +74,7 @@ static enum bead_error no_kind(const struct bead_reader *reader, const struct be
             return bead_wrong(reader, &key, "unknown key%s", bead_suggest_text(&search, near, sizeof near));
     }
     return bead_wrong(reader, at,
-                      "has no kind; must have one of the keys trajectory, image, movie, plot or table, with a file's name");
+                      "has no kind; must have one of the keys trajectory, image, movie, plot, table or sweep, with a file's name");
 }
 
 static enum bead_error check_times(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
@@ -315,6 +323,8 @@ enum bead_error bead_output_read_settings(struct bead_reader *reader, const stru
     style_size(reader, at, output);
     fit_equations(reader, at, output);
     err = check_fields(reader, at, output);
+    if (!err && reader->scene->sweep_count > 0)
+        return bead_output_check_sweep_shown(reader, at, output);
     for (size_t i = 0; !err && i < sizeof checks / sizeof checks[0]; i++)
         err = checks[i](reader, at, output);
     return err;
@@ -326,8 +336,10 @@ static enum bead_error read_output(struct bead_reader *reader, const struct bead
     unsigned form = 0;
     output->place = at->node->place;
     enum bead_error err = find_kind(reader, at, output, &form);
-    if (!err && !form && !bead_node_get(at->node, "sweep", NULL))
+    if (!err && !form)
         return no_kind(reader, at);
+    if (!err)
+        err = bead_output_check_sweep(reader, at, index);
     if (!err)
         err = bead_output_read_settings(reader, at, form, output);
     if (!err && output->kind == BEAD_OUTPUT_MOVIE)

@@ -4,6 +4,9 @@
 
 #include "sim/scene_private.h"
 
+/* Bits of forms: kinds, plots and tables of sweeps, and the same in vector files. */
+enum { BEAD_OUTPUT_SWEEP_PLOT = BEAD_OUTPUT_KINDS, BEAD_OUTPUT_SWEEP_TABLE, BEAD_OUTPUT_VECTOR };
+
 /* Names of fields in the order of enum bead_field, NULL-terminated. */
 const char *const *bead_output_field_names(void);
 
@@ -21,13 +24,17 @@ BEAD_OUTPUT_READER(bead_output_read_captions);
 BEAD_OUTPUT_READER(bead_output_read_card);
 BEAD_OUTPUT_READER(bead_output_read_poster);
 BEAD_OUTPUT_READER(bead_output_read_moments);
-BEAD_OUTPUT_READER(bead_scene_read_sweep);
+/* Does output `index`, of a kind known already, go with the scene's sweeps, or with none? And what it shows? */
+BEAD_CHECK enum bead_error bead_output_check_sweep(const struct bead_reader *reader, const struct bead_at *at, size_t index);
+BEAD_CHECK enum bead_error bead_output_check_sweep_shown(const struct bead_reader *reader, const struct bead_at *at,
+                                                         const struct bead_output *output);
+BEAD_OUTPUT_READER(bead_output_read_threshold);
 
 /* `show` of plots and tables, and the keys that go with it (scene_show.c). */
 BEAD_CHECK enum bead_error bead_output_check_show(const struct bead_reader *reader, const struct bead_at *at,
                                                   const struct bead_output *output);
 /* Forms of panels, behind those of outputs. */
-enum { BEAD_FORM_IMAGE_PANEL = 1 << 2 * BEAD_OUTPUT_KINDS, BEAD_FORM_PLOT_PANEL = 2 << 2 * BEAD_OUTPUT_KINDS };
+enum { BEAD_FORM_IMAGE_PANEL = 1 << 2 * BEAD_OUTPUT_VECTOR, BEAD_FORM_PLOT_PANEL = 2 << 2 * BEAD_OUTPUT_VECTOR };
 
 /* The settings of an output or panel, all but its path, size and place. */
 BEAD_CHECK enum bead_error bead_output_read_settings(struct bead_reader *reader, const struct bead_at *at, unsigned form,

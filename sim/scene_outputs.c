@@ -12,22 +12,32 @@ enum {
     MOVIE = 1 << BEAD_OUTPUT_MOVIE,
     RASTER_PLOT = 1 << BEAD_OUTPUT_PLOT,
     TABLE = 1 << BEAD_OUTPUT_TABLE,
-    VECTOR_IMAGE = RASTER_IMAGE << BEAD_OUTPUT_KINDS,
-    VECTOR_PLOT = RASTER_PLOT << BEAD_OUTPUT_KINDS,
+    SWEEP = 1 << BEAD_OUTPUT_SWEEP,
+    VECTOR_IMAGE = RASTER_IMAGE << BEAD_OUTPUT_VECTOR,
+    VECTOR_PLOT = RASTER_PLOT << BEAD_OUTPUT_VECTOR,
     IMAGE = RASTER_IMAGE | VECTOR_IMAGE,
     PLOT = RASTER_PLOT | VECTOR_PLOT,
     IMAGE_PANEL = BEAD_FORM_IMAGE_PANEL,
     PLOT_PANEL = BEAD_FORM_PLOT_PANEL,
-    PANEL = IMAGE_PANEL | PLOT_PANEL
+    PANEL = IMAGE_PANEL | PLOT_PANEL,
+    /* Of scenes with a sweep. */
+    RASTER_SWEEP_PLOT = 1 << BEAD_OUTPUT_SWEEP_PLOT,
+    VECTOR_SWEEP_PLOT = RASTER_SWEEP_PLOT << BEAD_OUTPUT_VECTOR,
+    SWEEP_PLOT = RASTER_SWEEP_PLOT | VECTOR_SWEEP_PLOT,
+    SWEEP_TABLE = 1 << BEAD_OUTPUT_SWEEP_TABLE
 };
 
-static const char *const form_names[] = {"trajectory", "image", "movie", "plot", "table", NULL};
+static const char *const form_names[] = {"trajectory",       "image", "movie", "plot", "table", "sweep", "plot of a sweep",
+                                         "table of a sweep", NULL};
 static const char *const plot_shows[] = {"sensors", "peaks", "setup", "contact", "cell", "modes", "profiles", NULL};
 static const unsigned plot_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_SETUP,   BEAD_SHOW_CONTACT,
                                        BEAD_SHOW_CELL,    BEAD_SHOW_MODES, BEAD_SHOW_PROFILES};
 static const char *const table_shows[] = {"sensors", "peaks", "bead-peaks", "measures", "modes", NULL};
 static const unsigned table_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_BEAD_PEAKS, BEAD_SHOW_MEASURES,
                                         BEAD_SHOW_MODES};
+static const char *const sweep_plot_shows[] = {"median", "mean", "both", "decay", NULL};
+static const char *const sweep_table_shows[] = {"magnetism", "configurations", "decay", NULL};
+static const unsigned sweep_table_values[] = {BEAD_SWEEP_MAGNETISM, BEAD_SWEEP_CONFIGURATIONS, BEAD_SWEEP_DECAY};
 static const char *const scales[] = {"linear", "sqrt", "log", NULL};
 static const char *const normalisings[] = {"none", "first", "max", NULL};
 static const char *const samplings[] = {"area", "max", NULL};
@@ -53,13 +63,13 @@ const char *const *bead_output_field_names(void)
     }
 
 static const struct bead_option rows[] = {
-    {.key = "sweep", .type = BEAD_OPTION_CUSTOM, .help = "results of a sweep", .read = bead_scene_read_sweep},
     KIND("trajectory", TRAJECTORY, "FILE.h5", "samples of fields in an H5MD file"),
     KIND("image", IMAGE, "FILE.png, .pdf or .svg", "a picture of a field in space and time, or a still"),
     KIND("movie", MOVIE, "FILE.mp4, .mkv, .webm, .gif, .png or .apng", "a movie; a .png is an animated one"),
-    KIND("plot", PLOT, "FILE.png, .pdf or .svg",
+    KIND("sweep", SWEEP, "FILE.h5", "spins and results of every configuration of a sweep"),
+    KIND("plot", PLOT | SWEEP_PLOT, "FILE.png, .pdf or .svg",
          "curves of sensors against time or of peaks along the chain; or a schematic drawing"),
-    KIND("table", TABLE, "FILE.csv", "numbers"),
+    KIND("table", TABLE | SWEEP_TABLE, "FILE.csv", "numbers"),
     {.key = "show",
      .type = BEAD_OPTION_CHOICE,
      .offset = OUTPUT(show),
@@ -98,6 +108,28 @@ static const struct bead_option rows[] = {
      .help = "what to list: the force at every sensor, the peak of every contact or of every bead, measures of the run (--list "
              "measures), or the energies of modes",
      .forms = TABLE},
+    {.key = "show",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(sweep_show),
+     .initial = "both",
+     .choices = sweep_plot_shows,
+     .help = "force against magnetism, with median, mean, or both; or how peaks decay along the chain (measure: {decay: true})",
+     .forms = SWEEP_PLOT},
+    {.key = "show",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(sweep_show),
+     .initial = "magnetism",
+     .choices = sweep_table_shows,
+     .values = sweep_table_values,
+     .help = "statistics of every magnetism, results of every configuration, or mean peaks along the chain",
+     .forms = SWEEP_TABLE},
+    {.key = "threshold",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "law",
+     .shape = "a name of --list thresholds",
+     .help = "how the magnetism of the threshold is found",
+     .forms = SWEEP_PLOT | SWEEP_TABLE,
+     .read = bead_output_read_threshold},
     {.key = "field",
      .type = BEAD_OPTION_CHOICE,
      .offset = OUTPUT(field),
@@ -173,27 +205,27 @@ static const struct bead_option rows[] = {
      .choices = styles,
      .help = "preset; paper: 8 pt STIX, 86 mm wide (178 mm for several chains); slide: large type for a projector; movie: type and "
              "colours of movies; auto: paper for sizes that are lengths, else screen",
-     .forms = IMAGE | PLOT},
+     .forms = IMAGE | PLOT | SWEEP_PLOT},
     {.key = "dpi",
      .offset = OUTPUT(dpi),
      .initial = "600",
      .low = 10,
      .high = 4800,
      .help = "pixels per inch, of sizes that are lengths and of the raster in vector files",
-     .forms = IMAGE | PLOT},
+     .forms = IMAGE | PLOT | SWEEP_PLOT},
     {.key = "size",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "[1920, 1080]",
      .shape = "[width, height], both in pixels (1 to 32768) or both lengths such as 86 mm",
      .help = "size of the picture",
-     .forms = RASTER_IMAGE | RASTER_PLOT,
+     .forms = RASTER_IMAGE | RASTER_PLOT | RASTER_SWEEP_PLOT,
      .read = bead_output_read_size},
     {.key = "size",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "[178 mm, 120 mm]",
      .shape = "[width, height], both in pixels (1 to 32768) or both lengths such as 86 mm",
      .help = "size of the picture in a vector file (.pdf, .svg)",
-     .forms = VECTOR_IMAGE | VECTOR_PLOT,
+     .forms = VECTOR_IMAGE | VECTOR_PLOT | VECTOR_SWEEP_PLOT,
      .read = bead_output_read_size},
     {.key = "size",
      .type = BEAD_OPTION_CUSTOM,
@@ -419,7 +451,7 @@ static const struct bead_option rows[] = {
      .initial = "auto",
      .choices = themes,
      .help = "colours of paper and ink; auto: dark for movies, light for the rest",
-     .forms = IMAGE | MOVIE | PLOT},
+     .forms = IMAGE | MOVIE | PLOT | SWEEP_PLOT},
 };
 const struct bead_options bead_output_options = {"outputs", "entries of the list, each with the key of its kind and a file",
                                                  BEAD_OPTIONS(rows), form_names, "outputs of kind"};

@@ -12,6 +12,7 @@ void bead_output_free(struct bead_output *output)
     for (size_t i = 0; i < output->panel_count; i++)
         bead_output_free(&output->panels[i]);
     free(output->panels);
+    free(output->threshold);
     free(output->path);
     free(output->colormap);
     free(output->caption);

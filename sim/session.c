@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "beadreel/file.h"
+#include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
 #include "sim/run_kinds.h"
 #include "sim/session_data.h"
@@ -42,11 +43,11 @@ bool bead_output_needs_end(const struct bead_output *output)
     return output->kind != BEAD_OUTPUT_TABLE || output->show == BEAD_SHOW_SENSORS || output->show == BEAD_SHOW_MEASURES;
 }
 
-static bool has_extension(const struct bead_sink_type *type, const char *path)
+bool bead_session_has_extension(const char *const *extensions, const char *path)
 {
-    if (!type->extensions)
+    if (!extensions)
         return true;
-    for (const char *const *e = type->extensions; *e; e++) {
+    for (const char *const *e = extensions; *e; e++) {
         if (strcasecmp(*e, extension(path)) == 0)
             return true;
     }
@@ -58,7 +59,7 @@ static const struct bead_sink_type *find_type(const struct bead_job *job, const 
     for (const struct bead_sink_type *const *const *list = job->sinks; list && *list; list++) {
         for (const struct bead_sink_type *const *type = *list; *type; type++) {
             bool shows = !(*type)->shows || (*type)->shows >> output->show & 1;
-            if ((*type)->kind == output->kind && shows && has_extension(*type, output->path))
+            if ((*type)->kind == output->kind && shows && bead_session_has_extension((*type)->extensions, output->path))
                 return *type;
         }
     }
@@ -258,8 +259,11 @@ static enum bead_error create_sinks(struct bead_session *s, struct bead_message 
     return err;
 }
 
-static enum bead_error list_outputs(struct bead_session *s, struct bead_message *msg)
+enum bead_error bead_session_list_outputs(struct bead_session *s, struct bead_message *msg)
 {
+    enum bead_error err = check_names(s, msg);
+    if (err)
+        return err;
     s->made_count = s->source->output_count;
     s->made = calloc(s->made_count + 1, sizeof *s->made);
     if (!s->made)
@@ -278,26 +282,33 @@ static enum bead_error list_outputs(struct bead_session *s, struct bead_message 
 static enum bead_error open_scene(struct bead_session *s, struct bead_message *msg)
 {
     char path[4096];
-    enum bead_error err = bead_scene_find(s->job.input, path, sizeof path, msg);
-    if (!err)
-        err = bead_scene_load(path, s->job.settings, s->job.setting_count, &s->scene, msg);
+    enum bead_error err = BEAD_OK;
+    if (s->job.configuration) {
+        err = bead_session_load_configuration(s, msg);
+    } else {
+        err = bead_scene_find(s->job.input, path, sizeof path, msg);
+        if (!err)
+            err = bead_scene_load(path, s->job.settings, s->job.setting_count, &s->scene, msg);
+    }
     if (err)
         return err;
     s->source = s->scene;
+    if (s->scene->sweep_count > 0)
+        return bead_session_open_sweep(s, msg);
+    if (s->job.parts > 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: %s has no sweep that could be parted", s->job.input);
     err = create_chains(s, msg);
     if (!err)
         err = find_resolution(s, msg);
     if (!err)
-        err = check_names(s, msg);
-    if (!err)
-        err = list_outputs(s, msg);
+        err = bead_session_list_outputs(s, msg);
     if (!err)
         err = find_end(s, msg);
     return err ? err : create_sinks(s, msg);
 }
 
 /* Which output of the stored scene does `-o file` draw again: the one of that name, else the first of that kind. */
-static const struct bead_output *find_again(const struct bead_scene *scene, const char *file)
+const struct bead_output *bead_session_find_again(const struct bead_scene *scene, const char *file)
 {
     const struct bead_output *found = NULL;
     for (size_t i = 0; i < scene->output_count; i++) {
@@ -390,7 +401,7 @@ static enum bead_error open_trajectory(struct bead_session *s, struct bead_messa
                          s->job.input);
     /* As stored first: which output is meant decides what the user's settings are about. */
     enum bead_error err = bead_trajectory_open(s->job.input, NULL, 0, &s->trajectory, msg);
-    if (!err && !find_again(bead_trajectory_scene(s->trajectory), s->job.output))
+    if (!err && !bead_session_find_again(bead_trajectory_scene(s->trajectory), s->job.output))
         err = open_with_default(s, msg);
     else if (!err && s->job.setting_count > 0)
         err = open_again(s, s->job.settings, s->job.setting_count, msg);
@@ -400,7 +411,7 @@ static enum bead_error open_trajectory(struct bead_session *s, struct bead_messa
     s->chains = bead_trajectory_chains(s->trajectory, &s->chain_count);
     s->end = s->needed = bead_trajectory_end(s->trajectory);
     s->native = *bead_trajectory_grid(s->trajectory);
-    const struct bead_output *again = find_again(s->source, s->job.output);
+    const struct bead_output *again = bead_session_find_again(s->source, s->job.output);
     s->made = calloc(1, sizeof *s->made);
     if (!s->made || !again)
         return again ? out_of_memory(msg)
@@ -422,6 +433,19 @@ static enum bead_error open_trajectory(struct bead_session *s, struct bead_messa
     return err ? err : check_stored(s, m, (size_t)(again - s->source->outputs), msg);
 }
 
+/* A trajectory, a sweep's file, or a scene. */
+static enum bead_error open_input(struct bead_session *s, struct bead_message *msg)
+{
+    bool sweep = bead_sweep_is(s->job.input);
+    if (s->job.configuration && !sweep)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--configuration: %s is not the file of a sweep", s->job.input);
+    if (sweep && !s->job.configuration)
+        return bead_session_open_sweep_file(s, msg);
+    if (!sweep && bead_trajectory_is(s->job.input))
+        return open_trajectory(s, msg);
+    return open_scene(s, msg);
+}
+
 enum bead_error bead_session_open(const struct bead_job *job, struct bead_session **session, struct bead_message *msg)
 {
     *session = NULL;
@@ -439,7 +463,7 @@ enum bead_error bead_session_open(const struct bead_job *job, struct bead_sessio
     else if (!job->input)
         err = bead_fail(msg, BEAD_ERROR_USAGE, "no scene given");
     else
-        err = bead_trajectory_is(job->input) ? open_trajectory(s, msg) : open_scene(s, msg);
+        err = open_input(s, msg);
     if (err)
         bead_session_close(s);
     else
@@ -464,6 +488,7 @@ void bead_session_close(struct bead_session *s)
         bead_chain_destroy(s->own_chains[i]);
     free(s->own_chains);
     bead_trajectory_close(s->trajectory);
+    bead_sweep_close(s->sweep);
     bead_scene_free(s->scene);
     free(s);
 }

@@ -8,11 +8,12 @@
 /* One output of the scene, in its order. */
 struct bead_made {
     const struct bead_output *output;
-    struct bead_output changed;        /* what replaces it when a trajectory is drawn again */
-    const struct bead_sink_type *type; /* NULL: this program does not make it */
-    struct bead_sink *sink;            /* NULL: skipped */
-    bool asked;                        /* not excluded by --only */
-    bool shared;                       /* draws from the samples of the trajectory output */
+    struct bead_output changed;               /* what replaces it when a trajectory is drawn again */
+    const struct bead_sink_type *type;        /* NULL: this program does not make it */
+    struct bead_sink *sink;                   /* NULL: skipped */
+    const struct bead_sweep_sink *sweep_type; /* of sweeps, instead */
+    bool asked;                               /* not excluded by --only */
+    bool shared;                              /* draws from the samples of the trajectory output */
     bool ended;
     char *path; /* where it goes */
     struct bead_needs needs;
@@ -21,7 +22,9 @@ struct bead_made {
 
 struct bead_session {
     struct bead_job job;
-    struct bead_scene *scene;           /* own; NULL with a trajectory */
+    struct bead_scene *scene;           /* own; NULL with a trajectory or a sweep's file */
+    struct bead_sweep *sweep;           /* of scenes with sweeps, and their files */
+    bool sweep_read;                    /* it comes from a file */
     struct bead_trajectory *trajectory; /* NULL with a scene */
     const struct bead_scene *source;    /* either's */
     struct bead_chain **own_chains;
@@ -47,6 +50,21 @@ struct bead_session {
 
 /* A play with the session's chains and settings, no consumers. */
 struct bead_play bead_session_play(const struct bead_session *session, const char *what);
+/* A directory for files, with those on the way; NULL: nothing to do. Errors: IO. */
+BEAD_CHECK enum bead_error bead_session_make_directory(const char *directory, struct bead_message *msg);
+/* Which outputs are there and which are asked for; check --only. */
+BEAD_CHECK enum bead_error bead_session_list_outputs(struct bead_session *session, struct bead_message *msg);
+bool bead_session_has_extension(const char *const *extensions, const char *path);
+/* Of the stored scene: which output does `-o file` draw again: the one of that name, else the first of that kind. */
+const struct bead_output *bead_session_find_again(const struct bead_scene *scene, const char *file);
+
+/* session_sweep.c: the scene's sweeps; a sweep's file; one configuration of it as the session's scene; running and planning. */
+BEAD_CHECK enum bead_error bead_session_open_sweep(struct bead_session *session, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_session_open_sweep_file(struct bead_session *session, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_session_load_configuration(struct bead_session *session, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_session_run_sweep(struct bead_session *session, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_session_plan_sweep(const struct bead_session *session, FILE *out, struct bead_message *msg);
+
 /* Does this output need to know the end of the run before it starts? */
 bool bead_output_needs_end(const struct bead_output *output);
 

@@ -143,6 +143,8 @@ static void plan_skips(const struct bead_session *s, FILE *out)
 
 enum bead_error bead_session_plan(const struct bead_session *s, FILE *out, struct bead_message *msg)
 {
+    if (s->sweep)
+        return bead_session_plan_sweep(s, out, msg);
     for (size_t i = 0; i < s->chain_count; i++) {
         struct bead_pace pace;
         enum bead_error err = bead_run_kind_of(s->chains[i])->pace(s->chains[i], 1, &pace, msg);

@@ -9,7 +9,7 @@
 #include "beadreel/file.h"
 #include "sim/session_data.h"
 
-static enum bead_error make_directory(const char *directory, struct bead_message *msg)
+enum bead_error bead_session_make_directory(const char *directory, struct bead_message *msg)
 {
     char path[4096];
     if (!directory || !*directory)
@@ -132,7 +132,7 @@ static enum bead_error end(struct bead_session *s, struct bead_message *msg)
 
 static enum bead_error run(struct bead_session *s, struct bead_consumer *consumers, struct bead_message *msg)
 {
-    enum bead_error err = s->trajectory ? BEAD_OK : make_directory(s->job.output, msg);
+    enum bead_error err = s->trajectory ? BEAD_OK : bead_session_make_directory(s->job.output, msg);
     if (!err)
         err = scout(s, consumers, msg);
     s->scout_steps = s->counts.steps;
@@ -154,6 +154,8 @@ static enum bead_error run(struct bead_session *s, struct bead_consumer *consume
 
 enum bead_error bead_session_run(struct bead_session *s, struct bead_message *msg)
 {
+    if (s->sweep)
+        return bead_session_run_sweep(s, msg);
     struct bead_consumer *consumers = calloc(s->made_count + 1, sizeof *consumers);
     if (!consumers)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for outputs");
@@ -177,7 +179,7 @@ size_t bead_session_results(const struct bead_session *s, const struct bead_resu
 
 const char *bead_session_time_unit(const struct bead_session *s)
 {
-    return bead_chain_time_unit(s->chains[0]);
+    return s->sweep ? "s" : bead_chain_time_unit(s->chains[0]);
 }
 
 const struct bead_counts *bead_session_counts(const struct bead_session *s)

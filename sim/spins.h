@@ -12,5 +12,7 @@ size_t bead_spins_up(size_t count, double magnetism);
  * Fisher-Yates shuffle whose draw i is word i of Philox4x32 under key `seed` and stream `configuration`,
  * so that it depends on nothing else. */
 void bead_spins_draw(char *digits, size_t count, double magnetism, uint64_t seed, uint64_t configuration);
+/* The same with the number of ones given. */
+void bead_spins_shuffle(char *digits, size_t count, size_t up, uint64_t seed, uint64_t configuration);
 
 #endif

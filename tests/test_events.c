@@ -155,7 +155,7 @@ static void peaks_and_energy(void **state)
         struct bead_stepper *s = make_stepper(&x, "rkn8", NULL, false);
         struct bead_peaks *peaks;
         struct bead_message msg = {""};
-        assert_int_equal(bead_peaks_create(s, false, &peaks, &msg), BEAD_OK);
+        assert_int_equal(bead_peaks_create(s, false, (struct bead_span){0, SIZE_MAX}, &peaks, &msg), BEAD_OK);
         double energy = bead_stepper_energy(s, &s->end), drift = 0;
         while (s->t1 < cases[i].until - 1e-6) {
             steps(s, 2e-6, 1);
@@ -181,7 +181,7 @@ static void peaks_of_beads(void **state)
     for (int i = 0; i < 2; i++) {
         struct bead_message msg = {""};
         s[i] = make_stepper(&x, "rkn8", NULL, false);
-        assert_int_equal(bead_peaks_create(s[i], true, &peaks[i], &msg), BEAD_OK);
+        assert_int_equal(bead_peaks_create(s[i], true, (struct bead_span){0, SIZE_MAX}, &peaks[i], &msg), BEAD_OK);
         while (s[i]->t1 < 0.9e-3 - 1e-7) {
             steps(s[i], i ? 0.5e-6 : 4e-6, 1);
             bead_peaks_step(peaks[i], s[i], 0.9e-3);

@@ -104,6 +104,41 @@ struct bead_chain_spec {
     struct bead_place place;
 };
 
+/* What is measured of every chain of a sweep. */
+struct bead_sweep_measures {
+    bool peak;       /* the largest bead force, first passage, over `beads`, or at each of `sensors` where there are some */
+    size_t beads[2]; /* counted from the last random bead: 3, 5 are the third to the fifth behind it */
+    char **sensors;  /* names */
+    size_t sensor_count;
+    bool decay; /* peaks of every bead's force and energy */
+};
+
+/* Configurations that are drawn alike: `up` of the random cells are up. */
+struct bead_sweep_group {
+    double magnetism; /* of the chain: bead_chain_magnetism; NaN where spins are given one by one */
+    size_t up;
+    size_t configurations;
+};
+
+/* Many chains that differ in the spins of their random cells. Chain `chain` of the scene is the pattern; its cells with
+ * `spins: random` are the random ones, left to right. */
+struct bead_sweep_spec {
+    char *name; /* "" for a single unnamed sweep */
+    size_t chain;
+    size_t cells;                    /* random cells */
+    size_t asked;                    /* what the scene gives as `cells`; 0: the pattern is the scene's own chain */
+    size_t fixed;                    /* cells behind them, where `cells` is given */
+    size_t last;                     /* the last random bead */
+    bool own_magnetism;              /* every segment has its own: one group */
+    struct bead_sweep_group *groups; /* by rising magnetism; those of given spins in their order */
+    size_t group_count;
+    char **spins;          /* [group_count], one digit a random cell, where the scene gives them; else NULL */
+    size_t configurations; /* of each group; one where there is only one way to arrange the spins */
+    uint64_t seed;
+    struct bead_sweep_measures measures;
+    struct bead_place place;
+};
+
 struct bead_simulate {
     double until;    /* s; NaN: until the front reaches the end of the chain */
     double accuracy; /* relative error wanted in first-passage peak forces */
@@ -117,6 +152,7 @@ enum bead_output_kind {
     BEAD_OUTPUT_MOVIE,
     BEAD_OUTPUT_PLOT,
     BEAD_OUTPUT_TABLE,
+    BEAD_OUTPUT_SWEEP,
     BEAD_OUTPUT_KINDS
 };
 enum bead_show {
@@ -131,6 +167,15 @@ enum bead_show {
     BEAD_SHOW_PROFILES
 };
 enum { BEAD_CONTACT_AUTO = 1000000000, BEAD_MODES = 64, BEAD_MOMENTS = 12 };
+/* What plots and tables of sweeps show: force against magnetism, forces of every configuration, peaks along the chain. */
+enum bead_sweep_show {
+    BEAD_SWEEP_MEDIAN,
+    BEAD_SWEEP_MEAN,
+    BEAD_SWEEP_BOTH,
+    BEAD_SWEEP_DECAY,
+    BEAD_SWEEP_MAGNETISM,
+    BEAD_SWEEP_CONFIGURATIONS
+};
 enum bead_scale { BEAD_SCALE_LINEAR, BEAD_SCALE_SQRT, BEAD_SCALE_LOG };
 enum bead_normalise { BEAD_NORMALISE_NONE, BEAD_NORMALISE_FIRST, BEAD_NORMALISE_MAX };
 enum bead_sampling { BEAD_SAMPLING_AREA, BEAD_SAMPLING_MAX };
@@ -174,7 +219,9 @@ struct bead_output {
     struct bead_span beads; /* {0, SIZE_MAX}: all */
     double every;           /* s; 0: what the output needs */
     enum bead_show show;
-    double size[2]; /* pixels, or metres where size_is_length; 0: the kind's own default */
+    enum bead_sweep_show sweep_show; /* of sweeps, instead of show */
+    char *threshold;                 /* how a sweep's threshold is found: a name of statistics.h */
+    double size[2];                  /* pixels, or metres where size_is_length; 0: the kind's own default */
     bool size_is_length;
     double dpi; /* of lengths, and of rasters in vector files */
     char *colormap;
@@ -222,6 +269,9 @@ struct bead_scene {
     size_t material_count;
     struct bead_chain_spec *chains;
     size_t chain_count;
+    struct bead_sweep_spec *sweeps; /* NULL: the chains are run, each once */
+    size_t sweep_count;
+    uint64_t fingerprint; /* of all that the results of the sweeps follow from; 0 where there are none */
     struct bead_simulate simulate;
     struct bead_output *outputs;
     size_t output_count;

@@ -26,23 +26,31 @@
 struct bead_progress {
     const char *what; /* "scouting", "simulating", "drawing beads.mp4" */
     double done;      /* 0..1 */
-    double time;      /* s of physical time reached */
+    double time;      /* s of physical time reached; NaN: not one time */
+    double items;     /* things done so far; 0: not counted */
+    const char *item; /* "chains" */
 };
 
+struct bead_sweep;
+struct bead_sweep_sink; /* sweep.h */
+
 struct bead_job {
-    const char *input;           /* scene.yaml, a ready scene's name, or a trajectory (.h5) */
+    const char *input;           /* scene.yaml, a ready scene's name, a trajectory or a sweep's file (.h5) */
     const char *const *settings; /* key.path=value */
     size_t setting_count;
     const char *output;      /* -o: a directory (scenes) or a file (trajectories); NULL: "." */
     const char *const *only; /* names of outputs to make; all others are skipped */
     size_t only_count;
-    int threads;                                      /* 0: all cores; 1: everything in one thread; same results for any */
-    const char *instructions;                         /* NULL: the best; or sse2, avx2, avx512: same results for any */
-    const char *canvas;                               /* NULL: the first that works; or osmesa, egl: same pixels from all */
-    bool hash;                                        /* fill bead_counts.state_hash */
-    bool full_window;                                 /* compute beads at rest too (for checks; same results) */
-    const struct bead_sink_type *const *const *sinks; /* NULL-terminated list of NULL-terminated lists */
-    const volatile sig_atomic_t *stop;                /* non-zero: finish files and return STOPPED; may be NULL */
+    int threads;                                             /* 0: all cores; 1: everything in one thread; same results for any */
+    const char *instructions;                                /* NULL: the best; or sse2, avx2, avx512: same results for any */
+    const char *canvas;                                      /* NULL: the first that works; or osmesa, egl: same pixels from all */
+    bool hash;                                               /* fill bead_counts.state_hash */
+    bool full_window;                                        /* compute beads at rest too (for checks; same results) */
+    const struct bead_sink_type *const *const *sinks;        /* NULL-terminated list of NULL-terminated lists */
+    const struct bead_sweep_sink *const *const *sweep_sinks; /* the same for outputs of sweeps; NULL: none */
+    const char *configuration;         /* of a sweep's file: run this chain of it: "17", or "NAME:17" where it has several sweeps */
+    size_t part, parts;                /* compute part 1..parts of a sweep, into a file of its own; 0, 0: all */
+    const volatile sig_atomic_t *stop; /* non-zero: finish files and return STOPPED; may be NULL */
     void (*progress)(void *context, const struct bead_progress *progress); /* may be NULL */
     void *progress_context;
 };
@@ -74,6 +82,7 @@ struct bead_counts {
     uint64_t samples;                      /* sample times computed, of all chains */
     uint64_t sample_values;                /* bead values interpolated for samples */
     uint64_t twin_evaluations, twin_steps; /* of twin runs, which are counted nowhere else */
+    uint64_t chains;                       /* of a sweep, computed now */
     uint64_t passes;                       /* times the chains were simulated: 1, or more with scouting */
     uint64_t state_hash;                   /* FNV-1a over displacement and velocity bits of all chains after every step */
 };
@@ -81,6 +90,8 @@ BEAD_API const struct bead_counts *bead_session_counts(const struct bead_session
 /* Unit of the session's times: "s", or "" (bead_chain_time_unit). */
 BEAD_API const char *bead_session_time_unit(const struct bead_session *session);
 BEAD_API const struct bead_outcome *bead_session_outcomes(const struct bead_session *session, size_t *chain_count);
+/* The sweep of a scene or file that has one, else NULL. */
+BEAD_API const struct bead_sweep *bead_session_sweep(const struct bead_session *session);
 BEAD_API void bead_session_close(struct bead_session *session);
 
 #endif

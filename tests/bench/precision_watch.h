@@ -24,7 +24,7 @@ static inline void watch_begin(struct watch *watch)
     watch->velocity = NAN;
     watch->peaks = NULL;
     if (bead_stepper_create(watch->built.chain, bead_method_row("rk4"), bead_kernels_find(NULL), true, &watch->stepper, &msg) ||
-        bead_peaks_create(watch->stepper, false, &watch->peaks, &msg))
+        bead_peaks_create(watch->stepper, false, (struct bead_span){0, SIZE_MAX}, &watch->peaks, &msg))
         GIVE_UP("%s", msg.text);
 }
 

@@ -1,0 +1,77 @@
+/* Statistics of many random chains: summaries, the threshold between two regimes, lengths and exponents of decay.
+ *
+ * Forces are in units of that of the chain with all cells up (M = 1), or in N: nothing here depends on it but where it says so.
+ * Sums go in fixed order; resampling draws from Philox, keyed by a seed: equal input gives equal bits. */
+#ifndef BEADREEL_STATISTICS_H
+#define BEADREEL_STATISTICS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/error.h"
+
+struct bead_summary {
+    size_t count;
+    double mean, deviation;   /* deviation of the sample, with count - 1; NaN below two values */
+    double standard_error;    /* of the mean: deviation / sqrt(count) */
+    double low, high, median; /* quantiles by linear interpolation between the sorted values ((count - 1) q) */
+    double quartile[2];       /* 1/4, 3/4 */
+};
+/* Sorts `values`. count 0: all NaN. */
+BEAD_API void bead_summary_of(double *values, size_t count, struct bead_summary *summary);
+
+/* Results of one magnetism. */
+struct bead_group_results {
+    double magnetism;
+    const double *values; /* [count], in units of the value at M = 1; all positive */
+    size_t count;
+};
+
+/* The two regimes: F = plateau below the threshold, exp(-rate (1 - M^2)) above it. The number of domains of reversed cells grows as
+ * 1 - M^2, and each takes the same part of the wave. */
+struct bead_threshold {
+    double plateau, plateau_error; /* mean over all M <= 0.2 of the means */
+    double rate, rate_error;
+    double critical, critical_error; /* M_c; NaN where there is none */
+    double low, high;                /* M that the law was fitted to */
+};
+
+/* How M_c is found: row `index`, NULL behind the last. */
+struct bead_threshold_info {
+    const char *name;
+    const char *formula;
+    double (*find)(const double *magnetism, const double *mean, size_t count, const struct bead_threshold *regimes);
+};
+BEAD_API const struct bead_threshold_info *bead_threshold_info(size_t index);
+BEAD_API const struct bead_threshold_info *bead_threshold_info_named(const char *name); /* NULL: there is none */
+
+/* Fit both regimes to groups of rising magnetism. The law is fitted to the means' logarithms, by least squares, where the mean is
+ * above the square root of the plateau and M < 1: the upper half of the fall. Errors are deviations over `resamples` bootstrap
+ * samples: configurations drawn again within each group. Errors: MEMORY; NUMBERS where there is no plateau (no M <= 0.2) or nothing
+ * above it. */
+BEAD_API BEAD_CHECK enum bead_error bead_threshold_fit(const struct bead_group_results *groups, size_t count,
+                                                       const struct bead_threshold_info *how, size_t resamples, uint64_t seed,
+                                                       struct bead_threshold *threshold, struct bead_message *msg);
+
+/* A straight line y = offset + slope x by least squares. */
+struct bead_line {
+    double slope, offset;
+    double slope_error; /* from the scatter about the line; NaN below three points */
+    size_t count;
+};
+BEAD_API void bead_line_fit(const double *x, const double *y, size_t count, struct bead_line *line);
+
+/* Decay along a chain of what is 1 without disorder, y at places 0..count-1 (beads): exponential over first..last,
+ * y ~ exp(-x / length), and a power law over all from `beyond` on, y ~ x^exponent. Places with y <= 0 or not finite are left out.
+ */
+struct bead_decay {
+    double length, length_error;     /* beads; INFINITY where it does not decay */
+    double exponent, exponent_error; /* NaN where less than three places lie beyond */
+};
+BEAD_API void bead_decay_fit(const double *y, size_t count, size_t first, size_t last, size_t beyond, struct bead_decay *decay);
+
+/* Participation ratio (sum y^2)^2 / sum y^4 of amplitudes y: about how many of them share what there is; 1 to count. NaN where all
+ * are 0. */
+BEAD_API double bead_participation(const double *y, size_t count);
+
+#endif

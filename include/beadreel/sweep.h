@@ -1,0 +1,173 @@
+/* Sweeps: many chains that differ in the spins of their random cells, and their results.
+ *
+ *   err = bead_sweep_create(scene, &sweep, &msg);                 or    err = bead_sweep_open("sweep.h5", ..., &sweep, &msg);
+ *   err = bead_sweep_run(sweep, &settings, &msg);
+ *   for (size_t p = 0; p < bead_sweep_panels(sweep); p++)
+ *       for (size_t c = 0; c < bead_sweep_panel(sweep, p)->configurations; c++)
+ *           if (bead_sweep_configuration(sweep, p, c, &configuration))
+ *               ... spins, magnetism, peaks ...
+ *   bead_sweep_close(sweep);
+ *
+ * A panel is one sweep of the scene. Configurations go by rising magnetism. Spins are draws of Philox4x32-10 under the sweep's
+ * seed, stream (number up) 2^32 + (number within the magnetism): more configurations or magnetisms leave those before as they are.
+ * Results depend on nothing but the scene: not on threads, on what else is in it, or on where a run was stopped and resumed.
+ *
+ * In the file (HDF5; SI): /scene, the scene's text; for panel p the group /sweeps/p with the attributes name and seed and
+ *   configuration [n]     number within the panel, from 0
+ *   spins [n][cells]      1 up, 0 reversed, of the random cells
+ *   magnetism [n]         M of the chain
+ *   place [places]        "peak", or the sensors' names
+ *   peak_force [n][place] N, peak_time [n][place] s, peak_bead [n][place]
+ *   bead [beads], bead_force [n][bead] N, bead_energy [n][bead] J      where decay is measured
+ *   reference_...         the same of the chain with all random cells up */
+#ifndef BEADREEL_SWEEP_H
+#define BEADREEL_SWEEP_H
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "beadreel/chain.h"
+#include "beadreel/error.h"
+#include "beadreel/scene.h"
+#include "beadreel/session.h"
+#include "beadreel/statistics.h"
+
+struct bead_sweep;
+
+struct bead_sweep_panel {
+    const char *name; /* "" for a single unnamed sweep */
+    const struct bead_sweep_spec *spec;
+    size_t configurations;
+    size_t places; /* results of each: 1, or one a sensor; 0 where no peak is measured */
+    size_t beads;  /* of its chains, with the striker */
+};
+
+struct bead_sweep_peak {
+    double force;  /* N: largest bead force of the first passage */
+    double time;   /* s; NaN where the wave has not come */
+    uint64_t bead; /* where */
+};
+
+struct bead_sweep_configuration {
+    const char *spins; /* [cells] '0' and '1', not terminated */
+    double magnetism;
+    const struct bead_sweep_peak *peaks;    /* [places] */
+    const double *bead_force, *bead_energy; /* [beads] N, J: peaks of the first passage; NULL where not measured */
+};
+
+#define BEAD_SWEEP_CLEAN ((size_t)-1) /* instead of a configuration's number: all random cells up */
+
+/* The scene must outlive the sweep. Errors: MEMORY, USAGE (the scene has no sweep). */
+BEAD_API BEAD_CHECK enum bead_error bead_sweep_create(const struct bead_scene *scene, struct bead_sweep **sweep,
+                                                      struct bead_message *msg);
+BEAD_API void bead_sweep_close(struct bead_sweep *sweep);
+
+BEAD_API const struct bead_scene *bead_sweep_scene(const struct bead_sweep *sweep);
+BEAD_API size_t bead_sweep_panels(const struct bead_sweep *sweep);
+BEAD_API const struct bead_sweep_panel *bead_sweep_panel(const struct bead_sweep *sweep, size_t panel);
+/* Name of a place: "peak" or a sensor's. */
+BEAD_API const char *bead_sweep_place(const struct bead_sweep *sweep, size_t panel, size_t place);
+/* One configuration, or BEAD_SWEEP_CLEAN; false: its results are not known (yet, or not in this part), peaks and profiles are NULL.
+ * Borrowed from the sweep. */
+BEAD_API bool bead_sweep_configuration(const struct bead_sweep *sweep, size_t panel, size_t index,
+                                       struct bead_sweep_configuration *configuration);
+/* How many configurations (and reference chains) there are, and are known. */
+BEAD_API size_t bead_sweep_count(const struct bead_sweep *sweep, size_t *known);
+
+/* The chain of a configuration, or of BEAD_SWEEP_CLEAN: not of the sweep's scene, but of one made for it. The sweep must outlive
+ * it. Errors: MEMORY, SCENE. */
+struct bead_sweep_chain;
+BEAD_API BEAD_CHECK enum bead_error bead_sweep_chain_create(const struct bead_sweep *sweep, size_t panel, size_t index,
+                                                            struct bead_sweep_chain **chain, struct bead_message *msg);
+BEAD_API const struct bead_chain *bead_sweep_chain_of(const struct bead_sweep_chain *chain);
+BEAD_API void bead_sweep_chain_destroy(struct bead_sweep_chain *chain);
+/* The text of a scene that is this one chain, with `outputs` (YAML: "[{movie: a.mp4}]"); to be freed with free(). Errors: SCENE,
+ * MEMORY. */
+BEAD_API BEAD_CHECK enum bead_error bead_sweep_single(const struct bead_sweep *sweep, size_t panel, size_t index,
+                                                      const char *outputs, char **text, struct bead_message *msg);
+
+struct bead_sweep_settings {
+    int threads;              /* 0: all cores */
+    const char *instructions; /* as in bead_job */
+    const char *journal;      /* results as they come, to go on from; NULL: none */
+    size_t part, parts;       /* only part 1..parts; 0, 0: all */
+    const volatile sig_atomic_t *stop;
+    void (*progress)(void *context, const struct bead_progress *progress);
+    void *progress_context;
+};
+/* Compute what is not known. What the journal holds is taken from there; a last record that is not whole is ignored. A journal of
+ * another scene, version or part is refused. *computed gets how many chains
+ * were computed now; may be NULL. Errors: MEMORY, NUMBERS, SCENE, USAGE (journal), IO, STOPPED. */
+BEAD_API BEAD_CHECK enum bead_error bead_sweep_run(struct bead_sweep *sweep, const struct bead_sweep_settings *settings,
+                                                   uint64_t *computed, struct bead_message *msg);
+/* "sweep.h5" -> "sweep.2of4.h5", to be freed with free(). Errors: MEMORY. */
+BEAD_API BEAD_CHECK enum bead_error bead_sweep_part_path(const char *path, size_t part, size_t parts, char **name,
+                                                         struct bead_message *msg);
+
+/* Write what is known to `path`, whole or not at all. Errors: IO, MEMORY. */
+BEAD_API BEAD_CHECK enum bead_error bead_sweep_write(const struct bead_sweep *sweep, const char *path, struct bead_message *msg);
+/* True where the file says that it is one of a sweep. */
+BEAD_API bool bead_sweep_is(const char *path);
+/* Read one; `settings` change the outputs of its scene. Everything in the file is checked. The sweep has a scene of its own.
+ * Errors: IO, FORMAT, MEMORY, SCENE. */
+BEAD_API BEAD_CHECK enum bead_error bead_sweep_open(const char *path, const char *const *settings, size_t setting_count,
+                                                    struct bead_sweep **sweep, struct bead_message *msg);
+/* Put parts together, in any order; all must be there, once, and of the same scene and version. Errors: those of open; USAGE. */
+BEAD_API BEAD_CHECK enum bead_error bead_sweep_merge(const char *const *paths, size_t count, struct bead_sweep **sweep,
+                                                     struct bead_message *msg);
+/* The part that a file holds; 1 of 1 where all. */
+BEAD_API void bead_sweep_part(const struct bead_sweep *sweep, size_t *part, size_t *parts);
+/* Version of the program that the results are of. */
+BEAD_API const char *bead_sweep_version(const struct bead_sweep *sweep);
+
+/* Statistics of one magnetism at one place, normalised by the clean chain's force. */
+struct bead_sweep_row {
+    double magnetism;
+    size_t first, count; /* values first..first+count-1 are of this magnetism */
+    struct bead_summary summary;
+};
+struct bead_sweep_statistics {
+    double clean; /* N: force at this place without disorder */
+    struct bead_sweep_row *rows;
+    size_t row_count;
+    double *values;  /* normalised forces, those of a row together */
+    size_t *indices; /* and the configurations that they are of */
+    struct bead_threshold threshold;
+    bool has_threshold;
+};
+/* Of the configurations known; fills *statistics, to be freed with bead_sweep_statistics_free. Errors: MEMORY; NUMBERS where the
+ * clean chain is not known. */
+BEAD_API BEAD_CHECK enum bead_error bead_sweep_statistics(const struct bead_sweep *sweep, size_t panel, size_t place,
+                                                          const char *threshold, struct bead_sweep_statistics *statistics,
+                                                          struct bead_message *msg);
+BEAD_API void bead_sweep_statistics_free(struct bead_sweep_statistics *statistics);
+
+/* Outputs of sweeps: each kind of file is one const row. */
+struct bead_sweep_sink {
+    const char *name;
+    enum bead_output_kind kind;
+    const char *const *extensions; /* NULL-terminated, without the dot */
+    /* What is written, in words for --plan. */
+    const char *(*why)(const struct bead_output *output);
+    enum bead_error (*write)(const struct bead_output *output, const struct bead_sweep *sweep, const char *path, uint64_t *bytes,
+                             struct bead_message *msg);
+};
+/* Tables. NULL-terminated. */
+BEAD_API const struct bead_sweep_sink *const *bead_sweep_data_sinks(void);
+
+/* How peaks decay along the chain: geometric means over the configurations of a magnetism. */
+struct bead_sweep_decay {
+    double magnetism;
+    size_t count;           /* configurations */
+    double *force, *energy; /* [beads] N, J: geometric means of the peaks */
+    struct bead_decay of_force, of_energy;
+    double participation; /* mean participation ratio of the peak forces of the beads behind the random part */
+};
+BEAD_API BEAD_CHECK enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel,
+                                                      struct bead_sweep_decay **decays, size_t *count, struct bead_message *msg);
+BEAD_API void bead_sweep_decays_free(struct bead_sweep_decay *decays, size_t count);
+
+#endif

@@ -1,0 +1,8 @@
+/* What a sweep's file says of itself. */
+#ifndef BEADREEL_SIM_SWEEP_FILE_H
+#define BEADREEL_SIM_SWEEP_FILE_H
+
+#define BEAD_SWEEP_KIND "beadreel-sweep"
+enum { BEAD_SWEEP_FORMAT = 1 };
+
+#endif

@@ -1,0 +1,550 @@
+/* Sweeps: spins, forces, statistics, files and journals. */
+#include "support.h"
+
+#include <fcntl.h>
+#include <hdf5.h>
+#include <unistd.h>
+
+#include "beadreel/statistics.h"
+#include "beadreel/sweep.h"
+#include "scratch.h"
+
+static struct bead_scene *parse(const char *text)
+{
+    struct bead_message msg = {""};
+    struct bead_scene *scene = NULL;
+    if (bead_scene_parse("test.yaml", text, strlen(text), NULL, 0, &scene, &msg))
+        fail_msg("%s", msg.text);
+    return scene;
+}
+
+static struct bead_sweep *compute(const struct bead_scene *scene, const struct bead_sweep_settings *settings)
+{
+    static const struct bead_sweep_settings plain = {.threads = 2};
+    struct bead_message msg = {""};
+    struct bead_sweep *sweep = NULL;
+    if (bead_sweep_create(scene, &sweep, &msg) || bead_sweep_run(sweep, settings ? settings : &plain, NULL, &msg))
+        fail_msg("%s", msg.text);
+    return sweep;
+}
+
+static const struct bead_sweep_peak *peak_of(const struct bead_sweep *sweep, size_t index)
+{
+    struct bead_sweep_configuration found;
+    assert_true(bead_sweep_configuration(sweep, 0, index, &found));
+    return found.peaks;
+}
+
+#define OUTPUT "\noutputs: [{sweep: a.h5}]\n"
+
+/* Forces that an independent program found (velocity-extended Forest-Ruth, steps of 20 ns), N to 8 digits and us. */
+static const struct known {
+    const char *text, *spins;
+    double force, time;
+    size_t bead;
+} known[] = {
+    {"20", "11111111111111111111", 36.05083850, 841.69700, 44},
+    {"20", "11111111111111111110", 29.29725970, 834.47251, 44},
+    {"20", "11000011101100110001", 22.69194659, 860.15264, 44},
+    {"32", "11110111111111111110111111111111", 27.72518483, 1318.75505, 68},
+    {"32", "01101010011100101101101100100010", 13.29868335, 1382.48926, 67},
+};
+
+static void forces_are_those_of_another_program(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        char text[256];
+        snprintf(text, sizeof text, "sweep: {cells: %s, spins: [\"%s\"]}" OUTPUT, known[i].text, known[i].spins);
+        struct bead_scene *scene = parse(text);
+        struct bead_sweep *sweep = compute(scene, NULL);
+        assert_near(peak_of(sweep, 0)->force, known[i].force, 1e-6 * known[i].force);
+        assert_near(peak_of(sweep, 0)->time, 1e-6 * known[i].time, 1e-9);
+        assert_int_equal(peak_of(sweep, 0)->bead, known[i].bead);
+        bead_sweep_close(sweep);
+        bead_scene_free(scene);
+    }
+}
+
+/* Sensors of the experiment: 68 beads, dimers 2..19 free; forces at both, N, and their times, us. */
+static void forces_at_sensors(void **state)
+{
+    (void)state;
+    static const char text[] = "chain:\n"
+                               "  beads:\n"
+                               "    - {cell: [large-steel, aluminium], spins: up}\n"
+                               "    - {cell: [large-steel, aluminium], count: 18, spins: random}\n"
+                               "    - {bead: small-steel, sensor: first}\n"
+                               "    - {cell: [large-steel, aluminium], spins: up}\n"
+                               "    - {cell: [large-steel, aluminium], count: 3}\n"
+                               "    - {bead: small-steel, sensor: second}\n"
+                               "    - {cell: [large-steel, aluminium], count: 10}\n"
+                               "  wall: brass\n"
+                               "sweep:\n"
+                               "  spins: [\"111111111110111111\", \"111110111011011100\", \"011110001000110001\"]\n"
+                               "  measure: {peak: force, sensor: [first, second]}" OUTPUT;
+    static const double wanted[3][4] = {{29.725809, 734.082, 29.274391, 898.910},
+                                        {24.453513, 749.709, 23.736214, 911.775},
+                                        {20.860941, 746.862, 19.284343, 925.099}};
+    static const double magnetism[3] = {0.9, 0.5, 0};
+    struct bead_scene *scene = parse(text);
+    struct bead_sweep *sweep = compute(scene, NULL);
+    assert_int_equal(bead_sweep_panel(sweep, 0)->places, 2);
+    assert_string_equal(bead_sweep_place(sweep, 0, 1), "second");
+    assert_near(peak_of(sweep, BEAD_SWEEP_CLEAN)[0].force, 34.504943, 1e-6 * 34.5);
+    for (size_t i = 0; i < 3; i++) {
+        struct bead_sweep_configuration found;
+        assert_true(bead_sweep_configuration(sweep, 0, i, &found));
+        assert_near(found.magnetism, magnetism[i], 1e-12);
+        for (size_t place = 0; place < 2; place++) {
+            assert_near(found.peaks[place].force, wanted[i][2 * place], 1e-6 * 30);
+            assert_near(found.peaks[place].time, 1e-6 * wanted[i][2 * place + 1], 1e-9);
+        }
+    }
+    bead_sweep_close(sweep);
+    bead_scene_free(scene);
+}
+
+/* One reversed dimer, with a long chain behind it: force ratio .87369, and of the energy in the wave, F^(5/3), .7985. */
+static void one_defect_transmits(void **state)
+{
+    (void)state;
+    char text[256], spins[65];
+    memset(spins, '1', 64);
+    spins[20] = '0';
+    spins[64] = 0;
+    snprintf(text, sizeof text, "sweep: {cells: 64, spins: [\"%s\"]}" OUTPUT, spins);
+    struct bead_scene *scene = parse(text);
+    struct bead_sweep *sweep = compute(scene, NULL);
+    double ratio = peak_of(sweep, 0)->force / peak_of(sweep, BEAD_SWEEP_CLEAN)->force;
+    assert_near(ratio, 0.87369, 0.001);
+    assert_near(pow(ratio, 5.0 / 3), 0.7985, 0.0015);
+    bead_sweep_close(sweep);
+    bead_scene_free(scene);
+}
+
+/* Every magnetism that the cells allow, exactly, with majority up; all configurations of one differ in order only. */
+static void magnetism_is_exact(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    struct bead_scene *scene = parse("sweep: {cells: 9, configurations: 5, seed: 4}" OUTPUT);
+    struct bead_sweep *sweep = NULL;
+    assert_int_equal(bead_sweep_create(scene, &sweep, &msg), BEAD_OK);
+    assert_int_equal(bead_sweep_panel(sweep, 0)->configurations, 4 * 5 + 1);
+    for (size_t i = 0; i < 21; i++) {
+        struct bead_sweep_configuration found;
+        bead_sweep_configuration(sweep, 0, i, &found);
+        size_t up = 0;
+        for (size_t k = 0; k < 9; k++)
+            up += found.spins[k] == '1';
+        assert_int_equal(up, i < 20 ? 5 + i / 5 : 9);
+        assert_near(found.magnetism, (2 * (double)up - 9) / 9, 1e-15);
+    }
+    bead_sweep_close(sweep);
+    bead_scene_free(scene);
+}
+
+/* More configurations, or other magnetisms beside it, leave a configuration as it is. */
+static void configurations_do_not_depend_on_others(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    struct bead_scene *few = parse("sweep: {cells: 40, configurations: 3, seed: 4, magnetism: 0.5}" OUTPUT);
+    struct bead_scene *more = parse("sweep: {cells: 40, configurations: 7, seed: 4, magnetism: [0, 0.5, 0.8]}" OUTPUT);
+    struct bead_sweep *a = NULL, *b = NULL;
+    assert_int_equal(bead_sweep_create(few, &a, &msg), BEAD_OK);
+    assert_int_equal(bead_sweep_create(more, &b, &msg), BEAD_OK);
+    struct bead_sweep_configuration one, other, next;
+    for (size_t i = 0; i < 3; i++) {
+        bead_sweep_configuration(a, 0, i, &one);
+        bead_sweep_configuration(b, 0, 7 + i, &other);
+        bead_sweep_configuration(b, 0, 8 + i, &next);
+        assert_memory_equal(one.spins, other.spins, 40);
+        assert_memory_not_equal(one.spins, next.spins, 40);
+    }
+    bead_sweep_close(a);
+    bead_sweep_close(b);
+    bead_scene_free(few);
+    bead_scene_free(more);
+}
+
+/* A number of threads changes nothing, nor does a chain that is run for itself. */
+static void threads_change_nothing(void **state)
+{
+    (void)state;
+    struct bead_scene *scene = parse("sweep: {cells: 12, configurations: 3, seed: 8, measure: {decay: true}}" OUTPUT);
+    struct bead_sweep *sweep[2] = {compute(scene, &(struct bead_sweep_settings){.threads = 1}),
+                                   compute(scene, &(struct bead_sweep_settings){.threads = 5, .instructions = "sse2"})};
+    for (size_t i = 0; i < bead_sweep_panel(sweep[0], 0)->configurations; i++) {
+        struct bead_sweep_configuration a, b;
+        assert_true(bead_sweep_configuration(sweep[0], 0, i, &a) && bead_sweep_configuration(sweep[1], 0, i, &b));
+        assert_memory_equal(a.peaks, b.peaks, sizeof *a.peaks);
+        assert_memory_equal(a.bead_force, b.bead_force, bead_sweep_panel(sweep[0], 0)->beads * sizeof(double));
+        assert_memory_equal(a.bead_energy, b.bead_energy, bead_sweep_panel(sweep[0], 0)->beads * sizeof(double));
+        /* The peak is the largest of the profile there; nothing has more energy than the striker had. */
+        double largest = fmax(a.bead_force[27], fmax(a.bead_force[28], a.bead_force[29]));
+        assert_true(a.peaks->force == largest);
+        for (size_t j = 1; j < bead_sweep_panel(sweep[0], 0)->beads; j++)
+            assert_true(a.bead_energy[j] > 0 && a.bead_energy[j] <= a.bead_energy[0]);
+    }
+    bead_sweep_close(sweep[0]);
+    bead_sweep_close(sweep[1]);
+    bead_scene_free(scene);
+}
+
+/* ---- statistics ---- */
+
+static void summaries(void **state)
+{
+    (void)state;
+    double values[] = {4, 1, 3, 2, 10};
+    struct bead_summary s;
+    bead_summary_of(values, 5, &s);
+    assert_near(s.mean, 4, 1e-15);
+    assert_near(s.median, 3, 0);
+    assert_near(s.quartile[0], 2, 0);
+    assert_near(s.quartile[1], 4, 0);
+    assert_near(s.deviation, sqrt(12.5), 1e-14);
+    assert_near(s.standard_error, sqrt(2.5), 1e-14);
+    bead_summary_of(values, 1, &s);
+    assert_true(s.mean == 1 && s.median == 1 && isnan(s.standard_error));
+    bead_summary_of(values, 0, &s);
+    assert_true(isnan(s.mean) && isnan(s.median));
+}
+
+/* The line's error is the textbook's: sqrt(rest / (n - 2) / sum of squares of x). */
+static void lines(void **state)
+{
+    (void)state;
+    const double x[] = {0, 1, 2, 3}, y[] = {1, 3, 4, 8};
+    struct bead_line line;
+    bead_line_fit(x, y, 4, &line);
+    assert_near(line.slope, 2.2, 1e-14);
+    assert_near(line.offset, 0.7, 1e-14);
+    assert_near(line.slope_error, sqrt(1.8 / 2 / 5), 1e-13);
+    bead_line_fit(x, y, 1, &line);
+    assert_true(isnan(line.slope));
+}
+
+static void decay_of_known_laws(void **state)
+{
+    (void)state;
+    double y[400];
+    struct bead_decay decay;
+    for (size_t i = 0; i < 400; i++)
+        y[i] = i <= 100 ? exp(-(double)i / 103) : exp(-100.0 / 103) * pow((double)i / 100, -0.61);
+    bead_decay_fit(y, 400, 10, 100, 100, &decay);
+    assert_near(decay.length, 103, 1e-9);
+    assert_near(decay.exponent, -0.61, 1e-12);
+    y[50] = 0; /* left out */
+    bead_decay_fit(y, 400, 10, 100, 100, &decay);
+    assert_near(decay.length, 103, 1e-9);
+}
+
+static void participation(void **state)
+{
+    (void)state;
+    const double one[] = {0, 5, 0}, equal[] = {1e-200, 1e-200, 1e-200, 1e-200}, none[] = {0, 0};
+    assert_near(bead_participation(one, 3), 1, 0);
+    assert_near(bead_participation(equal, 4), 4, 1e-12);
+    assert_true(isnan(bead_participation(none, 2)));
+}
+
+/* Means of 400 configurations of 50 dimers by M = 0, .04, ..., 1, from another program, whose threshold is .584 +- .017. */
+static const double means_of_50[] = {.328177, .329039, .329979, .325338, .330017, .329453, .333387, .329042, .335009,
+                                     .339408, .347098, .353277, .361271, .373536, .384636, .398498, .423863, .446375,
+                                     .474002, .514129, .554851, .613890, .680233, .764354, .870346, 1};
+
+static void threshold_of_known_means(void **state)
+{
+    (void)state;
+    enum { COUNT = sizeof means_of_50 / sizeof *means_of_50 };
+    struct bead_group_results groups[COUNT];
+    struct bead_threshold t;
+    struct bead_message msg = {""};
+    for (size_t i = 0; i < COUNT; i++)
+        groups[i] = (struct bead_group_results){(double)i / 25, &means_of_50[i], 1};
+    assert_int_equal(bead_threshold_fit(groups, COUNT, bead_threshold_info_named("law"), 10, 1, &t, &msg), BEAD_OK);
+    assert_near(t.plateau, 0.329, 0.0005);
+    assert_near(t.critical, 0.584, 0.002);
+    assert_true(t.critical_error == 0 && t.low > 0.8 && t.high == 0.96); /* of one value each, bootstrap draws the same */
+    assert_int_equal(bead_threshold_fit(groups, COUNT, bead_threshold_info_named("half"), 0, 1, &t, &msg), BEAD_OK);
+    assert_near(t.critical, 0.872, 0.002);
+    /* Without a plateau, or without what rises above it, there is no threshold. */
+    assert_int_equal(bead_threshold_fit(groups + 10, COUNT - 10, bead_threshold_info_named("law"), 0, 1, &t, &msg),
+                     BEAD_ERROR_NUMBERS);
+    assert_int_equal(bead_threshold_fit(groups, 4, bead_threshold_info_named("law"), 0, 1, &t, &msg), BEAD_ERROR_NUMBERS);
+    assert_null(bead_threshold_info_named("lore"));
+}
+
+/* The bootstrap's deviation of the plateau is that of a mean. */
+static void bootstrap_errors(void **state)
+{
+    (void)state;
+    enum { EACH = 100 };
+    static double low[EACH], high[EACH], one[1] = {1};
+    for (size_t i = 0; i < EACH; i++) {
+        low[i] = 0.3 + 0.02 * ((double)i / EACH - 0.495);
+        high[i] = 0.7 + 0.02 * ((double)i / EACH - 0.495);
+    }
+    const struct bead_group_results groups[] = {{0, low, EACH}, {0.9, high, EACH}, {1, one, 1}};
+    struct bead_threshold t, again;
+    struct bead_message msg = {""};
+    assert_int_equal(bead_threshold_fit(groups, 3, bead_threshold_info_named("law"), 2000, 5, &t, &msg), BEAD_OK);
+    double error = 0.02 / sqrt(12) / sqrt(EACH);
+    assert_near(t.plateau_error, error, 0.1 * error);
+    assert_near(t.rate_error, error / 0.7 / 0.19, 0.1 * error / 0.7 / 0.19);
+    assert_int_equal(bead_threshold_fit(groups, 3, bead_threshold_info_named("law"), 2000, 5, &again, &msg), BEAD_OK);
+    assert_memory_equal(&t, &again, sizeof t);
+}
+
+/* ---- files ---- */
+
+static const char small[] = "sweep: {cells: 6, configurations: 3, seed: 2, magnetism: [0, 0.667]}" OUTPUT;
+
+static void read_file(const char *path, char **bytes, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    *bytes = malloc(1 << 20);
+    assert_non_null(*bytes);
+    *size = fread(*bytes, 1, 1 << 20, file);
+    fclose(file);
+}
+
+static void assert_same_files(const char *one, const char *other)
+{
+    char *a, *b;
+    size_t n, m;
+    read_file(one, &a, &n);
+    read_file(other, &b, &m);
+    assert_int_equal(n, m);
+    assert_memory_equal(a, b, n);
+    free(a);
+    free(b);
+}
+
+static void in_directory(const char *name, char path[512])
+{
+    snprintf(path, 512, "%s/%s", directory, name);
+}
+
+/* Cut at any byte, the journal is gone on with, and the file is the same. */
+static void a_torn_journal_is_gone_on_with(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    struct bead_scene *scene = parse(small);
+    char journal[512], whole[512], again[512], *bytes;
+    size_t size;
+    in_directory("whole.h5", whole);
+    in_directory("again.h5", again);
+    in_directory("journal", journal);
+    struct bead_sweep *sweep = compute(scene, &(struct bead_sweep_settings){.threads = 2, .journal = journal});
+    assert_int_equal(bead_sweep_write(sweep, whole, &msg), BEAD_OK);
+    bead_sweep_close(sweep);
+    read_file(journal, &bytes, &size);
+    for (size_t cut = 0; cut <= size; cut += cut < 80 ? 13 : 29) {
+        uint64_t computed = 0;
+        FILE *file = fopen(journal, "wb");
+        assert_non_null(file);
+        assert_int_equal(fwrite(bytes, 1, cut, file), cut);
+        fclose(file);
+        assert_int_equal(bead_sweep_create(scene, &sweep, &msg), BEAD_OK);
+        const struct bead_sweep_settings settings = {.threads = 1, .journal = journal};
+        if (bead_sweep_run(sweep, &settings, &computed, &msg))
+            fail_msg("cut at %zu: %s", cut, msg.text);
+        assert_true(cut == size ? computed == 0 : computed > 0);
+        assert_int_equal(bead_sweep_write(sweep, again, &msg), BEAD_OK);
+        assert_same_files(whole, again);
+        bead_sweep_close(sweep);
+    }
+    free(bytes);
+    bead_scene_free(scene);
+}
+
+/* A byte that has changed spoils its record and those behind it, no more. */
+static void a_spoilt_journal_is_not_believed(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    struct bead_scene *scene = parse(small),
+                      *other = parse("sweep: {cells: 6, configurations: 3, seed: 3, magnetism: [0, 0.667]}" OUTPUT);
+    char journal[512];
+    in_directory("spoilt", journal);
+    const struct bead_sweep_settings settings = {.threads = 1, .journal = journal};
+    bead_sweep_close(compute(scene, &settings));
+    int file = open(journal, O_RDWR);
+    assert_true(file >= 0);
+    off_t size = lseek(file, 0, SEEK_END);
+    unsigned char byte = 0;
+    assert_int_equal(pread(file, &byte, 1, size - 20), 1);
+    byte ^= 4;
+    assert_int_equal(pwrite(file, &byte, 1, size - 20), 1);
+    close(file);
+    struct bead_sweep *sweep = NULL;
+    uint64_t computed = 0;
+    assert_int_equal(bead_sweep_create(scene, &sweep, &msg), BEAD_OK);
+    assert_int_equal(bead_sweep_run(sweep, &settings, &computed, &msg), BEAD_OK);
+    assert_int_equal(computed, 1);
+    bead_sweep_close(sweep);
+    /* Of another scene, or no journal at all: refused, and left alone. */
+    assert_int_equal(bead_sweep_create(other, &sweep, &msg), BEAD_OK);
+    assert_int_equal(bead_sweep_run(sweep, &settings, NULL, &msg), BEAD_ERROR_USAGE);
+    assert_non_null(strstr(msg.text, "another scene"));
+    bead_sweep_close(sweep);
+    FILE *text = fopen(journal, "w");
+    fputs("A letter to my landlord, which is long enough to be mistaken for the head of a journal.\n", text);
+    fclose(text);
+    assert_int_equal(bead_sweep_create(scene, &sweep, &msg), BEAD_OK);
+    assert_int_equal(bead_sweep_run(sweep, &settings, NULL, &msg), BEAD_ERROR_USAGE);
+    assert_non_null(strstr(msg.text, "no journal"));
+    bead_sweep_close(sweep);
+    bead_scene_free(scene);
+    bead_scene_free(other);
+}
+
+static void parts_make_the_whole(void **state)
+{
+    (void)state;
+    enum { PARTS = 9 }; /* more than there are chains: some are empty */
+    struct bead_message msg = {""};
+    struct bead_scene *scene = parse(small);
+    char whole[512], merged[512], part[PARTS][512];
+    const char *paths[PARTS + 1];
+    in_directory("all.h5", whole);
+    in_directory("merged.h5", merged);
+    struct bead_sweep *sweep = compute(scene, NULL);
+    assert_int_equal(bead_sweep_write(sweep, whole, &msg), BEAD_OK);
+    bead_sweep_close(sweep);
+    for (size_t k = 0; k < PARTS; k++) {
+        snprintf(part[k], sizeof part[k], "%.400s/part%zu.h5", directory, k);
+        paths[(5 * k + 3) % PARTS] = part[k];
+        sweep = compute(scene, &(struct bead_sweep_settings){.threads = 1, .part = k + 1, .parts = PARTS});
+        assert_int_equal(bead_sweep_write(sweep, part[k], &msg), BEAD_OK);
+        bead_sweep_close(sweep);
+    }
+    assert_int_equal(bead_sweep_merge(paths, PARTS, &sweep, &msg), BEAD_OK);
+    assert_int_equal(bead_sweep_write(sweep, merged, &msg), BEAD_OK);
+    bead_sweep_close(sweep);
+    assert_same_files(whole, merged);
+    /* One missing, one twice, one of another sweep. */
+    assert_int_equal(bead_sweep_merge(paths, PARTS - 1, &sweep, &msg), BEAD_ERROR_USAGE);
+    assert_non_null(strstr(msg.text, "missing"));
+    paths[PARTS] = paths[2];
+    assert_int_equal(bead_sweep_merge(paths, PARTS + 1, &sweep, &msg), BEAD_ERROR_USAGE);
+    assert_non_null(strstr(msg.text, paths[2]));
+    paths[PARTS] = whole;
+    assert_int_equal(bead_sweep_merge(paths, PARTS + 1, &sweep, &msg), BEAD_ERROR_USAGE);
+    assert_non_null(strstr(msg.text, whole));
+    bead_scene_free(scene);
+}
+
+/* A copy whose first value of a dataset is another. */
+static void change_value(const char *path, const char *copy, const char *name, double value)
+{
+    char *bytes, where[64];
+    size_t size;
+    read_file(path, &bytes, &size);
+    FILE *file = fopen(copy, "wb");
+    assert_int_equal(fwrite(bytes, 1, size, file), size);
+    fclose(file);
+    free(bytes);
+    double values[64];
+    snprintf(where, sizeof where, "/sweeps/0/%s", name);
+    hid_t h5 = H5Fopen(copy, H5F_ACC_RDWR, H5P_DEFAULT), data = H5Dopen2(h5, where, H5P_DEFAULT);
+    assert_true(h5 >= 0 && data >= 0 && H5Dread(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
+    values[0] = value;
+    assert_true(H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
+    H5Dclose(data);
+    H5Fclose(h5);
+}
+
+static void files_are_not_trusted(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    struct bead_scene *scene = parse(small);
+    struct bead_sweep *sweep = compute(scene, NULL), *read = NULL;
+    char path[512], copy[512], *bytes;
+    size_t size;
+    in_directory("trusted.h5", path);
+    in_directory("copy.h5", copy);
+    assert_int_equal(bead_sweep_write(sweep, path, &msg), BEAD_OK);
+    assert_true(bead_sweep_is(path));
+    read_file(path, &bytes, &size);
+    /* What is read is what was written. */
+    assert_int_equal(bead_sweep_open(path, NULL, 0, &read, &msg), BEAD_OK);
+    for (size_t i = 0; i < 6; i++)
+        assert_memory_equal(peak_of(read, i), peak_of(sweep, i), sizeof(struct bead_sweep_peak));
+    bead_sweep_close(read);
+    /* One thing changed in a good file. */
+    static const struct {
+        const char *name;
+        double value;
+    } changes[] = {{"peak_force", -1},
+                   {"peak_force", NAN},
+                   {"peak_bead", 1000},
+                   {"peak_bead", -1},
+                   {"spins", 2},
+                   {"configuration", 5},
+                   {"reference_peak_force", INFINITY}};
+    for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
+        change_value(path, copy, changes[i].name, changes[i].value);
+        assert_int_equal(bead_sweep_open(copy, NULL, 0, &read, &msg), BEAD_ERROR_FORMAT);
+        assert_null(read);
+        assert_non_null(strstr(msg.text, changes[i].name));
+    }
+    /* A setting may change outputs, not physics. */
+    const char *harmless[] = {"outputs=[{table: x.csv}]"}, *harmful[] = {"sweep.seed=3"};
+    assert_int_equal(bead_sweep_open(path, harmless, 1, &read, &msg), BEAD_OK);
+    bead_sweep_close(read);
+    assert_int_equal(bead_sweep_open(path, harmful, 1, &read, &msg), BEAD_ERROR_USAGE);
+    /* Bytes changed here and there: refused, or read without harm. */
+    for (size_t i = 0; i < 60; i++) {
+        size_t at = (i * i * 37 + i) % size;
+        FILE *file = fopen(copy, "wb");
+        bytes[at] = (char)(bytes[at] ^ (1 << i % 8));
+        assert_int_equal(fwrite(bytes, 1, size, file), size);
+        fclose(file);
+        bytes[at] = (char)(bytes[at] ^ (1 << i % 8));
+        read = NULL;
+        if (bead_sweep_is(copy) && !bead_sweep_open(copy, NULL, 0, &read, &msg))
+            bead_sweep_close(read);
+    }
+    /* Cut off anywhere: refused. */
+    for (size_t cut = 0; cut < size; cut += size / 10) {
+        FILE *file = fopen(copy, "wb");
+        assert_int_equal(fwrite(bytes, 1, cut, file), cut);
+        fclose(file);
+        assert_int_not_equal(bead_sweep_open(copy, NULL, 0, &read, &msg), BEAD_OK);
+        assert_null(read);
+    }
+    free(bytes);
+    bead_sweep_close(sweep);
+    bead_scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(forces_are_those_of_another_program),
+        cmocka_unit_test(forces_at_sensors),
+        cmocka_unit_test(one_defect_transmits),
+        cmocka_unit_test(magnetism_is_exact),
+        cmocka_unit_test(configurations_do_not_depend_on_others),
+        cmocka_unit_test(threads_change_nothing),
+        cmocka_unit_test(summaries),
+        cmocka_unit_test(lines),
+        cmocka_unit_test(decay_of_known_laws),
+        cmocka_unit_test(participation),
+        cmocka_unit_test(threshold_of_known_means),
+        cmocka_unit_test(bootstrap_errors),
+        cmocka_unit_test(a_torn_journal_is_gone_on_with),
+        cmocka_unit_test(a_spoilt_journal_is_not_believed),
+        cmocka_unit_test(parts_make_the_whole),
+        cmocka_unit_test(files_are_not_trusted),
+    };
+    return cmocka_run_group_tests(tests, make_directory, remove_directory);
+}
