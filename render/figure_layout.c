@@ -336,10 +336,15 @@ static enum bead_error settle(struct bead_figure *f, struct plan *plan, struct b
     return err;
 }
 
+static bool only_beads(const struct bead_figure *f)
+{
+    return f->view_count == 1 && f->cells[0].panel[0].type->kind == BEAD_VIEW_BEADS;
+}
+
 /* Columns and rows of chains whose plots have the best shape. */
 static void choose_grid(struct bead_figure *f)
 {
-    double em = f->look.label, best = INFINITY, wanted = f->view_count > 1 ? 1.9 : 1.35;
+    double em = f->look.label, best = INFINITY, wanted = f->view_count > 1 ? 1.9 : only_beads(f) ? 8 : 1.35;
     for (size_t columns = 1; columns <= f->cell_count; columns++) {
         size_t rows = (f->cell_count + columns - 1) / columns;
         double width = (f->area.width - 10 * em) / (double)columns - 2 * em;

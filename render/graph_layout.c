@@ -262,14 +262,19 @@ static double head_height(const struct graph_layout *l, const struct graph_cell 
     return cell->head ? ceil(wrapped_height(l->look, cell->head, em, false, cell->plot.width) + head_gap * em) : 0;
 }
 
-static void measure(struct graph_layout *l)
+static void forget(struct graph_layout *l)
 {
-    const struct bead_look *look = l->look;
     memset(l->left, 0, l->columns * sizeof *l->left);
     memset(l->right, 0, l->columns * sizeof *l->right);
     memset(l->top, 0, l->rows * sizeof *l->top);
     memset(l->bottom, 0, l->rows * sizeof *l->bottom);
     memset(l->head, 0, l->rows * sizeof *l->head);
+}
+
+/* At least as far as before. */
+static void measure(struct graph_layout *l)
+{
+    const struct bead_look *look = l->look;
     for (size_t p = 0; p < l->graph->panel_count; p++) {
         struct graph_cell *cell = &l->cells[p];
         double *left = &l->left[cell->column], *right = &l->right[cell->column], over_left, over_right;
@@ -357,10 +362,22 @@ static void put_outer_legend(struct graph_layout *l)
     l->legend.box.y = bottom - l->legend.box.height;
 }
 
-/* Several times: what axes take depends on the size of plots, and that on what axes take. */
+static double reaches(const struct graph_layout *l)
+{
+    double sum = 0;
+    for (size_t c = 0; c < l->columns; c++)
+        sum += ceil(l->left[c]) + ceil(l->right[c]);
+    for (size_t r = 0; r < l->rows; r++)
+        sum += ceil(l->top[r]) + ceil(l->bottom[r]);
+    return sum;
+}
+
+/* Several times: what axes take depends on the size of plots, and that on what axes take. At first they may take less each time,
+ * then only more, until all have what they need. */
 static enum bead_error arrange(struct graph_layout *l, struct bead_message *msg)
 {
-    double em = l->look->label, width = l->width - 2 * l->frame.margin;
+    enum { FREELY = 3 };
+    double em = l->look->label, width = l->width - 2 * l->frame.margin, before = -1;
     l->title_height = l->title ? wrapped_height(l->look, l->title, graph_title_size(l->look), true, width) : 0;
     l->caption_height = l->caption ? wrapped_height(l->look, l->caption, l->look->label, false, width) : 0;
     for (size_t c = 0; c < l->columns; c++)
@@ -368,7 +385,10 @@ static enum bead_error arrange(struct graph_layout *l, struct bead_message *msg)
     for (size_t r = 0; r < l->rows; r++)
         l->bottom[r] = 2.5 * em;
     enum bead_error err = divide(l, msg);
-    for (int pass = 0; !err && pass < 3; pass++) {
+    for (int pass = 0; !err && (pass <= FREELY || reaches(l) > before); pass++) {
+        before = reaches(l);
+        if (pass < FREELY)
+            forget(l);
         measure(l);
         err = divide(l, msg);
     }

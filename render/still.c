@@ -136,13 +136,16 @@ static void result(const struct bead_sink *sink, uint64_t *bytes, uint64_t *item
 
 static const char *const extensions[] = {"png", "pdf", "svg", NULL};
 
-#define STILL(title, words, of)                                                                                               \
+#define STILL(title, words, of, shown)                                                                                        \
     {                                                                                                                         \
-        .name = title, .help = words, .kind = of, .extensions = extensions, .create = create, .needs = needs, .begin = begin, \
-        .sample = sample, .end = end, .destroy = destroy, .result = result                                                    \
+        .name = title, .help = words, .kind = of, .shows = shown, .extensions = extensions, .create = create, .needs = needs, \
+        .begin = begin, .sample = sample, .end = end, .destroy = destroy, .result = result                                    \
     }
 
+enum {
+    PLOTS = 1 << BEAD_SHOW_SENSORS | 1 << BEAD_SHOW_PEAKS | 1 << BEAD_SHOW_SETUP | 1 << BEAD_SHOW_CONTACT | 1 << BEAD_SHOW_CELL
+};
 const struct bead_sink_type bead_image_sink =
-    STILL("image", "space-time image or a still of other views: png, pdf, svg", BEAD_OUTPUT_IMAGE);
-const struct bead_sink_type bead_plot_sink =
-    STILL("plot", "force of sensors against time, peaks of contacts, or schematic drawings: png, pdf, svg", BEAD_OUTPUT_PLOT);
+    STILL("image", "space-time image or a still of other views: png, pdf, svg", BEAD_OUTPUT_IMAGE, 0);
+const struct bead_sink_type bead_plot_sink = STILL(
+    "plot", "force of sensors against time, peaks of contacts, or schematic drawings: png, pdf, svg", BEAD_OUTPUT_PLOT, PLOTS);

@@ -156,7 +156,7 @@ static enum bead_error check_equations(const struct bead_reader *reader, const s
     return BEAD_OK;
 }
 
-bool bead_output_is_drawing(const struct bead_output *output)
+static bool is_drawing(const struct bead_output *output)
 {
     return output->kind == BEAD_OUTPUT_PLOT &&
            (output->show == BEAD_SHOW_SETUP || output->show == BEAD_SHOW_CONTACT || output->show == BEAD_SHOW_CELL);
@@ -185,19 +185,19 @@ static enum bead_error check_drawing(const struct bead_reader *reader, const str
         if (where.node != at->node)
             return bead_wrong(reader, &where, "belongs to `show: contact`");
     }
-    for (size_t i = 0; i < sizeof of_runs / sizeof *of_runs && bead_output_is_drawing(output); i++) {
+    for (size_t i = 0; i < sizeof of_runs / sizeof *of_runs && is_drawing(output); i++) {
         where = bead_at_key(at, of_runs[i]);
         if (where.node != at->node)
             return bead_wrong(reader, &where, "belongs to `show: sensors` or `show: peaks`; nothing is computed for a drawing");
     }
     where = bead_at_key(at, "show");
-    for (size_t c = 0; c < scene->chain_count && bead_output_is_drawing(output); c++) {
+    for (size_t c = 0; c < scene->chain_count && is_drawing(output); c++) {
         if (scene->chains[c].equation.name)
             return bead_wrong(reader, &where, "draws beads, but there are none in `%s`", scene->chains[c].equation.name);
     }
-    if (bead_output_is_drawing(output) && output->show == BEAD_SHOW_CELL && !has_cells(scene))
+    if (is_drawing(output) && output->show == BEAD_SHOW_CELL && !has_cells(scene))
         return bead_wrong(reader, &where, "draws cells, but no chain has a `cell` of two or more beads");
-    if (!bead_output_is_drawing(output) || output->show != BEAD_SHOW_CONTACT || output->contact == BEAD_CONTACT_AUTO)
+    if (!is_drawing(output) || output->show != BEAD_SHOW_CONTACT || output->contact == BEAD_CONTACT_AUTO)
         return BEAD_OK;
     size_t last = bead_scene_count_beads(&scene->chains[0]) - (scene->chains[0].wall == BEAD_WALL_NONE);
     where = bead_at_key(at, "contact");
@@ -309,7 +309,7 @@ static enum bead_error check_paths(const struct bead_reader *reader, const struc
 
 static enum bead_error check_show(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
 {
-    return bead_output_is_drawing(output) || output->panel_count > 0 ? BEAD_OK : bead_output_check_show(reader, at, output);
+    return is_drawing(output) || output->panel_count > 0 ? BEAD_OK : bead_output_check_show(reader, at, output);
 }
 
 enum bead_error bead_output_read_settings(struct bead_reader *reader, const struct bead_at *at, unsigned form,

@@ -42,8 +42,6 @@ BEAD_CHECK enum bead_error bead_output_read_settings(struct bead_reader *reader,
 /* What an output with panels must fit together in. */
 BEAD_CHECK enum bead_error bead_output_check_panels(const struct bead_reader *reader, const struct bead_at *at,
                                                     const struct bead_output *output);
-/* A plot that shows no run. */
-bool bead_output_is_drawing(const struct bead_output *output);
 /* All that an output, or a panel, holds. */
 void bead_output_free(struct bead_output *output);
 

@@ -56,6 +56,12 @@ static void assert_nothing_hidden(const struct graph_layout *layout, const char 
         if (cell->legend.count > 0 && !cell->legend_outside && graph_mask_covered(&mask, cell->legend.box) > 0)
             fail_msg("%s: the legend of panel %zu hides something", what, p);
         graph_mask_free(&mask);
+        double width, height = 0;
+        struct bead_text_style style = graph_text(layout->look);
+        if (cell->head)
+            bead_text_size_lines(NULL, &style, cell->plot.width, cell->head, &width, &height);
+        if (height > layout->head[cell->row] || layout->head[cell->row] > layout->top[cell->row])
+            fail_msg("%s: the heading of panel %zu reaches into it", what, p);
     }
 }
 
@@ -155,6 +161,35 @@ static void test_words_of_odd_axes_never_collide(void **state)
             assert_readable(&graph, &look, 508, 378, what);
             bead_look_slide(&look, 1280, 720, true);
             assert_readable(&graph, &look, 1280, 720, what);
+        }
+    }
+}
+
+/* Titles of axes that are broken or not, headings of two lines or three: each depends on the other. */
+static void test_headings_have_room(void **state)
+{
+    (void)state;
+    static struct data d;
+    make_data(&d);
+    for (int width = 500; width < 900; width += 7) {
+        for (int height = 500; height < 1100; height += 53) {
+            struct bead_panel panels[7];
+            struct bead_look look;
+            char what[64];
+            bead_look_paper(&look, 200);
+            for (size_t p = 0; p < 7; p++) {
+                panels[p] = make_panel(&d, 1);
+                panels[p].title = "chain number 3 with a rather long name, *M*\u00a0=\u00a00.333";
+                panels[p].y.title = "bead force";
+            }
+            struct bead_graph graph = {.panels = panels, .panel_count = 7, .letters = true, .share_x = true, .share_y = true};
+            struct graph_layout layout;
+            struct bead_message msg = {""};
+            snprintf(what, sizeof what, "%d x %d", width, height);
+            if (graph_layout_make(&graph, &look, width, height, NULL, &layout, &msg))
+                continue; /* too small */
+            assert_nothing_hidden(&layout, what);
+            graph_layout_free(&layout);
         }
     }
 }
@@ -322,13 +357,10 @@ static void test_markup(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_shared_axes_are_shared),
-        cmocka_unit_test(test_ranges_that_make_no_sense),
-        cmocka_unit_test(test_bad_ranges_and_sizes_are_errors),
-        cmocka_unit_test(test_words_never_collide),
-        cmocka_unit_test(test_words_of_odd_axes_never_collide),
-        cmocka_unit_test(test_legends_without_room_go_outside),
-        cmocka_unit_test(test_markup),
+        cmocka_unit_test(test_shared_axes_are_shared),          cmocka_unit_test(test_ranges_that_make_no_sense),
+        cmocka_unit_test(test_bad_ranges_and_sizes_are_errors), cmocka_unit_test(test_words_never_collide),
+        cmocka_unit_test(test_words_of_odd_axes_never_collide), cmocka_unit_test(test_headings_have_room),
+        cmocka_unit_test(test_legends_without_room_go_outside), cmocka_unit_test(test_markup),
     };
     return cmocka_run_group_tests_name("graphs", tests, NULL, NULL);
 }
