@@ -261,11 +261,8 @@ static enum bead_error check_all(const struct bead_sweep *all, size_t parts, con
             snprintf(missing + used, sizeof missing - used, "%s%zu", used ? ", " : "", k + 1);
     }
     if (count > 0)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "part%s %s%s of %zu missing", count > 1 ? "s" : "", missing,
-                         count > 8   ? ", ... are"
-                         : count > 1 ? " are"
-                                     : " is",
-                         parts);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "part%s %s%s of %zu %s missing", count > 1 ? "s" : "", missing,
+                         count > 8 ? ", ..." : "", parts, count > 1 ? "are" : "is");
     for (size_t job = 0; job < all->jobs; job++) {
         if (!all->known[job])
             return bead_fail(msg, BEAD_ERROR_FORMAT, "the parts do not hold all configurations");

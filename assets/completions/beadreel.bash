@@ -14,11 +14,11 @@ _beadreel()
         --progress) mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "auto plain json none" -- "$value"); return ;;
         --instructions) mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "sse2 avx2 avx512" -- "$value"); return ;;
         --canvas) mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "osmesa egl" -- "$value"); return ;;
-        --threads | --set | --only) return ;;
+        --threads | --set | --only | --configuration | --shard) return ;;
         -o | --output | --info) mapfile -t COMPREPLY < <(compgen -P "$prefix" -f -- "$value"); return ;;
     esac
     if [[ $cur == -* ]]; then
-        mapfile -t COMPREPLY < <(compgen -W "--output --set --only --plan --list --info --threads --instructions --canvas --progress \
+        mapfile -t COMPREPLY < <(compgen -W "--output --set --only --plan --list --info --configuration --shard --merge --threads --instructions --canvas --progress \
             --help --version -o -h -V" -- "$cur")
         return
     fi

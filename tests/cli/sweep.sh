@@ -1,0 +1,95 @@
+#!/bin/bash
+# Sweeps: killed and gone on with, in parts, drawn again, one configuration alone.
+source "$(dirname "$0")/../shell.bash"
+cat >"$T/sweep.yaml" <<'YAML'
+title: Sweep
+sweep: {cells: 16, configurations: 12, seed: 7}
+outputs:
+  - {sweep: sweep.h5}
+  - {table: force.csv}
+  - {table: configurations.csv, show: configurations}
+  - {plot: force.png, size: [640, 400]}
+YAML
+same() { cmp "$1" "$2"; }
+
+ok "a sweep runs" exits 0 "$beadreel" "$T/sweep.yaml" -o "$T/whole"
+ok "no journal is left" test ! -e "$T/whole/sweep.h5.part"
+ok "one row a magnetism" [ "$(wc -l <"$T/whole/force.csv")" -eq 10 ]
+ok "one row a configuration" [ "$(wc -l <"$T/whole/configurations.csv")" -eq 98 ]
+ok "beadsim with one thread: the same bytes" exits 0 "$beadsim" "$T/sweep.yaml" --threads 1 -o "$T/one"
+ok "... of the file" same "$T/whole/sweep.h5" "$T/one/sweep.h5"
+ok "... of the table" same "$T/whole/force.csv" "$T/one/force.csv"
+
+# Killed ten times over, at moments spread over the run; each time the same command again.
+mkdir "$T/killed"
+RANDOM=4
+for i in 1 2 3 4 5 6 7 8 9 10; do
+    "$beadsim" "$T/sweep.yaml" --threads 2 --only sweep.h5 -o "$T/killed" >/dev/null 2>&1 &
+    pid=$!
+    sleep "0.0$((RANDOM % 9 + 1))"
+    kill -KILL $pid 2>/dev/null
+    wait $pid 2>/dev/null
+done
+ok "killed ten times over, it goes on to its end" exits 0 "$beadsim" "$T/sweep.yaml" --only sweep.h5 -o "$T/killed"
+ok "... and the file is the same" same "$T/whole/sweep.h5" "$T/killed/sweep.h5"
+
+# Stopped: what is done stays; the next run takes it from there.
+"$beadsim" "$T/sweep.yaml" --set sweep.configurations=200 --threads 1 --only sweep.h5 -o "$T/stopped" >/dev/null 2>"$T/err" &
+pid=$!
+for ((i = 0; i < 100; i++)); do
+    [ "$(stat -c %s "$T/stopped/sweep.h5.part" 2>/dev/null || echo 0)" -gt 1000 ] && break
+    sleep 0.05
+done
+kill -TERM $pid
+wait $pid
+status=$?
+ok "SIGTERM: status 143" [ $status -eq 143 ]
+ok "SIGTERM: the journal stays" test -s "$T/stopped/sweep.h5.part"
+ok "another scene's journal is refused" fails 2 "$beadsim" "$T/sweep.yaml" --only sweep.h5 -o "$T/stopped"
+ok "... with a word on why" says "another scene"
+ok "the same scene goes on" exits 0 "$beadsim" "$T/sweep.yaml" --set sweep.configurations=200 --only sweep.h5 -o "$T/stopped"
+ok "... from what was there" prints "there before"
+
+# Parts, by GNU parallel where it is installed.
+if command -v parallel >/dev/null && parallel --version 2>/dev/null | grep -q 'GNU parallel'; then
+    ok "parts by GNU parallel" exits 0 parallel --will-cite -j 2 "$beadsim" "$T/sweep.yaml" --shard {}/4 -o "$T/parts" ::: 1 2 3 4
+else
+    skip "GNU parallel is not installed"
+    for k in 1 2 3 4; do "$beadsim" "$T/sweep.yaml" --shard $k/4 -o "$T/parts" >/dev/null; done
+fi
+p=$T/parts/sweep
+ok "a part says what it is" exits 0 "$beadsim" --info "$p.3of4.h5"
+ok "... which part" prints "part 3 of 4"
+ok "parts are merged, in any order" exits 0 "$beadsim" --merge "$p.3of4.h5" "$p.1of4.h5" "$p.4of4.h5" "$p.2of4.h5" -o "$T/merged.h5"
+ok "... to the same bytes" same "$T/whole/sweep.h5" "$T/merged.h5"
+ok "a missing part" fails 2 "$beadsim" --merge "$p.3of4.h5" "$p.1of4.h5" "$p.4of4.h5" -o "$T/no.h5"
+ok "... is named" says "part 2 of 4 is missing"
+ok "a part twice" fails 2 "$beadsim" --merge "$p.3of4.h5" "$p.3of4.h5" -o "$T/no.h5"
+ok "a foreign file" fails 2 "$beadsim" --merge "$p.1of4.h5" "$T/stopped/sweep.h5" -o "$T/no.h5"
+ok "... is named" says "$T/stopped/sweep.h5"
+ok "no file is left of these" test ! -e "$T/no.h5"
+ok "a part that is none" fails 2 "$beadsim" "$T/sweep.yaml" --shard 5/4
+ok "parts of a scene without sweep" fails 2 "$beadsim" clean-vs-delocalised --shard 1/4
+
+# Drawn again.
+ok "a table again" exits 0 "$beadsim" "$T/whole/sweep.h5" -o "$T/again.csv"
+ok "... is the same" same "$T/whole/force.csv" "$T/again.csv"
+ok "a plot again" exits 0 "$beadreel" "$T/whole/sweep.h5" -o "$T/again.png" --set 'outputs.force.png.size=[640, 400]'
+ok "a setting that would change the physics" fails 2 "$beadreel" "$T/whole/sweep.h5" -o "$T/x.png" --set sweep.seed=1
+ok "without -o" fails 2 "$beadreel" "$T/whole/sweep.h5"
+
+# One configuration alone: the same peak, to the last digit.
+ok "a configuration runs" exits 0 "$beadsim" "$T/whole/sweep.h5" --configuration 17 -o "$T/one.csv"
+row=$(grep '^17,' "$T/whole/configurations.csv")
+IFS=, read -r _ _ _ force time bead _ <<<"$row"
+ok "... its peak is that of the sweep" grep -qx "$bead,$force,$time," "$T/one.csv"
+ok "... as a movie" exits 0 "$beadreel" "$T/whole/sweep.h5" --configuration 17 -o "$T/one.mp4" --set 'outputs.0.size=[320, 180]' --set outputs.0.duration=0.1
+ok "... as a trajectory" exits 0 "$beadsim" "$T/whole/sweep.h5" --configuration 17 -o "$T/one.h5"
+ok "... that tells its spins" exits 0 "$beadsim" --info "$T/one.h5"
+ok "... the stored ones" prints "${row##*,}"
+ok "a configuration that is not there" fails 2 "$beadsim" "$T/whole/sweep.h5" --configuration 97 -o "$T/x.csv"
+ok "--plan says what is computed" exits 0 "$beadsim" --plan "$T/sweep.yaml"
+ok "... of which beads" prints "beads 35 to 37"
+head -c 3000 "$T/whole/sweep.h5" >"$T/cut.h5"
+ok "a damaged file" fails 1 "$beadsim" "$T/cut.h5" -o "$T/x.csv"
+finish
