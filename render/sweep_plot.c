@@ -147,12 +147,16 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
 
 /* ---- decay ---- */
 
-static bool add_profile(struct panel *p, const struct bead_sweep_decay *d, size_t colour, size_t beads)
+/* Geometric means over a cell's beads, whose forces differ however clean the wave is. */
+static bool add_profile(struct panel *p, const struct bead_sweep_decay *d, size_t colour, size_t beads, size_t cell)
 {
     double *x = take(p, beads, 2);
     for (size_t i = 0; x && i < beads; i++) {
-        x[i] = (double)i;
-        x[beads + i] = d->force[i];
+        double sum = 0;
+        for (size_t k = 0; k < cell; k++)
+            sum += log(d->force[i + k]) / (double)cell;
+        x[i] = (double)i + 0.5 * (double)(cell - 1);
+        x[beads + i] = exp(sum);
     }
     char *word = p->words[p->series_count];
     int used = snprintf(word, sizeof *p->words, "*M* = %.3g", d->magnetism);
@@ -170,11 +174,15 @@ static enum bead_error fill_decay(struct plot *plot, size_t index, struct bead_m
     enum bead_error err = bead_sweep_decays(plot->sweep, index, &p->decays, &p->decay_count, msg);
     if (!err)
         err = reserve(p, SERIES_OF_DECAY * p->decay_count, msg);
+    /* To the last random bead: behind it is what the wave makes of an ordered chain, and its end. */
+    const struct bead_chain_spec *pattern = &bead_sweep_scene(plot->sweep)->chains[panel->spec->chain];
+    size_t cell = 1;
+    for (size_t i = 0; i < pattern->segment_count; i++)
+        cell = pattern->segments[i].spins == BEAD_SPINS_RANDOM ? pattern->segments[i].cell_beads : cell;
+    const size_t beads = panel->spec->last + 2 - cell;
     for (size_t i = 0; i < p->decay_count && !err; i++)
-        err = add_profile(p, &p->decays[i], i, panel->beads) ? BEAD_OK : out_of_memory(msg);
+        err = add_profile(p, &p->decays[i], i, beads, cell) ? BEAD_OK : out_of_memory(msg);
     struct bead_panel *shown = &plot->shown[index];
-    p->rulers[0] = (struct bead_ruler){true, (double)panel->spec->last, NAN, NAN, "fixed from here"};
-    p->ruler_count = 1;
     shown->x = (struct bead_graph_axis){.title = "bead", .unit = "1", .low = NAN, .high = NAN};
     shown->y = (struct bead_graph_axis){.title = "peak force", .unit = "N", .low = NAN, .high = NAN, .scale = BEAD_SCALE_LOG};
     return err;
