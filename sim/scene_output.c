@@ -211,7 +211,8 @@ static enum bead_error check_fields(const struct bead_reader *reader, const stru
     unsigned known = bead_scene_fields(reader->scene), asked = 0;
     char all[120] = "";
     struct bead_at where = bead_at_key(at, output->kind == BEAD_OUTPUT_TRAJECTORY ? "fields" : "field");
-    if (output->kind == BEAD_OUTPUT_IMAGE || output->kind == BEAD_OUTPUT_MOVIE)
+    bool profiles = output->kind == BEAD_OUTPUT_TABLE && output->show == BEAD_SHOW_PROFILES;
+    if (output->kind == BEAD_OUTPUT_IMAGE || output->kind == BEAD_OUTPUT_MOVIE || profiles)
         asked = BEAD_FIELD_BIT(output->field);
     else if (output->kind == BEAD_OUTPUT_TRAJECTORY)
         asked = output->fields;
@@ -347,24 +348,43 @@ static enum bead_error read_output(struct bead_reader *reader, const struct bead
     return err ? err : check_paths(reader, at, index);
 }
 
+/* How many files all entries name. */
+static enum bead_error count_files(const struct bead_reader *reader, const struct bead_at *at, size_t *count)
+{
+    *count = 0;
+    for (size_t i = 0; i < at->node->count; i++) {
+        size_t files = bead_output_files(at->node->items[i]);
+        struct bead_at element = {at, NULL, i, at->node->items[i]};
+        if (files == 0)
+            return bead_wrong(reader, &element, "names no file: its list is empty");
+        *count += files;
+    }
+    if (*count == 0 || *count > BEAD_SCENE_OUTPUTS)
+        return bead_wrong(reader, at, "has %zu entries; must have from 1 to %d", *count, BEAD_SCENE_OUTPUTS);
+    return BEAD_OK;
+}
+
 enum bead_error bead_scene_read_outputs(struct bead_reader *reader, const struct bead_at *at)
 {
     struct bead_scene *scene = reader->scene;
-    size_t count = at->node->count;
+    size_t count = 0, read = 0;
     char shown[64];
     if (at->node->kind != BEAD_NODE_LIST)
         return bead_wrong(reader, at, "is %s; must be a list such as [{image: force.png}]",
                           bead_node_show(at->node, shown, sizeof shown));
-    if (count == 0 || count > BEAD_SCENE_OUTPUTS)
-        return bead_wrong(reader, at, "has %zu entries; must have from 1 to %d", count, BEAD_SCENE_OUTPUTS);
+    enum bead_error err = count_files(reader, at, &count);
+    if (err)
+        return err;
     scene->outputs = calloc(count, sizeof *scene->outputs);
     if (!scene->outputs)
         return bead_no_memory(reader);
     scene->output_count = count;
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; i < count && !err; i++) {
-        struct bead_at element = {at, NULL, i, at->node->items[i]};
-        err = read_output(reader, &element, i);
+    for (size_t i = 0; i < at->node->count && !err; i++) {
+        size_t files = bead_output_files(at->node->items[i]);
+        for (size_t k = 0; k < files && !err; k++) {
+            struct bead_at element = {at, NULL, i, bead_output_of_file(reader, at->node->items[i], k)};
+            err = element.node ? read_output(reader, &element, read++) : bead_no_memory(reader);
+        }
     }
     return err;
 }

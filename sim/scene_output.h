@@ -33,6 +33,9 @@ BEAD_OUTPUT_READER(bead_output_read_threshold);
 /* `show` of plots and tables, and the keys that go with it (scene_show.c). */
 BEAD_CHECK enum bead_error bead_output_check_show(const struct bead_reader *reader, const struct bead_at *at,
                                                   const struct bead_output *output);
+/* How many files an entry of `outputs` names (0: an empty list), and the entry for one of them; NULL: no memory (scene_files.c). */
+size_t bead_output_files(const struct bead_node *entry);
+struct bead_node *bead_output_of_file(const struct bead_reader *reader, struct bead_node *entry, size_t file);
 /* Forms of panels, behind those of outputs. */
 enum { BEAD_FORM_IMAGE_PANEL = 1 << 2 * BEAD_OUTPUT_VECTOR, BEAD_FORM_PLOT_PANEL = 2 << 2 * BEAD_OUTPUT_VECTOR };
 

@@ -32,9 +32,9 @@ static const char *const form_names[] = {"trajectory",       "image", "movie", "
 static const char *const plot_shows[] = {"sensors", "peaks", "setup", "contact", "cell", "modes", "profiles", NULL};
 static const unsigned plot_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_SETUP,   BEAD_SHOW_CONTACT,
                                        BEAD_SHOW_CELL,    BEAD_SHOW_MODES, BEAD_SHOW_PROFILES};
-static const char *const table_shows[] = {"sensors", "peaks", "bead-peaks", "measures", "modes", NULL};
-static const unsigned table_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_BEAD_PEAKS, BEAD_SHOW_MEASURES,
-                                        BEAD_SHOW_MODES};
+static const char *const table_shows[] = {"sensors", "peaks", "bead-peaks", "measures", "modes", "profiles", "chain", NULL};
+static const unsigned table_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS,    BEAD_SHOW_BEAD_PEAKS, BEAD_SHOW_MEASURES,
+                                        BEAD_SHOW_MODES,   BEAD_SHOW_PROFILES, BEAD_SHOW_CHAIN};
 static const char *const sweep_plot_shows[] = {"median", "mean", "both", "decay", NULL};
 static const char *const sweep_table_shows[] = {"magnetism", "configurations", "decay", NULL};
 static const unsigned sweep_table_values[] = {BEAD_SWEEP_MAGNETISM, BEAD_SWEEP_CONFIGURATIONS, BEAD_SWEEP_DECAY};
@@ -106,7 +106,8 @@ static const struct bead_option rows[] = {
      .choices = table_shows,
      .values = table_values,
      .help = "what to list: the force at every sensor, the peak of every contact or of every bead, measures of the run (--list "
-             "measures), or the energies of modes",
+             "measures), the energies of modes, profiles, a field along the chain at several times, or the beads and contacts of "
+             "the chain",
      .forms = TABLE},
     {.key = "show",
      .type = BEAD_OPTION_CHOICE,
@@ -158,7 +159,7 @@ static const struct bead_option rows[] = {
      .initial = "force",
      .choices = fields,
      .help = "what `show: profiles` shows",
-     .forms = PLOT},
+     .forms = PLOT | TABLE},
     {.key = "at",
      .type = BEAD_OPTION_CUSTOM,
      .unit = "s",
@@ -167,7 +168,7 @@ static const struct bead_option rows[] = {
      .high = 1e6,
      .shape = "a list of times",
      .help = "when `show: profiles` shows the chain; one curve each, 12 at most",
-     .forms = PLOT,
+     .forms = PLOT | TABLE,
      .read = bead_output_read_moments},
     {.key = "time",
      .type = BEAD_OPTION_PAIR,

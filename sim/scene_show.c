@@ -22,7 +22,9 @@ static const struct show {
     [BEAD_SHOW_MEASURES] = {"measures", TABLE, (const char *const[]){"every", NULL}, "measures are those of the whole run"},
     [BEAD_SHOW_MODES] = {"modes", PLOT | TABLE, (const char *const[]){"every", "time", "modes", "scale", NULL},
                          "modes have energies over time"},
-    [BEAD_SHOW_PROFILES] = {"profiles", PLOT, (const char *const[]){"field", "at", NULL}, "profiles are those of the times `at`"},
+    [BEAD_SHOW_PROFILES] = {"profiles", PLOT | TABLE, (const char *const[]){"field", "at", NULL},
+                            "profiles are those of the times `at`"},
+    [BEAD_SHOW_CHAIN] = {"chain", TABLE, (const char *const[]){NULL}, "a chain at rest has no times"},
 };
 enum { SHOWS = sizeof shows / sizeof *shows };
 

@@ -38,9 +38,10 @@ static const char *extension(const char *path)
 
 bool bead_output_needs_end(const struct bead_output *output)
 {
+    bool timed = output->show == BEAD_SHOW_SENSORS || output->show == BEAD_SHOW_PROFILES;
     if (output->kind == BEAD_OUTPUT_PLOT)
-        return output->show == BEAD_SHOW_SENSORS || output->show == BEAD_SHOW_PEAKS;
-    return output->kind != BEAD_OUTPUT_TABLE || output->show == BEAD_SHOW_SENSORS || output->show == BEAD_SHOW_MEASURES;
+        return timed || output->show == BEAD_SHOW_PEAKS;
+    return output->kind != BEAD_OUTPUT_TABLE || timed || output->show == BEAD_SHOW_MEASURES;
 }
 
 bool bead_session_has_extension(const char *const *extensions, const char *path)

@@ -162,7 +162,8 @@ static const struct table sensors = {"forces at the sensors", sensors_prepare, s
 static const struct table *const tables[] = {
     [BEAD_SHOW_SENSORS] = &sensors,        [BEAD_SHOW_PEAKS] = &peaks,
     [BEAD_SHOW_BEAD_PEAKS] = &bead_peaks,  [BEAD_SHOW_MEASURES] = &bead_table_measures,
-    [BEAD_SHOW_MODES] = &bead_table_modes,
+    [BEAD_SHOW_MODES] = &bead_table_modes, [BEAD_SHOW_PROFILES] = &bead_table_profiles,
+    [BEAD_SHOW_CHAIN] = &bead_table_chain,
 };
 
 /* ---- the sink ---- */
@@ -181,6 +182,7 @@ static void table_destroy(struct bead_sink *sink)
         free(sink->columns[i].name);
     for (size_t i = 0; sink->measures && i < sink->stage.chain_count; i++)
         bead_measures_destroy(sink->measures[i]);
+    bead_moments_destroy(sink->moments);
     free(sink->measures);
     free(sink->columns);
     free(sink->path);
@@ -192,7 +194,7 @@ static enum bead_error table_create(const struct bead_output *output, const stru
                                     struct bead_message *msg)
 {
     *made = NULL;
-    if ((size_t)output->show >= sizeof tables / sizeof *tables)
+    if ((size_t)output->show >= sizeof tables / sizeof *tables || !tables[output->show])
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s:%zu:%zu: show: not known to tables", stage->scene->file,
                          output->place.line, output->place.column);
     struct bead_sink *sink = calloc(1, sizeof *sink);
@@ -275,7 +277,7 @@ static const char *const extensions[] = {"csv", NULL};
 
 const struct bead_sink_type bead_table_sink = {
     .name = "table",
-    .help = "peaks of contacts or beads, forces at sensors, or measures, as comma-separated values",
+    .help = "peaks, forces at sensors, measures, modes, profiles or the beads of chains, as comma-separated values",
     .kind = BEAD_OUTPUT_TABLE,
     .extensions = extensions,
     .create = table_create,

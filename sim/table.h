@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "beadreel/measure.h"
+#include "beadreel/moments.h"
 #include "beadreel/sink.h"
 
 struct column {
@@ -26,6 +27,7 @@ struct bead_sink {
     struct column *columns; /* sensors, chain by chain */
     size_t column_count, next_chain, next_sample;
     struct bead_measures **measures; /* [chains], of those that measures are made for */
+    struct bead_moments *moments;    /* of profiles */
     uint64_t rows;
     bool open, finished;
 };
@@ -47,6 +49,10 @@ void bead_table_text(FILE *file, const char *text);
 extern const struct table bead_table_measures;
 /* `show: modes` */
 extern const struct table bead_table_modes;
+/* `show: profiles` */
+extern const struct table bead_table_profiles;
+/* `show: chain` */
+extern const struct table bead_table_chain;
 /* "chain/what", or "what" where there is one chain only; NULL: no memory. */
 char *bead_table_column(const struct bead_sink *sink, size_t chain, const char *what);
 

@@ -30,14 +30,19 @@ static enum bead_error out_of_memory(const struct edit *e)
     return bead_fail(e->msg, BEAD_ERROR_MEMORY, "--set: out of memory");
 }
 
-/* The text by which an element of a list can be named: the value of one of these keys. */
-static const char *element_name(const struct bead_node *element)
+/* Texts by which an element of a list can be named: the value of one of these keys, or its elements; NULL behind the last. */
+static const char *element_name(const struct bead_node *element, size_t number)
 {
     static const char *const keys[] = {"name", "sensor", "trajectory", "image", "movie", "plot", "table"};
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
         const struct bead_node *value = bead_node_get(element, keys[i], NULL);
-        if (value && value->kind == BEAD_NODE_SCALAR)
-            return value->text;
+        bool list = value && value->kind == BEAD_NODE_LIST;
+        if (!value || value->kind == BEAD_NODE_MAP)
+            continue;
+        if (number >= (list ? value->count : 1))
+            return NULL;
+        value = list ? value->items[number] : value;
+        return value->kind == BEAD_NODE_SCALAR ? value->text : "";
     }
     return NULL;
 }
@@ -58,8 +63,10 @@ static enum bead_error find_element(const struct edit *e, struct bead_node *list
     *slot = NULL;
     *used = 0;
     for (size_t i = 0; i < list->count; i++) {
-        const char *name = element_name(list->items[i]);
-        if (name && begins_with(path, end, name) && strlen(name) > *used) {
+        const char *name;
+        for (size_t k = 0; (name = element_name(list->items[i], k)); k++) {
+            if (!begins_with(path, end, name) || strlen(name) <= *used)
+                continue;
             *slot = &list->items[i];
             *used = strlen(name);
         }
