@@ -4,6 +4,7 @@ LIBDIR  ?= $(PREFIX)/lib
 DESTDIR ?=
 BUILD   ?= build
 DEMO    ?= demo
+THESIS  ?= thesis
 CC      ?= cc
 CFLAGS  ?= -O2 -g
 WERROR  ?= -Werror
@@ -143,6 +144,10 @@ $(BUILD)/beadreel: $(BUILD)/render/beadreel.o $(COMMAND_OBJECTS) $(BUILD)/libbea
 demo: $(BUILD)/beadreel ## a clean beside a delocalised wave: movie, pictures, data into demo/
 	BEADREEL_ASSETS=assets $(BUILD)/beadreel clean-vs-delocalised -o $(DEMO)
 
+thesis: $(BUILD)/beadreel ## the figures of the thesis, with their numbers, into thesis/
+	@set -e; for f in $(sort $(wildcard assets/scenes/thesis/*.yaml)); do \
+	    BEADREEL_ASSETS=assets $(BUILD)/beadreel thesis/$$(basename $$f .yaml) -o $(THESIS); done
+
 # Tests fill structures that own their strings with literals.
 compile_test = $(CC) $(FLAGS) -Wno-write-strings -Itests $(sim_cflags) $(render_cflags)
 $(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT)
@@ -229,6 +234,6 @@ uninstall: ## remove what `make install` put there
 clean: ## remove what was built
 	rm -rf $(BUILD) $(BUILD)-asan
 
-.PHONY: all help deps deps-ci demo test asan bench stress lint man install uninstall clean always
+.PHONY: all help deps deps-ci demo thesis test asan bench stress lint man install uninstall clean always
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -151,9 +151,8 @@ static bool label_groups(const struct drawing *g, const struct bead_strip *strip
     return true;
 }
 
-/* "2 : 1 large-steel : aluminium trimer" */
-static void title_words(const struct drawing *g, const struct bead_cell_group *groups, size_t count, size_t beads, char *out,
-                        size_t size)
+/* "2 : 1 large-steel : aluminium dimer cell": named after its groups, not its beads. */
+static void title_words(const struct drawing *g, const struct bead_cell_group *groups, size_t count, char *out, size_t size)
 {
     size_t used = 0;
     char name[96];
@@ -167,7 +166,8 @@ static void title_words(const struct drawing *g, const struct bead_cell_group *g
             used += (size_t)snprintf(out + used, size - used, "%s%s", mark, name);
     }
     if (used < size)
-        snprintf(out + used, size - used, " %s", bead_cell_word(beads, false));
+        snprintf(out + used, size - used, " %s%s", bead_cell_word(count, false),
+                 strcmp(bead_cell_word(count, false), "cell") == 0 ? "" : " cell");
 }
 
 static double row_height(const struct drawing *g)
@@ -225,7 +225,7 @@ static bool draw_cells(const struct drawing *g, double y, bool draw)
         size_t count;
         bool grouped = find_groups(g, segment, groups, &count) && groups[0].material != SIZE_MAX;
         if (grouped)
-            title_words(g, groups, count, segment->cell_beads, title, sizeof title);
+            title_words(g, groups, count, title, sizeof title);
         if (!grouped || bead_sketch_width(&style, title) > g->d->area.width - column)
             snprintf(title, sizeof title, "cell of %zu beads", segment->cell_beads);
         if (draw)

@@ -144,6 +144,8 @@ static enum bead_error check_equations(const struct bead_reader *reader, const s
     bool shows = output->kind == BEAD_OUTPUT_TABLE || output->kind == BEAD_OUTPUT_PLOT;
     if (bead_scene_plain(reader->scene) && shows && (output->show == BEAD_SHOW_PEAKS || output->show == BEAD_SHOW_BEAD_PEAKS))
         return bead_wrong(reader, &where, "peaks are those of contacts between beads, which equations do not have");
+    if (bead_scene_plain(reader->scene) && output->kind == BEAD_OUTPUT_TABLE && output->show == BEAD_SHOW_CHAIN)
+        return bead_wrong(reader, &where, "lists beads and contacts, which equations do not have");
     where = bead_at_key(at, "follow");
     if (bead_scene_plain(reader->scene) && output->kind == BEAD_OUTPUT_MOVIE && output->follow == BEAD_FOLLOW_FRONT)
         return bead_wrong(reader, &where, "is set, but there is no front of a wave in a chain at rest that could be followed");

@@ -19,10 +19,11 @@ static void header(struct bead_sink *sink)
 {
     const struct bead_chain *chain = sink->stage.chains[0];
     const struct bead_field_info *field = bead_chain_field(chain, sink->output->field);
+    /* Of equations the letter or word of their unknown. */
+    const char *column = bead_chain_spec(chain)->equation.name ? field->title : field->name;
     const char *time = bead_chain_time_unit(chain);
     fprintf(sink->file, "%stime%s%s,%s,%s%s%s\n", sink->stage.chain_count > 1 ? "chain," : "", *time ? "_" : "", time,
-            bead_chain_along(chain, field->of_contacts).title, bead_field_info(sink->output->field)->name, *field->unit ? "_" : "",
-            field->unit);
+            bead_chain_along(chain, field->of_contacts).title, column, *field->unit ? "_" : "", field->unit);
 }
 
 static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)

@@ -336,7 +336,7 @@ static void cells_are_to_scale(void **state)
     struct staged *s = set_stage(COLOURED "chain: {beads: [{cell: [red, red, blue], count: 4, spins: random}]}\n"
                                           "outputs: [{plot: a.png, show: cell, size: [1600, 1000]}]\n");
     assert_int_equal(draw(s, 0, &seen, &picture), BEAD_OK);
-    assert_true(wrote(&seen, "2 : 1") && wrote(&seen, "trimer") && wrote(&seen, "= 2") && wrote(&seen, "up") &&
+    assert_true(wrote(&seen, "2 : 1") && wrote(&seen, "dimer cell") && wrote(&seen, "= 2") && wrote(&seen, "up") &&
                 wrote(&seen, "down"));
     int rows[2] = {0, 0}, found = 0;
     double reds = 0, blues = 0;
