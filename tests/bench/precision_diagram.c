@@ -202,7 +202,8 @@ static void draw_legend(cairo_t *cr, const struct diagram *d, struct bead_rect b
 {
     const struct bead_look *look = &d->look;
     double line = box.height / (STYLES + 2.5), y = box.y;
-    struct bead_text_style text = {.family = look->family, .size = look->label, .colour = look->ink, .down = BEAD_ALIGN_MIDDLE};
+    struct bead_text_style text = {
+        .family = look->family, .size = fmin(look->label, 0.82 * line), .colour = look->ink, .down = BEAD_ALIGN_MIDDLE};
     for (size_t i = 0; i < STYLES; i++) {
         bool group = i == 0 || styles[i].dashed != styles[i - 1].dashed;
         if (group) {
