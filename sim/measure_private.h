@@ -29,8 +29,11 @@ struct bead_measures {
     struct bead_pulses *pulses;
     struct bead_trace trace;
     struct bead_strike strike;
-    double *u, *v; /* [beads], of the last sample: m, m/s */
-    double time;   /* s, of the last sample; NaN: none */
+    double *u, *v;  /* [beads], of the last sample: m, m/s */
+    double time;    /* s, of the last sample; NaN: none */
+    double before;  /* s, of the sample before */
+    double clean;   /* participation of the clean wave, beads; NaN: there is none */
+    double arrived; /* participation of the energies at the first sample after the front's arrival; NaN: none so far */
 };
 
 /* What the rows of the table are made from, worked out once when they are read. */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "beadreel/law.h"
+#include "beadreel/order.h"
 #include "sim/measure_private.h"
 
 struct reading {
@@ -115,43 +116,43 @@ static double follower(const struct reading *r, int n)
 
 /* ---- how many take part at the end: (sum e)^2 / sum e^2 ---- */
 
-static double contact_compression(const struct bead_measures *m, size_t k)
-{
-    double next = k + 1 < bead_chain_beads(m->chain) ? m->u[k + 1] : 0;
-    return bead_chain_static_compression(m->chain)[k] + (m->u[k] - next);
-}
-
 static double force_of(const struct bead_measures *m, size_t k)
 {
     const struct bead_law_spec *spec = &bead_chain_spec(m->chain)->law;
-    return bead_law_find(spec->kind)->force(bead_chain_stiffness(m->chain)[k], spec, contact_compression(m, k)) -
+    double next = k + 1 < bead_chain_beads(m->chain) ? m->u[k + 1] : 0;
+    double compression = bead_chain_static_compression(m->chain)[k] + (m->u[k] - next);
+    return bead_law_find(spec->kind)->force(bead_chain_stiffness(m->chain)[k], spec, compression) -
            bead_chain_static_force(m->chain)[k];
 }
 
-static double energy_of(const struct bead_measures *m, size_t j)
+static double force_participation(const struct reading *r, int n)
 {
-    const struct bead_law_spec *spec = &bead_chain_spec(m->chain)->law;
-    const struct bead_law *law = bead_law_find(spec->kind);
-    double energy = 0.5 * bead_chain_mass(m->chain)[j] * m->v[j] * m->v[j];
-    for (size_t k = j > 0 ? j - 1 : 0; k <= j && k < bead_chain_contacts(m->chain); k++) {
-        double a = bead_chain_stiffness(m->chain)[k], d0 = bead_chain_static_compression(m->chain)[k],
-               d = contact_compression(m, k);
-        energy += 0.5 * (law->energy(a, spec, d) - law->energy(a, spec, d0) - bead_chain_static_force(m->chain)[k] * (d - d0));
-    }
-    return energy;
-}
-
-static double participation(const struct reading *r, int of_beads)
-{
+    (void)n;
     const struct bead_measures *m = r->m;
-    size_t count = of_beads ? bead_chain_beads(m->chain) : bead_chain_contacts(m->chain);
     double sum = 0, squares = 0;
-    for (size_t i = 0; i < count; i++) {
-        double e = of_beads ? energy_of(m, i) : force_of(m, i);
-        sum += e;
-        squares += e * e;
+    for (size_t k = 0; k < bead_chain_contacts(m->chain); k++) {
+        double f = force_of(m, k);
+        sum += f;
+        squares += f * f;
     }
     return squares > 0 ? sum * sum / squares : NAN;
+}
+
+static double energy_participation(const struct reading *r, int n)
+{
+    (void)n;
+    return bead_order_participation(r->m->chain, r->m->u, r->m->v);
+}
+
+/* A run that ends as the front arrives has no sample behind that, but one close to it. */
+static double clean_index(const struct reading *r, int n)
+{
+    (void)n;
+    const struct bead_measures *m = r->m;
+    double found = m->arrived, arrival = r->outcome ? r->outcome->front_arrival : NAN;
+    if (isnan(found) && arrival <= m->time + 1.5 * (m->time - m->before))
+        found = energy_participation(r, 0);
+    return bead_order_index(bead_chain_beads(m->chain), found, m->clean);
 }
 
 /* ---- decay, defects, walls ---- */
@@ -312,8 +313,11 @@ static const struct row {
     {{"fourth pulse", "", "the same of the next"}, follower, 3},
     {{"fifth pulse", "", "the same of the next"}, follower, 4},
     {{"sixth pulse", "", "the same of the next"}, follower, 5},
-    {{"participation of forces", "contacts", "(sum f)^2 / sum f^2 of the contact forces at the end"}, participation, 0},
-    {{"participation of energies", "beads", "(sum e)^2 / sum e^2 of the beads' energies at the end"}, participation, 1},
+    {{"participation of forces", "contacts", "(sum f)^2 / sum f^2 of the contact forces at the end"}, force_participation, 0},
+    {{"participation of energies", "beads", "(sum e)^2 / sum e^2 of the beads' energies at the end"}, energy_participation, 0},
+    {{"clean index", "", "1: as few beads share the energy as in the clean wave; 0: all do; at the front's arrival, see order.h"},
+     clean_index,
+     0},
     {{"decay rate", "1/bead", "-d ln F / d bead of the leading force, least squares over means of whole cells"}, decay_rate, 0},
     {{"decay length", "beads", "1 / decay rate, where that is more than three of its standard errors"}, decay_length, 0},
     {{"force past defect", "", "leading force of a cell at the probe / of a cell ahead of all that is irregular"}, past_defect, 0},

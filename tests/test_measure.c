@@ -335,6 +335,82 @@ static void disorder_decays(void **state)
 
 /* ---- two beads ---- */
 
+/* ---- how clean a wave is ---- */
+
+static double index_of(const char *beads, const char *speed)
+{
+    char scene[1024];
+    snprintf(scene, sizeof scene, "chain: {striker: {bead: large-steel, velocity: %s m/s}, beads: [%s]}\n" TABLE, speed, beads);
+    measure(scene);
+    return value_of("clean index");
+}
+
+/* Also where the scene spells them out, and under strikers that make several pulses. */
+static void ordered_chains_are_clean(void **state)
+{
+    (void)state;
+    static const char *const chains[] = {
+        "{bead: large-steel, count: 100}",
+        "{bead: ptfe, count: 40}",
+        "{bead: aluminium, count: 20}",
+        "{cell: [large-steel, aluminium], count: 128}",
+        "{cell: [large-steel, aluminium], count: 128, spins: down}",
+        "{cell: [aluminium, large-steel], count: 64}",
+        "{cell: [large-steel, aluminium], count: 20}",
+        "{cell: [large-steel, aluminium, ptfe], count: 60}",
+        "{bead: large-steel}, {bead: aluminium}, {cell: [large-steel, aluminium, large-steel, aluminium], count: 30}",
+    };
+    for (size_t i = 0; i < sizeof chains / sizeof *chains; i++)
+        equal(index_of(chains[i], "0.443"), 1, 0.02);
+}
+
+/* Mean over 8 configurations of 64 random dimers, 15 more behind them. */
+static double mean_index(double magnetism)
+{
+    double sum = 0;
+    for (int seed = 0; seed < 8; seed++) {
+        char beads[256];
+        snprintf(beads, sizeof beads,
+                 "{cell: [large-steel, aluminium], count: 64, spins: random, magnetism: %g, seed: %d}, {cell: [large-steel, "
+                 "aluminium], count: 15}",
+                 magnetism, seed);
+        sum += index_of(beads, "0.443") / 8;
+    }
+    return sum;
+}
+
+static void disorder_delocalises(void **state)
+{
+    (void)state;
+    static const double magnetism[] = {1, 0.96875, 0.90625, 0.75, 0.5};
+    double before = 1.1, mean = 0;
+    for (size_t i = 0; i < sizeof magnetism / sizeof *magnetism; i++, before = mean) {
+        mean = mean_index(magnetism[i]);
+        if (!(mean < 0.8 * before) && i > 0)
+            fail_msg("M = %g has a mean index of %.4f, the magnetism before has %.4f", magnetism[i], mean, before);
+    }
+    assert_true(mean > 0 && mean < 0.1);
+}
+
+/* Neither the speed of the striker nor the time that a run goes on behind the front's arrival matter. */
+static void index_has_no_scale(void **state)
+{
+    (void)state;
+    static const char random[] = "{cell: [large-steel, aluminium], count: 40, spins: random, magnetism: 0.6, seed: 4}";
+    double slow = index_of(random, "0.4"), fast = index_of(random, "0.8");
+    assert_true(slow > 0.05 && slow < 0.9);
+    equal(fast / slow, 1, 0.02); /* samples at other times */
+    char scene[1024];
+    snprintf(scene, sizeof scene,
+             "chain: {striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [%s]}\nsimulate: {until: 4 ms}\n" TABLE, random);
+    measure(scene);
+    equal(value_of("clean index") / slow, 1, 0.03);
+    snprintf(scene, sizeof scene,
+             "chain: {striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [%s]}\nsimulate: {until: 0.5 ms}\n" TABLE, random);
+    measure(scene);
+    none("clean index"); /* the front has not arrived */
+}
+
 static void two_beads(void **state)
 {
     (void)state;
@@ -425,6 +501,9 @@ int main(void)
         cmocka_unit_test(antiresonance),
         cmocka_unit_test(reversed_dimers),
         cmocka_unit_test(disorder_decays),
+        cmocka_unit_test(ordered_chains_are_clean),
+        cmocka_unit_test(disorder_delocalises),
+        cmocka_unit_test(index_has_no_scale),
         cmocka_unit_test(two_beads),
         cmocka_unit_test(two_chains),
         cmocka_unit_test(every_measure_is_described),
