@@ -119,7 +119,7 @@ static enum bead_error end(struct bead_sink *s, const struct bead_outcome *outco
     double low = isnan(s->output.range[0]) ? lowest(s) : s->output.range[0];
     struct bead_series *series = calloc(chains * s->modes, sizeof *series);
     struct bead_panel *panels = calloc(chains, sizeof *panels);
-    char(*label)[24] = calloc(s->modes, sizeof *label);
+    char(*label)[32] = calloc(s->modes, sizeof *label);
     enum bead_error err =
         series && panels && label ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of modes");
     for (size_t k = 0; !err && k < s->modes; k++)
