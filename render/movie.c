@@ -127,6 +127,29 @@ enum bead_error bead_movie_add(struct bead_movie *movie, const struct bead_frame
     return err;
 }
 
+enum bead_error bead_movie_reserve(struct bead_movie *movie, size_t slots, bool *reserved, struct bead_message *msg)
+{
+    *reserved = false;
+    return movie->codec->way->reserve ? movie->codec->way->reserve(movie, slots, reserved, msg) : BEAD_OK;
+}
+
+enum bead_error bead_movie_convert(struct bead_movie *movie, size_t slot, const struct bead_frame *frame,
+                                   const struct bead_changes *missing, struct bead_message *msg)
+{
+    enum bead_error err = check_frame(movie, frame, msg);
+    return err ? err : movie->codec->way->convert(movie, slot, frame, missing, msg);
+}
+
+enum bead_error bead_movie_add_slot(struct bead_movie *movie, size_t slot, const struct bead_changes *changes,
+                                    struct bead_message *msg)
+{
+    const struct bead_changes whole = {1, {{0, 0, movie->settings.width, movie->settings.height}}};
+    enum bead_error err = movie->codec->way->add_slot(movie, slot, movie->shown ? changes : &whole, msg);
+    movie->shown += !err;
+    movie->failed |= err != BEAD_OK;
+    return err;
+}
+
 enum bead_error bead_movie_cover(struct bead_movie *movie, const uint8_t *png, size_t bytes, struct bead_message *msg)
 {
     if (!movie->codec->covers || !movie->codec->way->cover || !movie->settings.cover)

@@ -34,4 +34,5 @@ static void hash_destroy(struct bead_movie *movie)
         fclose(movie->lines);
 }
 
-const struct bead_movie_way bead_movie_hashes = {hash_open, hash_add, NULL, hash_finish, hash_destroy};
+const struct bead_movie_way bead_movie_hashes = {
+    .open = hash_open, .add = hash_add, .finish = hash_finish, .destroy = hash_destroy};

@@ -5,29 +5,24 @@
 #include <string.h>
 
 #include "beadreel/file.h"
-#include "render/convert.h"
 #include "render/movie_av.h"
+#include "render/movie_pictures.h"
 #include "render/movie_private.h"
-#include "render/palette.h"
 
-enum {
-    KEY_INTERVAL = 250, /* frames given to the encoder from one that can be jumped to, to the next */
-    LINE_ALIGN = 64     /* bytes: blocks of the converters reach into the padding */
-};
+enum { KEY_INTERVAL = 250 /* frames given to the encoder from one that can be jumped to, to the next */ };
 
 struct bead_encoder {
     struct bead_av av;
     AVFormatContext *format;
     AVCodecContext *codec;
-    AVFrame *picture;        /* the frame as converted so far */
-    AVPacket *packet, *held; /* a packet waits in `held` until the time of the next tells its duration */
-    AVPacket *cover;         /* written at the end; NULL: none */
-    bead_convert convert;    /* or: */
-    struct bead_palette *palette;
-    AVRational frame_time; /* s: unit of all times here */
-    int64_t group;         /* frames shown as one, to stay below the container's rate; usually 1 */
-    int64_t last;          /* time of the picture encoded last */
-    bool dirty;            /* the picture has changed since */
+    struct bead_pictures pictures; /* frames as converted so far; the first is that of movies added at once */
+    size_t now;                    /* the one added last */
+    AVPacket *packet, *held;       /* a packet waits in `held` until the time of the next tells its duration */
+    AVPacket *cover;               /* written at the end; NULL: none */
+    AVRational frame_time;         /* s: unit of all times here */
+    int64_t group;                 /* frames shown as one, to stay below the container's rate; usually 1 */
+    int64_t last;                  /* time of the picture encoded last */
+    bool dirty;                    /* what is shown has changed since */
     bool holding;
     bool begun; /* the header is written, the trailer not */
 };
@@ -110,31 +105,14 @@ static enum bead_error open_codec(struct bead_movie *movie, const struct bead_pr
     return code < 0 ? fail(movie, "the encoder cannot be opened", code, msg) : BEAD_OK;
 }
 
-static enum bead_error open_picture(struct bead_movie *movie, struct bead_message *msg)
+static enum bead_error open_pictures(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    e->picture = e->av.av_frame_alloc();
     e->packet = e->av.av_packet_alloc();
     e->held = e->av.av_packet_alloc();
-    if (!e->picture || !e->packet || !e->held)
+    if (!e->packet || !e->held)
         return no_memory(movie, msg);
-    AVFrame *p = e->picture;
-    p->width = e->codec->width;
-    p->height = e->codec->height;
-    p->format = e->codec->pix_fmt;
-    p->sample_aspect_ratio = e->codec->sample_aspect_ratio;
-    p->color_primaries = e->codec->color_primaries;
-    p->color_trc = e->codec->color_trc;
-    p->colorspace = e->codec->colorspace;
-    p->color_range = e->codec->color_range;
-    p->chroma_location = e->codec->chroma_sample_location;
-    int code = e->av.av_frame_get_buffer(p, LINE_ALIGN);
-    if (code < 0)
-        return fail(movie, "no picture", code, msg);
-    if (p->format == AV_PIX_FMT_PAL8)
-        return bead_palette_create(&e->palette, msg);
-    e->convert = bead_convert_find(e->codec->pix_fmt);
-    return e->convert ? BEAD_OK : fail(movie, "no conversion of pixels", AVERROR(ENOSYS), msg);
+    return bead_pictures_open(&e->av, e->codec, movie->path, &e->pictures, msg);
 }
 
 static int open_stream(struct bead_movie *movie)
@@ -245,7 +223,7 @@ static enum bead_error libav_open(struct bead_movie *movie, struct bead_message 
     if (!err)
         err = open_codec(movie, &movie->codec->presets[movie->settings.quality], msg);
     if (!err)
-        err = open_picture(movie, msg);
+        err = open_pictures(movie, msg);
     return err ? err : open_file(movie, msg);
 }
 
@@ -285,75 +263,49 @@ static enum bead_error drain(struct bead_movie *movie, struct bead_message *msg)
 static enum bead_error encode(struct bead_movie *movie, int64_t time, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    e->picture->pts = e->last = time;
+    AVFrame *picture = e->pictures.slots[e->now].picture;
+    picture->pts = e->last = time;
     e->dirty = false;
-    int code = e->av.avcodec_send_frame(e->codec, e->picture);
+    int code = e->av.avcodec_send_frame(e->codec, picture);
     if (code < 0)
         return fail(movie, "encoding failed", code, msg);
     movie->encoded++;
     return drain(movie, msg);
 }
 
-/* Some encoders keep the picture they were given (x264's and VP9's do not): then it is left to them, and a copy of it
- * goes on. av_frame_make_writable would not keep the lines aligned as the converters need them. */
-static int make_writable(struct bead_encoder *e)
-{
-    if (e->av.av_frame_is_writable(e->picture))
-        return 0;
-    AVFrame *copy = e->av.av_frame_alloc();
-    if (!copy)
-        return AVERROR(ENOMEM);
-    copy->width = e->picture->width;
-    copy->height = e->picture->height;
-    copy->format = e->picture->format;
-    int code = e->av.av_frame_get_buffer(copy, LINE_ALIGN);
-    if (code >= 0)
-        code = e->av.av_frame_copy_props(copy, e->picture);
-    if (code >= 0)
-        code = e->av.av_frame_copy(copy, e->picture);
-    if (code >= 0) {
-        e->av.av_frame_unref(e->picture);
-        e->av.av_frame_move_ref(e->picture, copy);
-    }
-    e->av.av_frame_free(&copy);
-    return code;
-}
-
-static enum bead_error convert(struct bead_movie *movie, const struct bead_frame *frame, const struct bead_changes *changes,
-                               struct bead_message *msg)
+static enum bead_error libav_reserve(struct bead_movie *movie, size_t slots, bool *reserved, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    struct bead_changes aligned = {.count = 0};
-    for (size_t i = 0; i < changes->count; i++) {
-        struct bead_rect r = bead_convert_align(frame, changes->rect[i]);
-        if (r.width)
-            aligned.rect[aligned.count++] = r;
-    }
-    if (!aligned.count)
-        return BEAD_OK;
-    int code = make_writable(e);
-    if (code < 0)
-        return fail(movie, "no picture", code, msg);
-    e->dirty = true;
-    if (e->palette)
-        return bead_palette_convert(e->palette, frame, &aligned, e->picture, msg);
-    for (size_t i = 0; i < aligned.count; i++)
-        e->convert(frame, aligned.rect[i], e->picture);
-    return BEAD_OK;
+    *reserved = !e->pictures.palette;
+    return *reserved ? bead_pictures_reserve(&e->pictures, slots, msg) : BEAD_OK;
+}
+
+static enum bead_error libav_convert(struct bead_movie *movie, size_t slot, const struct bead_frame *frame,
+                                     const struct bead_changes *missing, struct bead_message *msg)
+{
+    return bead_pictures_convert(&movie->encoder->pictures, slot, frame, missing, msg);
 }
 
 /* Of a group of frames the last is shown, at the time of the first; but the movie begins with its first. */
-static enum bead_error libav_add(struct bead_movie *movie, const struct bead_frame *frame, const struct bead_changes *changes,
-                                 struct bead_message *msg)
+static enum bead_error libav_add_slot(struct bead_movie *movie, size_t slot, const struct bead_changes *changes,
+                                      struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    enum bead_error err = convert(movie, frame, changes, msg);
     int64_t time = (int64_t)movie->shown, place = time % e->group;
-    if (err || !e->dirty)
-        return err;
+    e->now = slot;
+    e->dirty = e->dirty || bead_pictures_differ(&e->pictures, changes);
+    if (!e->dirty)
+        return BEAD_OK;
     if (time == 0)
         return encode(movie, 0, msg);
     return place == e->group - 1 && time >= e->group ? encode(movie, time - place, msg) : BEAD_OK;
+}
+
+static enum bead_error libav_add(struct bead_movie *movie, const struct bead_frame *frame, const struct bead_changes *changes,
+                                 struct bead_message *msg)
+{
+    enum bead_error err = libav_convert(movie, 0, frame, changes, msg);
+    return err ? err : libav_add_slot(movie, 0, changes, msg);
 }
 
 /* What is not on the screen yet, and the last frame again where it was only shown for longer: players and tools
@@ -419,11 +371,10 @@ static void libav_destroy(struct bead_movie *movie)
     struct bead_encoder *e = movie->encoder;
     if (!e)
         return;
-    bead_palette_destroy(e->palette);
+    bead_pictures_close(&e->pictures);
     e->av.av_packet_free(&e->cover);
     e->av.av_packet_free(&e->held);
     e->av.av_packet_free(&e->packet);
-    e->av.av_frame_free(&e->picture);
     e->av.avcodec_free_context(&e->codec);
     /* Muxers that set delays keep a packet back, and some free it only with the trailer. */
     if (e->begun && movie->codec->delay_unit)
@@ -434,4 +385,11 @@ static void libav_destroy(struct bead_movie *movie)
     free(e);
 }
 
-const struct bead_movie_way bead_movie_libav = {libav_open, libav_add, libav_cover, libav_finish, libav_destroy};
+const struct bead_movie_way bead_movie_libav = {.open = libav_open,
+                                                .add = libav_add,
+                                                .reserve = libav_reserve,
+                                                .convert = libav_convert,
+                                                .add_slot = libav_add_slot,
+                                                .cover = libav_cover,
+                                                .finish = libav_finish,
+                                                .destroy = libav_destroy};

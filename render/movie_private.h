@@ -16,6 +16,12 @@ struct bead_movie_way {
     enum bead_error (*open)(struct bead_movie *movie, struct bead_message *msg);
     enum bead_error (*add)(struct bead_movie *movie, const struct bead_frame *frame, const struct bead_changes *changes,
                            struct bead_message *msg);
+    /* The same in two steps, for two threads: see bead_movie_reserve. NULL: there is no such thing. */
+    enum bead_error (*reserve)(struct bead_movie *movie, size_t slots, bool *reserved, struct bead_message *msg);
+    enum bead_error (*convert)(struct bead_movie *movie, size_t slot, const struct bead_frame *frame,
+                               const struct bead_changes *missing, struct bead_message *msg);
+    enum bead_error (*add_slot)(struct bead_movie *movie, size_t slot, const struct bead_changes *changes,
+                                struct bead_message *msg);
     /* The movie's cover; NULL: movies of this kind have none. */
     enum bead_error (*cover)(struct bead_movie *movie, const uint8_t *png, size_t bytes, struct bead_message *msg);
     /* Everything that was added is in the file, and the file closed. */
@@ -54,5 +60,16 @@ struct bead_movie {
     uint64_t shown, encoded;
     bool failed;
 };
+
+/* Frames in two steps: one thread converts them into pictures as the encoder wants them, another one encodes these. A slot is a
+ * picture, and belongs to one of the two at a time. *reserved is false where frames are better added at once: palettes go from one
+ * frame to the next, hashes need no conversion. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_movie_reserve(struct bead_movie *movie, size_t slots, bool *reserved, struct bead_message *msg);
+/* Bring a slot up to date with the frame: what changed since the slot was up to date, the first time all. Errors: CODEC, MEMORY. */
+BEAD_CHECK enum bead_error bead_movie_convert(struct bead_movie *movie, size_t slot, const struct bead_frame *frame,
+                                              const struct bead_changes *missing, struct bead_message *msg);
+/* As bead_movie_add. `changes`: since the frame before. */
+BEAD_CHECK enum bead_error bead_movie_add_slot(struct bead_movie *movie, size_t slot, const struct bead_changes *changes,
+                                               struct bead_message *msg);
 
 #endif

@@ -13,6 +13,7 @@
 #include "render/colour_range.h"
 #include "render/movie_frame.h"
 #include "render/movie_poster.h"
+#include "render/movie_private.h"
 #include "render/sinks.h"
 
 /* Frames between drawing and encoding; bytes of samples between the run and drawing. */
@@ -50,8 +51,9 @@ struct bead_sink {
     struct bead_movie *movie;
     struct bead_poster *poster; /* NULL: none */
     struct bead_pipe *drawing, *encoding;
+    bool ahead; /* frames go to the encoder as it wants them; else as they are, through buffers */
     struct bead_frame buffer[FRAME_SLOTS];
-    struct bead_changes missing[FRAME_SLOTS]; /* what each buffer lacks */
+    struct bead_changes missing[FRAME_SLOTS]; /* what each of them lacks */
     uint64_t bytes;
 
     /* The drawing thread's. */
@@ -241,16 +243,20 @@ static enum bead_error encode(void *context, void *slot, int last, struct bead_m
     struct bead_sink *s = context;
     struct parcel *parcel = slot;
     (void)last;
-    return parcel ? bead_movie_add(s->movie, &s->buffer[parcel->buffer], &parcel->changes, msg) : BEAD_OK;
+    if (!parcel)
+        return BEAD_OK;
+    return s->ahead ? bead_movie_add_slot(s->movie, parcel->buffer, &parcel->changes, msg)
+                    : bead_movie_add(s->movie, &s->buffer[parcel->buffer], &parcel->changes, msg);
 }
 
-/* Drawing thread: bring a free buffer up to date and send it. False: the encoder has failed. */
-static bool send_frame(struct bead_sink *s, const struct bead_changes *changes)
+/* Drawing thread: bring a free buffer up to date and send it. */
+static enum bead_error send_frame(struct bead_sink *s, const struct bead_changes *changes, struct bead_message *msg)
 {
     struct parcel *parcel = bead_pipe_slot(s->encoding);
     const struct bead_frame *frame = bead_composer_frame(s->composer);
-    if (!parcel)
-        return false;
+    enum bead_error err = BEAD_OK;
+    if (!parcel) /* the encoder tells why when it is finished */
+        return bead_fail(msg, BEAD_ERROR_CODEC, "%s: encoding has failed", s->output->path);
     parcel->buffer = s->drawn % FRAME_SLOTS;
     parcel->changes = *changes;
     for (int b = 0; b < FRAME_SLOTS; b++) {
@@ -258,11 +264,14 @@ static bool send_frame(struct bead_sink *s, const struct bead_changes *changes)
             bead_changes_add(&s->missing[b], changes->rect[i]);
     }
     struct bead_changes *missing = &s->missing[parcel->buffer];
-    for (size_t i = 0; i < missing->count; i++)
+    if (s->ahead)
+        err = bead_movie_convert(s->movie, parcel->buffer, frame, missing, msg);
+    for (size_t i = 0; !s->ahead && i < missing->count; i++)
         bead_frame_copy(&s->buffer[parcel->buffer], frame, missing->rect[i]);
     missing->count = 0;
-    bead_pipe_submit(s->encoding);
-    return true;
+    if (!err)
+        bead_pipe_submit(s->encoding);
+    return err;
 }
 
 static enum bead_error draw_frame(struct bead_sink *s, struct bead_changes *changes, struct bead_message *msg)
@@ -280,10 +289,10 @@ static enum bead_error draw_frames(struct bead_sink *s, double until, struct bea
     while (s->drawn < s->frames && frame_time(s, s->drawn) <= until) {
         struct bead_changes changes = {0};
         enum bead_error err = draw_frame(s, &changes, msg);
+        if (!err)
+            err = send_frame(s, &changes, msg);
         if (err)
             return err;
-        if (!send_frame(s, &changes)) /* the encoder tells why when it is finished */
-            return bead_fail(msg, BEAD_ERROR_CODEC, "%s: encoding has failed", s->output->path);
         s->drawn++;
     }
     return BEAD_OK;
@@ -361,13 +370,15 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
     setup.range[0] = colours.low;
     setup.range[1] = colours.high;
     enum bead_error err = bead_composer_create(&setup, &s->composer, msg);
-    for (int i = 0; !err && i < FRAME_SLOTS; i++)
-        err = bead_frame_create(s->width, s->height, &s->buffer[i], msg);
     struct bead_movie_settings settings = settings_of(s);
     if (!err && s->output->poster && s->output->poster[0])
         err = bead_poster_create(s->output, &s->stage, s->step, &s->poster, msg);
     if (!err)
         err = bead_movie_open(s->path, &settings, &s->movie, msg);
+    if (!err)
+        err = bead_movie_reserve(s->movie, FRAME_SLOTS, &s->ahead, msg);
+    for (int i = 0; !err && !s->ahead && i < FRAME_SLOTS; i++)
+        err = bead_frame_create(s->width, s->height, &s->buffer[i], msg);
     bead_canvas_prepare(); /* while no thread of ours is running */
     return err ? err : create_pipes(s, msg);
 }
