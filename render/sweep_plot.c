@@ -8,8 +8,9 @@
 #include "beadreel/sweep.h"
 #include "render/graph.h"
 
-/* Series of a place: every configuration, median, mean; of a magnetism along the chain: its means, its exponential. */
-enum { SERIES_OF_PLACE = 3, SERIES_OF_DECAY = 2, RULERS = 2 };
+/* Series of a place: all configurations, or up to MARKS of each magnetism with marks of their own; median, mean; of a magnetism
+ * along the chain: its means, its exponential. */
+enum { MARKS = 5, SERIES_OF_PLACE = MARKS + 2, SERIES_OF_DECAY = 3, DECAY_PANELS = 2, RULERS = 2 };
 
 /* A panel and all that its pointers point to. */
 struct panel {
@@ -68,6 +69,46 @@ static bool add_points(struct panel *p, const struct bead_sweep_statistics *s, s
     p->series[p->series_count++] =
         (struct bead_series){.x = x, .y = s->values, .count = count, .mark = BEAD_MARK_POINTS, .colour = colour, .faint = true};
     return x != NULL;
+}
+
+static size_t most_configurations(const struct bead_sweep_statistics *s)
+{
+    size_t most = 0;
+    for (size_t i = 0; i < s->row_count; i++)
+        most = s->rows[i].count > most ? s->rows[i].count : most;
+    return most;
+}
+
+/* A few configurations of every magnetism: each has its own mark. */
+static bool add_marks(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, size_t number)
+{
+    double *x = take(p, s->row_count, 2);
+    size_t count = 0;
+    for (size_t i = 0; x && i < s->row_count; i++) {
+        if (number >= s->rows[i].count)
+            continue;
+        x[count] = s->rows[i].magnetism;
+        x[s->row_count + count++] = s->values[s->rows[i].first + number];
+    }
+    p->series[p->series_count++] = (struct bead_series){.x = x,
+                                                        .y = x ? x + s->row_count : NULL,
+                                                        .count = count,
+                                                        .mark = BEAD_MARK_POINTS,
+                                                        .colour = colour,
+                                                        .shape = number,
+                                                        .hollow = true};
+    return x != NULL;
+}
+
+static bool add_configurations(struct panel *p, const struct bead_sweep_statistics *s, size_t colour)
+{
+    size_t most = most_configurations(s);
+    bool good = true;
+    if (most > MARKS)
+        return add_points(p, s, colour);
+    for (size_t k = 0; k < most && good; k++)
+        good = add_marks(p, s, colour, k);
+    return good;
 }
 
 /* Means with bars of their standard errors, or medians. */
@@ -129,12 +170,12 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
         err = bead_sweep_statistics(plot->sweep, index, place, plot->output->threshold, s, msg);
         if (err)
             break;
-        good = good && add_points(p, s, place);
+        good = good && add_configurations(p, s, place);
         if (good && show != BEAD_SWEEP_MEDIAN)
             good = add_curve(p, s, place, false, name);
         if (good && show != BEAD_SWEEP_MEAN)
             good = add_curve(p, s, places > 1 ? place : place + 1, true, name);
-        if (place == 0)
+        if (places == 1)
             add_rulers(p, s);
     }
     if (!err && !good)
@@ -147,44 +188,69 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
 
 /* ---- decay ---- */
 
-/* Geometric means over a cell's beads, whose forces differ however clean the wave is. */
-static bool add_profile(struct panel *p, const struct bead_sweep_decay *d, size_t colour, size_t beads, size_t cell)
+/* A line of a fit from place `first` to `last`: exponential, or power. */
+static bool add_fit(struct panel *p, const struct bead_decay *fit, size_t first, size_t last, double half, bool power,
+                    size_t colour)
 {
-    double *x = take(p, beads, 2);
-    for (size_t i = 0; x && i < beads; i++) {
-        double sum = 0;
-        for (size_t k = 0; k < cell; k++)
-            sum += log(d->force[i + k]) / (double)cell;
-        x[i] = (double)i + 0.5 * (double)(cell - 1);
-        x[beads + i] = exp(sum);
+    enum { STEPS = 64 };
+    double *x = take(p, STEPS + 1, 2);
+    for (size_t i = 0; x && i <= STEPS; i++) {
+        double place = (double)first * pow((double)last / (double)first, (double)i / STEPS);
+        x[i] = place + half;
+        x[STEPS + 1 + i] =
+            exp(power ? fit->exponent_offset + fit->exponent * log(place) : fit->length_offset - place / fit->length);
     }
-    char *word = p->words[p->series_count];
-    int used = snprintf(word, sizeof *p->words, "*M* = %.3g", d->magnetism);
-    if (isfinite(d->of_force.length))
-        snprintf(word + used, sizeof *p->words - (size_t)used, ", γ = %.0f beads", d->of_force.length);
     p->series[p->series_count++] = (struct bead_series){
-        .x = x, .y = x ? x + beads : NULL, .count = beads, .mark = BEAD_MARK_LINE, .colour = colour, .label = word};
+        .x = x, .y = x ? x + STEPS + 1 : NULL, .count = STEPS + 1, .mark = BEAD_MARK_LINE, .colour = colour, .dashed = true};
     return x != NULL;
 }
 
-static enum bead_error fill_decay(struct plot *plot, size_t index, struct bead_message *msg)
+/* Means, with the exponential; with the power law where that has ended when the power law begins. */
+static bool add_profile(struct panel *p, const struct plot *plot, size_t index, const struct bead_sweep_decay *d, bool energy,
+                        size_t colour)
 {
-    struct panel *p = &plot->panels[index];
     const struct bead_sweep_panel *panel = bead_sweep_panel(plot->sweep, index);
+    const struct bead_decay *fit = energy ? &d->of_energy : &d->of_force;
+    size_t count = 0, beads = panel->beads;
+    double *x = take(p, beads, 2);
+    if (!x)
+        return false;
+    bead_sweep_smooth(plot->sweep, index, energy ? d->energy : d->force, x + beads, &count);
+    double half = 0.5 * (double)(panel->spec->last + 1 - count);
+    for (size_t i = 0; i < count; i++)
+        x[i] = (double)i + half;
+    bool falls = isfinite(fit->length),
+         power = isfinite(fit->exponent) && d->of_force.last < fit->beyond * 3 / 2 && fit->beyond < count;
+    char *word = p->words[p->series_count];
+    int used = snprintf(word, sizeof *p->words, "*M* = %.3g", d->magnetism);
+    if (falls)
+        used += snprintf(word + used, sizeof *p->words - (size_t)used, ", *γ* = %.0f", fit->length);
+    if (power)
+        snprintf(word + used, sizeof *p->words - (size_t)used, ", *x*^{%.2f}", fit->exponent);
+    p->series[p->series_count++] =
+        (struct bead_series){.x = x, .y = x + beads, .count = count, .mark = BEAD_MARK_LINE, .colour = colour, .label = word};
+    bool good = !falls || add_fit(p, fit, fit->first, fit->last, half, false, colour);
+    return good && (!power || add_fit(p, fit, fit->beyond, count - 1, half, true, colour));
+}
+
+/* To the last random bead: behind it is what the wave makes of an ordered chain, and its end. */
+static enum bead_error fill_decay(struct plot *plot, size_t place, struct bead_message *msg)
+{
+    const size_t index = place / DECAY_PANELS;
+    const bool energy = place % DECAY_PANELS;
+    struct panel *p = &plot->panels[place];
     enum bead_error err = bead_sweep_decays(plot->sweep, index, &p->decays, &p->decay_count, msg);
     if (!err)
         err = reserve(p, SERIES_OF_DECAY * p->decay_count, msg);
-    /* To the last random bead: behind it is what the wave makes of an ordered chain, and its end. */
-    const struct bead_chain_spec *pattern = &bead_sweep_scene(plot->sweep)->chains[panel->spec->chain];
-    size_t cell = 1;
-    for (size_t i = 0; i < pattern->segment_count; i++)
-        cell = pattern->segments[i].spins == BEAD_SPINS_RANDOM ? pattern->segments[i].cell_beads : cell;
-    const size_t beads = panel->spec->last + 2 - cell;
     for (size_t i = 0; i < p->decay_count && !err; i++)
-        err = add_profile(p, &p->decays[i], i, beads, cell) ? BEAD_OK : out_of_memory(msg);
-    struct bead_panel *shown = &plot->shown[index];
+        err = add_profile(p, plot, index, &p->decays[i], energy, i) ? BEAD_OK : out_of_memory(msg);
+    struct bead_panel *shown = &plot->shown[place];
     shown->x = (struct bead_graph_axis){.title = "bead", .unit = "1", .low = NAN, .high = NAN};
-    shown->y = (struct bead_graph_axis){.title = "peak force", .unit = "N", .low = NAN, .high = NAN, .scale = BEAD_SCALE_LOG};
+    shown->y = (struct bead_graph_axis){.title = energy ? "peak energy" : "peak force",
+                                        .unit = energy ? "J" : "N",
+                                        .low = NAN,
+                                        .high = NAN,
+                                        .scale = BEAD_SCALE_LOG};
     return err;
 }
 
@@ -212,13 +278,13 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
                                   uint64_t *bytes, struct bead_message *msg)
 {
     const bool decay = output->sweep_show == BEAD_SWEEP_DECAY;
-    struct plot plot = {.output = output, .sweep = sweep, .count = bead_sweep_panels(sweep)};
+    struct plot plot = {.output = output, .sweep = sweep, .count = bead_sweep_panels(sweep) * (decay ? DECAY_PANELS : 1)};
     plot.panels = calloc(plot.count, sizeof *plot.panels);
     plot.shown = calloc(plot.count, sizeof *plot.shown);
     enum bead_error err = plot.panels && plot.shown ? BEAD_OK : out_of_memory(msg);
     for (size_t i = 0; i < plot.count && !err; i++) {
         err = decay ? fill_decay(&plot, i, msg) : fill_magnetism(&plot, i, msg);
-        const char *name = bead_sweep_panel(sweep, i)->name;
+        const char *name = bead_sweep_panel(sweep, decay ? i / DECAY_PANELS : i)->name;
         plot.shown[i].title = *name ? name : NULL;
         plot.shown[i].series = plot.panels[i].series;
         plot.shown[i].series_count = plot.panels[i].series_count;
@@ -227,6 +293,7 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
     }
     const char *title = bead_sweep_scene(sweep)->title;
     const struct bead_graph graph = {.title = *title ? title : NULL,
+                                     .caption = output->caption && *output->caption ? output->caption : NULL,
                                      .panels = plot.shown,
                                      .panel_count = plot.count,
                                      .letters = true,

@@ -154,6 +154,29 @@ static bool may_be_ready(const char *name)
     return *name && *name != '/' && *name != '.' && !strstr(name, "/.") && strlen(name) < 1000;
 }
 
+/* "fig7" is thesis/fig7, as long as no other folder has one. */
+static bool find_in_folders(const char *name, char *path, size_t size)
+{
+    struct listing list = {NULL, 0, NULL};
+    const char *found = NULL;
+    size_t count = 0;
+    char asset[1100];
+    bool good = !strchr(name, '/') && list_names(&list) == BEAD_OK;
+    for (size_t i = 0; good && i < list.count; i++) {
+        const char *slash = strrchr(list.scenes[i].name, '/');
+        if (slash && strcmp(slash + 1, name) == 0) {
+            found = list.scenes[i].name;
+            count++;
+        }
+    }
+    if (count == 1) {
+        snprintf(asset, sizeof asset, "scenes/%s%s", found, extension);
+        good = bead_asset_path(asset, path, size, NULL) == BEAD_OK;
+    }
+    bead_scene_ready_free(list.scenes, list.count);
+    return good && count == 1;
+}
+
 enum bead_error bead_scene_find(const char *name, char *path, size_t size, struct bead_message *msg)
 {
     char asset[1100];
@@ -167,7 +190,7 @@ enum bead_error bead_scene_find(const char *name, char *path, size_t size, struc
     }
     if (may_be_ready(name)) {
         snprintf(asset, sizeof asset, "scenes/%s%s", name, extension);
-        if (bead_asset_path(asset, path, size, NULL) == BEAD_OK)
+        if (bead_asset_path(asset, path, size, NULL) == BEAD_OK || find_in_folders(name, path, size))
             return BEAD_OK;
     }
     if (exists)

@@ -87,14 +87,16 @@ static bool fit_part(const double *y, size_t count, size_t first, size_t last, b
 void bead_decay_fit(const double *y, size_t count, size_t first, size_t last, size_t beyond, struct bead_decay *decay)
 {
     struct bead_line line;
-    *decay = (struct bead_decay){NAN, NAN, NAN, NAN};
+    *decay = (struct bead_decay){NAN, NAN, NAN, NAN, NAN, NAN, first, last, beyond};
     if (fit_part(y, count, first, last, false, &line) && line.count > 2) {
         decay->length = line.slope < 0 ? -1 / line.slope : INFINITY;
+        decay->length_offset = line.offset;
         decay->length_error = line.slope < 0 ? line.slope_error / (line.slope * line.slope) : NAN;
     }
     if (fit_part(y, count, beyond, SIZE_MAX, true, &line) && line.count > 2) {
         decay->exponent = line.slope;
         decay->exponent_error = line.slope_error;
+        decay->exponent_offset = line.offset;
     }
 }
 

@@ -133,10 +133,47 @@ void bead_sweep_statistics_free(struct bead_sweep_statistics *s)
 
 /* ---- decay along the chain ---- */
 
-/* The exponential holds to about a hundred beads; near the striker the wave has not formed yet. */
+/* Near the striker the wave has not formed yet; beyond some hundred beads disorder that delocalises it lets it decay as a power. */
 enum { NEAR = 10, FAR = 100 };
 
-/* Geometric means, in units of the chain without disorder; the fits leave the fixed cells and the end out. */
+/* Beads of a random cell. */
+static size_t cell_beads(const struct bead_sweep *sweep, size_t panel)
+{
+    const struct bead_chain_spec *pattern = &sweep->scene->chains[sweep->panels[panel].shown.spec->chain];
+    size_t beads = 1;
+    for (size_t i = 0; i < pattern->segment_count; i++)
+        beads = pattern->segments[i].spins == BEAD_SPINS_RANDOM ? pattern->segments[i].cell_beads : beads;
+    return beads;
+}
+
+void bead_sweep_smooth(const struct bead_sweep *sweep, size_t panel, const double *values, double *means, size_t *count)
+{
+    const size_t cell = cell_beads(sweep, panel), random = sweep->panels[panel].shown.spec->last + 1;
+    *count = random > cell ? random + 1 - cell : 0;
+    for (size_t i = 0; i < *count; i++) {
+        double sum = 0;
+        for (size_t k = 0; k < cell; k++)
+            sum += log(values[i + k]) / (double)cell;
+        means[i] = exp(sum);
+    }
+}
+
+static enum bead_error fit_decay(const struct bead_sweep *sweep, size_t panel, const double *values, struct bead_decay *decay,
+                                 struct bead_message *msg)
+{
+    size_t count, last = NEAR;
+    double *means = calloc(sweep->panels[panel].shown.beads, sizeof *means);
+    if (!means)
+        return out_of_memory(msg);
+    bead_sweep_smooth(sweep, panel, values, means, &count);
+    while (last + 1 < count && means[last + 1] > means[NEAR] / exp(1))
+        last++;
+    bead_decay_fit(means, count, NEAR, last, FAR, decay);
+    free(means);
+    return BEAD_OK;
+}
+
+/* Geometric means; the fits leave the fixed cells and the end out. */
 static enum bead_error find_decay(const struct bead_sweep *sweep, size_t panel, const struct entry *entries, size_t count,
                                   struct bead_sweep_decay *d, struct bead_message *msg)
 {
@@ -159,9 +196,8 @@ static enum bead_error find_decay(const struct bead_sweep *sweep, size_t panel, 
         d->force[j] = exp(d->force[j]);
         d->energy[j] = exp(d->energy[j]);
     }
-    bead_decay_fit(d->force, random, NEAR, FAR, FAR, &d->of_force);
-    bead_decay_fit(d->energy, random, NEAR, FAR, FAR, &d->of_energy);
-    return BEAD_OK;
+    enum bead_error err = fit_decay(sweep, panel, d->force, &d->of_force, msg);
+    return err ? err : fit_decay(sweep, panel, d->energy, &d->of_energy, msg);
 }
 
 enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel, struct bead_sweep_decay **decays, size_t *count,

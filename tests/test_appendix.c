@@ -8,7 +8,7 @@ static void the_printed_program_is_reproduced(void **state)
     (void)state;
     struct bead_message msg = {""};
     struct built built;
-    if (bead_scene_load("assets/scenes/imagesc.yaml", NULL, 0, &built.scene, &msg) ||
+    if (bead_scene_load("assets/scenes/thesis/imagesc.yaml", NULL, 0, &built.scene, &msg) ||
         bead_chain_create(built.scene, 0, &built.chain, &msg))
         fail_msg("%s", msg.text);
     assert_int_equal(built.chain->spec->law.kind, BEAD_LAW_THESIS_APPENDIX);

@@ -363,9 +363,9 @@ static void scenes_are_found_by_name_or_path(void **state)
     assert_int_equal(bead_scene_find("tests/bad/nan.yaml", path, sizeof path, &msg), BEAD_OK);
     assert_string_equal(path, "tests/bad/nan.yaml");
     assert_int_equal(bead_scene_find("imagesc", path, sizeof path, &msg), BEAD_OK);
-    assert_non_null(strstr(path, "scenes/imagesc.yaml"));
-    assert_int_equal(bead_scene_find("imagsc", path, sizeof path, &msg), BEAD_ERROR_USAGE);
-    assert_non_null(strstr(msg.text, "did you mean `imagesc`?"));
+    assert_non_null(strstr(path, "scenes/thesis/imagesc.yaml"));
+    assert_int_equal(bead_scene_find("thesis/imagsc", path, sizeof path, &msg), BEAD_ERROR_USAGE);
+    assert_non_null(strstr(msg.text, "did you mean `thesis/imagesc`?"));
     assert_int_equal(bead_scene_find("../materials", path, sizeof path, &msg), BEAD_ERROR_USAGE);
     assert_int_equal(bead_scene_find("", path, sizeof path, &msg), BEAD_ERROR_USAGE);
     assert_int_equal(bead_scene_find("tests", path, sizeof path, &msg), BEAD_ERROR_IO);

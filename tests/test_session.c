@@ -128,11 +128,11 @@ static void bad_names_are_refused(void **state)
     struct bead_message msg = {""};
     struct bead_session *session = NULL;
     const char *only = "nothing.csv";
-    struct bead_job job = {.input = "assets/scenes/imagesc.yaml", .only = &only, .only_count = 1, .sinks = lists};
+    struct bead_job job = {.input = "assets/scenes/thesis/imagesc.yaml", .only = &only, .only_count = 1, .sinks = lists};
     assert_int_equal(bead_session_open(&job, &session, &msg), BEAD_ERROR_USAGE);
     assert_non_null(strstr(msg.text, "nothing.csv"));
     assert_null(session);
-    job = (struct bead_job){.input = "assets/scenes/imagesc.yaml", .instructions = "mmx", .sinks = lists};
+    job = (struct bead_job){.input = "assets/scenes/thesis/imagesc.yaml", .instructions = "mmx", .sinks = lists};
     assert_int_equal(bead_session_open(&job, &session, &msg), BEAD_ERROR_USAGE);
 }
 

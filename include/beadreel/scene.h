@@ -289,8 +289,9 @@ BEAD_API BEAD_CHECK enum bead_error bead_scene_parse(const char *name, const cha
                                                      size_t setting_count, struct bead_scene **scene, struct bead_message *msg);
 BEAD_API void bead_scene_free(struct bead_scene *scene);
 
-/* Find a ready scene ("clean-vs-delocalised", "thesis/fig5") or keep the path of a file that exists: fills
- * `path` (size bytes). A name that is neither is an error that suggests the nearest. Errors: USAGE, IO, MEMORY. */
+/* Find a ready scene ("clean-vs-delocalised", "thesis/fig5", or "fig5" where only one folder has it) or keep the path of a file
+ * that exists: fills `path` (size bytes). A name that is neither is an error that suggests the nearest. Errors: USAGE, IO, MEMORY.
+ */
 BEAD_API BEAD_CHECK enum bead_error bead_scene_find(const char *name, char *path, size_t size, struct bead_message *msg);
 
 /* The ready scenes, by name; `title` is "" where the scene has none. To be freed with bead_scene_ready_free. Errors: IO, MEMORY. */

@@ -65,8 +65,10 @@ BEAD_API void bead_line_fit(const double *x, const double *y, size_t count, stru
  * y ~ exp(-x / length), and a power law over all from `beyond` on, y ~ x^exponent. Places with y <= 0 or not finite are left out.
  */
 struct bead_decay {
-    double length, length_error;     /* beads; INFINITY where it does not decay */
-    double exponent, exponent_error; /* NaN where less than three places lie beyond */
+    double length, length_error;           /* beads; INFINITY where it does not decay */
+    double exponent, exponent_error;       /* NaN where less than three places lie beyond */
+    double length_offset, exponent_offset; /* ln y at place 0, and at place 1, of the two lines */
+    size_t first, last, beyond;            /* places they were fitted to */
 };
 BEAD_API void bead_decay_fit(const double *y, size_t count, size_t first, size_t last, size_t beyond, struct bead_decay *decay);
 

@@ -163,11 +163,17 @@ struct bead_sweep_decay {
     double magnetism;
     size_t count;           /* configurations */
     double *force, *energy; /* [beads] N, J: geometric means of the peaks */
+    /* Of geometric means over each cell's beads, which differ however clean the wave is. Exponential: from bead 10, where the wave
+     * has formed, to where it has fallen by a factor e, or to the last random bead; power law: from bead 100 to the last random
+     * one. */
     struct bead_decay of_force, of_energy;
     double participation; /* mean participation ratio of the peak forces of the beads behind the random part */
 };
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel,
                                                       struct bead_sweep_decay **decays, size_t *count, struct bead_message *msg);
+/* Geometric means over the beads i, i + 1, ... of a random cell, of `values` [beads], to the last random bead: into means [beads],
+ * of which *count are filled. */
+BEAD_API void bead_sweep_smooth(const struct bead_sweep *sweep, size_t panel, const double *values, double *means, size_t *count);
 BEAD_API void bead_sweep_decays_free(struct bead_sweep_decay *decays, size_t count);
 
 #endif

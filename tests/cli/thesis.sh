@@ -52,6 +52,37 @@ ok "... breaks when characteristics cross" within "$(measure figures/fig8-measur
         d = 0.5 * e * 2 * r * th / w / sqrt(1 + e * r); if (d > most) most = d} print 1 / most}')" 0.05
 ok "... loses energy afterwards" bash -c "awk -F, '/change of the energy/ {found = \$3 < -0.01} END {exit !found}' figures/fig8-measures.csv"
 
+# Figs 6 and 7 with fewer configurations: means within three standard errors of the reference's and their own.
+# means FILE PREFIX REFERENCE : FILE's rows that begin with PREFIX and a magnetism; REFERENCE has magnetism, mean, error.
+means() {
+    awk -F, -v prefix="$2" 'NR == FNR {mean[sprintf("%.4f", $1)] = $2; error[sprintf("%.4f", $1)] = $3; next}
+        FNR > 1 && index($0, prefix ",") == 1 && $2 < 0.999 {k = sprintf("%.4f", $2); d = $4 - mean[k]; if (d < 0) d = -d; n++
+            if (!(k in mean) || d > 3 * (error[k] + $5)) {print k, $4, "+-", $5, "not", mean[k]; bad = 1}} END {exit bad || n < 9}' "$3" "$1"
+}
+few() { exits 0 "$beadsim" "thesis/$1" -o few --only "$1.csv" "${@:2}"; }
+ok "fig6 with 12 configurations" few fig6 --set sweep.configurations=12
+printf '%s,.0035\n' .9,.878 .8,.788 .7,.726 .6,.681 .5,.648 .4,.632 .3,.622 .2,.618 .1,.619 0,.618 >channel1
+ok "... means at the first sensor" means few/fig6.csv "channel 1" channel1
+ok "fig7 with 30 configurations" few fig7 --set sweeps.2.magnetism=0 --set sweeps.2.configurations=1 --set sweeps.3.magnetism=0 --set sweeps.3.configurations=1 \
+    --set sweeps.0.configurations=30 --set sweeps.1.configurations=30
+for n in 32 64; do
+    awk -F, -v n=$n '$1 == n {print $2 "," $3 "," $4}' "$top/tests/reference/fig7_mean.csv" >"mean$n"
+    ok "... means behind $n dimers" means few/fig7.csv "$n dimers" "mean$n"
+done
+ok "fig6" makes fig6 fig6.pdf fig6.png fig6.csv
+ok "... three configurations, one at M = 1" test "$(grep -c "^channel 1," figures/fig6-configurations.csv)" = 31
+
+ok "defect" makes defect defect.pdf defect.png defect.csv defect-measures.csv
+# After so many dimers the ratios are still a few parts in ten thousand from those far behind.
+for case in "1 reversed,.7985" "2 apart,.6376" "3 apart,.5091" "4 apart,.4065" "2 adjacent,.836" "4 adjacent,.826" "6 adjacent,.820"; do
+    ok "... energy past ${case/,/: }" within "$(cell figures/defect-measures.csv 3 "${case%,*},energy past defect,")" "${case#*,}" .003
+done
+# Decay lengths of the first fall by e, with 20 configurations: within 12 % of those of many.
+few decay --set sweep.configurations=20
+for case in 0.90,338 0.8,187 0.5,117 0,103; do
+    ok "... decay length at M = ${case/,/: }" within "$(awk -F, -v m="${case%,*}" 'NR > 1 && $1 - m < 1e-9 && m - $1 < 1e-9 {print $6; exit}' few/decay.csv)" "${case#*,}" "$((${case#*,} * 12 / 100))"
+done
+
 # The same profiles, whatever other times are asked for.
 cat >scene.yaml <<'YAML'
 chain: {beads: [{bead: large-steel, count: 30}]}
