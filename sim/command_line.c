@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <getopt.h>
+#include <hdf5.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -399,6 +400,8 @@ int command_main(const struct command_program *program, int argc, char **argv)
     struct bead_message msg = {""};
     struct command command = {.program = program};
     enum bead_error err = BEAD_OK;
+    /* All files are closed before the end. What damage in one makes HDF5 keep open it would complain of on stderr, at exit. */
+    H5dont_atexit();
     command.settings = calloc((size_t)argc + 1, sizeof *command.settings);
     command.only = calloc((size_t)argc + 1, sizeof *command.only);
     command.parts = calloc((size_t)argc + 1, sizeof *command.parts);

@@ -163,7 +163,8 @@ enum bead_error command_run(const struct command *command, const volatile sig_at
 enum bead_error command_merge(const struct command *command, struct bead_message *msg)
 {
     struct bead_sweep *sweep = NULL;
-    if (!command->output)
+    const char *dot = command->output ? strrchr(command->output, '.') : NULL;
+    if (!dot || strcmp(dot, ".h5") != 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--merge: say where to with -o FILE.h5");
     enum bead_error err = bead_sweep_merge(command->parts, command->part_count, &sweep, msg);
     if (!err)

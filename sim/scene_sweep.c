@@ -80,7 +80,8 @@ static const struct bead_option rows[] = {
     {.key = "magnetism",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "all, a number, or a list of numbers from 0 to 1",
-     .help = "M = (up - down) / all, exactly; all: every one that the number of cells allows. Without it, all with `cells`, and "
+     .help = "M = (up - down) / all, the nearest that the number of cells allows; all: every one that the number of cells allows. "
+             "Without it, all with `cells`, and "
              "what each segment of `chain` says without",
      .read = skip_key},
     {.key = "configurations",

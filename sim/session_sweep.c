@@ -217,26 +217,18 @@ enum bead_error bead_session_load_configuration(struct bead_session *s, struct b
 
 /* ---- running ---- */
 
-static enum bead_error compute(struct bead_session *s, const char *results, struct bead_message *msg)
+static enum bead_error compute(struct bead_session *s, const char *results, const char *journal, struct bead_message *msg)
 {
     struct bead_sweep_settings settings = {.threads = s->threads,
                                            .instructions = s->job.instructions,
+                                           .journal = journal,
                                            .part = s->job.part,
                                            .parts = s->job.parts,
                                            .stop = s->job.stop,
                                            .progress = s->job.progress,
                                            .progress_context = s->job.progress_context};
-    char *journal = NULL;
-    enum bead_error err = results ? bead_file_part_name(results, &journal, msg) : BEAD_OK;
-    settings.journal = journal;
-    if (!err)
-        err = bead_sweep_run(s->sweep, &settings, &s->counts.chains, msg);
-    if (!err && results)
-        err = bead_sweep_write(s->sweep, results, msg);
-    if (!err && journal)
-        bead_file_discard(journal);
-    free(journal);
-    return err;
+    enum bead_error err = bead_sweep_run(s->sweep, &settings, &s->counts.chains, msg);
+    return !err && results ? bead_sweep_write(s->sweep, results, msg) : err;
 }
 
 static enum bead_error write_output(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
@@ -256,6 +248,7 @@ static enum bead_error write_output(struct bead_session *s, struct bead_made *m,
 enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_message *msg)
 {
     const char *results = NULL;
+    char *journal = NULL;
     s->results = calloc(s->made_count + 1, sizeof *s->results);
     if (!s->results)
         return out_of_memory(msg);
@@ -264,10 +257,16 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
             results = s->made[i].path;
     }
     enum bead_error err = s->sweep_read ? BEAD_OK : bead_session_make_directory(s->job.output, msg);
+    if (!err && results)
+        err = bead_file_part_name(results, &journal, msg);
     if (!err && !s->sweep_read)
-        err = compute(s, results, msg);
+        err = compute(s, results, journal, msg);
     for (size_t i = 0; !err && i < s->made_count; i++)
         err = write_output(s, &s->made[i], msg);
+    /* Not before: where a plot fails or is stopped, the same command need not compute again. */
+    if (!err && journal)
+        bead_file_discard(journal);
+    free(journal);
     return err;
 }
 

@@ -62,6 +62,13 @@ static struct bead_node *default_cell(struct maker *m)
     return cell;
 }
 
+/* "0", "0.0" and whatever else is a zero; what is no number is refused where the count is read. */
+static bool is_zero(const struct bead_node *number)
+{
+    char *end = NULL;
+    return number->kind == BEAD_NODE_SCALAR && strtod(number->text, &end) == 0 && end != number->text && !*end;
+}
+
 /* `cells` random cells and `fixed` more. */
 static struct bead_node *made_beads(struct maker *m, const struct bead_node *sweep, const char *digits)
 {
@@ -74,7 +81,7 @@ static struct bead_node *made_beads(struct maker *m, const struct bead_node *swe
         fixed = count[1] = text_node(m, BEAD_SWEEP_FIXED, strlen(BEAD_SWEEP_FIXED));
     for (size_t i = 0; i < 2 && !m->failed; i++) {
         struct bead_node *segment = make(m, BEAD_NODE_MAP);
-        if (i == 1 && fixed->kind == BEAD_NODE_SCALAR && strcmp(fixed->text, "0") == 0)
+        if (i == 1 && is_zero(fixed))
             break;
         m->failed = m->failed || !bead_yaml_append(m->yaml, beads, segment);
         if (m->failed)

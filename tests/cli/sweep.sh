@@ -11,6 +11,7 @@ outputs:
   - {plot: force.png, size: [640, 400]}
 YAML
 same() { cmp "$1" "$2"; }
+lacks() { ! grep -qF -- "$1" "$T/out" || { cat "$T/out"; return 1; }; }
 
 ok "a sweep runs" exits 0 "$beadreel" "$T/sweep.yaml" -o "$T/whole"
 ok "no journal is left" test ! -e "$T/whole/sweep.h5.part"
@@ -32,6 +33,18 @@ for i in 1 2 3 4 5 6 7 8 9 10; do
 done
 ok "killed ten times over, it goes on to its end" exits 0 "$beadsim" "$T/sweep.yaml" --only sweep.h5 -o "$T/killed"
 ok "... and the file is the same" same "$T/whole/sweep.h5" "$T/killed/sweep.h5"
+
+# A table that cannot be written: what was computed is not lost.
+mkdir -p "$T/blocked/force.csv"
+ok "a table that cannot be written" fails 1 "$beadsim" "$T/sweep.yaml" -o "$T/blocked"
+ok "... leaves the journal" test -s "$T/blocked/sweep.h5.part"
+rmdir "$T/blocked/force.csv"
+ok "... the next run computes nothing" exits 0 "$beadsim" "$T/sweep.yaml" -o "$T/blocked"
+ok "... and says so" lacks " chains"
+ok "... writes the same" same "$T/whole/force.csv" "$T/blocked/force.csv"
+ok "... and takes the journal away" test ! -e "$T/blocked/sweep.h5.part"
+ok "no fixed cells, written as 0.0" exits 0 "$beadsim" "$T/sweep.yaml" --set sweep.fixed=0.0 --set sweep.measure='{peak: none, decay: true}' \
+    --set 'outputs=[{sweep: none.h5}]' -o "$T/none"
 
 # Stopped: what is done stays; the next run takes it from there.
 "$beadsim" "$T/sweep.yaml" --set sweep.configurations=200 --threads 1 --only sweep.h5 -o "$T/stopped" >/dev/null 2>"$T/err" &
@@ -92,4 +105,19 @@ ok "--plan says what is computed" exits 0 "$beadsim" --plan "$T/sweep.yaml"
 ok "... of which beads" prints "beads 35 to 37"
 head -c 3000 "$T/whole/sweep.h5" >"$T/cut.h5"
 ok "a damaged file" fails 1 "$beadsim" "$T/cut.h5" -o "$T/x.csv"
+ok "parts into a file of another kind" fails 2 "$beadsim" --merge "$T/whole/sweep.h5" -o "$T/x.csv"
+
+# Bytes changed here and there: one line of a message, or none, whatever HDF5 thinks of it.
+size=$(stat -c %s "$T/whole/sweep.h5")
+odd=0
+for i in $(seq 1 40); do
+    cp "$T/whole/sweep.h5" "$T/odd.h5"
+    for k in $(seq 1 20); do
+        printf "\\$(printf %o $((RANDOM % 256)))" | dd of="$T/odd.h5" bs=1 seek=$(((RANDOM * 32768 + RANDOM) % size)) conv=notrunc 2>/dev/null
+    done
+    "$beadsim" "$T/odd.h5" -o "$T/odd.csv" >/dev/null 2>"$T/err"
+    status=$?
+    [ $status -le 2 ] && [ "$(wc -l <"$T/err")" -eq $((status > 0)) ] || odd=$((odd + 1))
+done
+ok "damaged files: one line of a message" [ $odd -eq 0 ]
 finish
