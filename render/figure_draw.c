@@ -89,8 +89,11 @@ static bool words_of(const struct bead_figure *f, const struct bead_cell *cell, 
     return f->output->axes && (*words->letter || *words->name || *words->magnetism || *words->moment);
 }
 
-/* How much is said, from all to a shortened name; the same in all cells, as far as the longest has room. */
-enum terseness { NAME_M_LABEL, NAME_M, NAME, M, CUT_NAME };
+/* How much is said, from all to a shortened name; the same in all cells, as far as the longest has room. Several chains keep
+ * their names, be they cut: else nobody knows which is which. */
+enum terseness { NAME_M_LABEL, NAME_M, NAME, CUT_NAME_M, M, CUT_NAME };
+
+static const double shortest_cut = 3; /* of a name beside M, in units of its font size */
 
 struct heading {
     struct words words;
@@ -124,8 +127,8 @@ static void shorten(struct words *words, enum terseness terse)
         words->name = "";
 }
 
-/* Width of the heading; draws it where cr is there and `draw` says so. */
-static double put_heading(cairo_t *cr, const struct heading *h, double x, double y, double room, bool draw)
+/* Width of the heading, its name no longer than `longest`; draws it where cr is there and `draw` says so. */
+static double put_heading(cairo_t *cr, const struct heading *h, double x, double y, double room, double longest, bool draw)
 {
     char name[1024], label[1024], letters[640];
     const struct bead_text_style *styles[] = {&h->letter, &h->name, &h->magnetism, &h->label};
@@ -134,7 +137,8 @@ static double put_heading(cairo_t *cr, const struct heading *h, double x, double
     bead_text_escape(h->words.letter, letters, sizeof letters);
     bead_text_escape(h->words.name, name, sizeof name);
     double letter = *h->words.letter ? width_of(cr, &h->letter, letters) + h->gap : 0;
-    if (draw && !fit(cr, &h->name, h->words.name, room - letter, name, sizeof name))
+    double after_name = *h->words.magnetism ? h->gap + width_of(cr, &h->magnetism, h->words.magnetism) : 0;
+    if (draw && !fit(cr, &h->name, h->words.name, room - letter - after_name, name, sizeof name))
         name[0] = '\0';
     const char *words[] = {letters, name, h->words.magnetism, label};
     double begin = x, end = x;
@@ -143,7 +147,8 @@ static double put_heading(cairo_t *cr, const struct heading *h, double x, double
             continue;
         if (draw)
             bead_text_draw(cr, styles[i], x, y, words[i]);
-        end = x + width_of(cr, styles[i], words[i]);
+        double width = width_of(cr, styles[i], words[i]);
+        end = x + (i == 1 ? fmin(width, longest) : width);
         x = end + after[i];
     }
     return end - begin;
@@ -157,7 +162,10 @@ static enum terseness find_terseness(const struct bead_figure *f, cairo_t *cr)
             struct heading h;
             make_heading(f, &f->cells[c], &h);
             shorten(&h.words, terse);
-            if (put_heading(cr, &h, 0, 0, 0, false) <= f->cells[c].heading.width)
+            if (terse == CUT_NAME_M && f->cell_count == 1)
+                continue;
+            double longest = terse == CUT_NAME_M ? shortest_cut * f->look.title : INFINITY;
+            if (put_heading(cr, &h, 0, 0, 0, longest, false) <= f->cells[c].heading.width)
                 break;
         }
     }
@@ -173,7 +181,7 @@ bool bead_figure_heading(const struct bead_figure *f, const struct bead_cell *ce
     const struct bead_rect *box = &cell->heading;
     make_heading(f, cell, &h);
     shorten(&h.words, find_terseness(f, cr));
-    put_heading(cr, &h, box->x, box->y + box->height - 0.6 * f->look.label, box->width, true);
+    put_heading(cr, &h, box->x, box->y + box->height - 0.6 * f->look.label, box->width, INFINITY, true);
     return true;
 }
 

@@ -58,8 +58,8 @@ static struct measures measure(const struct bead_movie_wants *w, enum level leve
         m.bar_width = whole(1.3 * look->gap);
         m.right += m.bar_gap + m.bar_width + whole(w->bar);
     }
-    if (w->axes && level < VIEWS_ONLY)
-        m.caption = whole(w->caption_lines * w->caption_line);
+    /* Captions are asked for: they stay to the last. */
+    m.caption = w->axes ? whole(w->caption_lines * w->caption_line) : 0;
     m.bottom = m.margin + m.caption + (m.caption > 0 ? whole(0.5 * look->gap) : 0);
     m.width = w->width - m.left - m.right;
     return m;

@@ -13,6 +13,7 @@
 
 #include "beadreel/look.h"
 #include "beadreel/render.h"
+#include "beadreel/session.h"
 #include "render/area.h"
 #include "render/page.h"
 #include "render/sinks.h"
@@ -229,6 +230,60 @@ static void test_peaks_below_a_logarithmic_axis_are_marked(void **state)
     free(closed.rgb);
 }
 
+static void run_scene(const char *text)
+{
+    char scene[512];
+    struct bead_message msg = {""};
+    struct bead_session *session;
+    struct bead_job job;
+    const struct bead_sink_type *const *const sinks[] = {bead_render_sinks(), NULL};
+    char output[512];
+    in_directory("scene.yaml", scene, sizeof scene);
+    in_directory("", output, sizeof output);
+    FILE *file = fopen(scene, "w");
+    assert_non_null(file);
+    assert_true(fputs(text, file) >= 0);
+    assert_int_equal(fclose(file), 0);
+    bead_job_default(&job);
+    job.input = scene;
+    job.output = output;
+    job.sinks = sinks;
+    if (bead_session_open(&job, &session, &msg) || bead_session_run(session, &msg))
+        fail_msg("%s", msg.text);
+    bead_session_close(session);
+}
+
+/* Several chains: one name that is too long for its place is cut, and takes nothing from the other names. */
+static void test_long_names_leave_the_others(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"first", "second", "third", "fourth", "The fifth of them has a name longer than its panel"};
+    char scene[4096], path[512], text[512], command[1200], *words;
+    if (system("command -v pdftotext >/dev/null 2>&1") != 0) {
+        skip();
+        return;
+    }
+    int used = snprintf(scene, sizeof scene, "chains:\n");
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+        used += snprintf(scene + used, sizeof scene - (size_t)used,
+                         "  - {name: %s, beads: [{cell: [large-steel, aluminium], count: 4, spins: \"1101\"}]}\n", names[i]);
+    snprintf(scene + used, sizeof scene - (size_t)used, "outputs: [{image: n.pdf, style: paper, size: [150 mm, 60 mm]}]\n");
+    run_scene(scene);
+    in_directory("n.pdf", path, sizeof path);
+    in_directory("n.txt", text, sizeof text);
+    snprintf(command, sizeof command, "pdftotext '%s' '%s'", path, text);
+    assert_int_equal(system(command), 0);
+    size_t length;
+    words = read_all(text, &length);
+    for (size_t i = 0; i < 4; i++) {
+        if (!strstr(words, names[i]))
+            fail_msg("%s is not in the picture", names[i]);
+    }
+    assert_non_null(strstr(words, "The"));
+    assert_null(strstr(words, "longer than its panel"));
+    free(words);
+}
+
 /* Nothing reaches over the border, at any size and in any style. */
 static void test_peaks_are_not_cut(void **state)
 {
@@ -285,6 +340,7 @@ int main(void)
         cmocka_unit_test(test_peaks_stand_at_their_height),
         cmocka_unit_test(test_peaks_below_a_logarithmic_axis_are_marked),
         cmocka_unit_test(test_peaks_are_not_cut),
+        cmocka_unit_test(test_long_names_leave_the_others),
         cmocka_unit_test(test_settings_that_do_not_fit_are_refused),
     };
     return cmocka_run_group_tests_name("figures", tests, make_directory, remove_directory);

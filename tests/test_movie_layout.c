@@ -98,6 +98,8 @@ static void test_rectangles(void **state)
             if (bead_movie_arrange(&w, &layout, &msg))
                 fail_msg("%d x %d, %zu chains, %zu views: %s", w.width, w.height, w.chain_count, w.view_count, msg.text);
             check(&w, &layout);
+            if (w.axes && w.caption_lines > 0 && !(layout.caption.height >= w.caption_lines * w.caption_line))
+                fail_msg("%d x %d, %zu chains, %zu views: captions are dropped", w.width, w.height, w.chain_count, w.view_count);
             bead_movie_layout_free(&layout);
         }
     }
