@@ -6,4 +6,7 @@
 
 extern const struct bead_sink_type bead_image_sink, bead_plot_sink, bead_movie_sink, bead_modes_plot_sink, bead_profiles_plot_sink;
 
+struct bead_sweep_sink;
+extern const struct bead_sweep_sink bead_contact_sheet_sink;
+
 #endif

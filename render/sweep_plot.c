@@ -7,6 +7,7 @@
 #include "beadreel/render.h"
 #include "beadreel/sweep.h"
 #include "render/graph.h"
+#include "render/sinks.h"
 
 /* Series of a place: all configurations, or up to MARKS of each magnetism with marks of their own; median, mean; of a magnetism
  * along the chain: its means, its exponential. */
@@ -312,8 +313,8 @@ static const char *why(const struct bead_output *output)
 }
 
 static const char *const extensions[] = {"png", "pdf", "svg", NULL};
-static const struct bead_sweep_sink plot_sink = {"plot", BEAD_OUTPUT_PLOT, extensions, why, write_plot};
-static const struct bead_sweep_sink *const sinks[] = {&plot_sink, NULL};
+static const struct bead_sweep_sink plot_sink = {"plot", BEAD_OUTPUT_PLOT, extensions, why, write_plot, NULL};
+static const struct bead_sweep_sink *const sinks[] = {&plot_sink, &bead_contact_sheet_sink, NULL};
 
 const struct bead_sweep_sink *const *bead_sweep_render_sinks(void)
 {

@@ -75,7 +75,7 @@ static void print_chain(FILE *out, const struct bead_chain *chain, size_t index)
 
 static void print_outputs(FILE *out, const struct bead_scene *scene)
 {
-    static const char *const kinds[BEAD_OUTPUT_KINDS] = {"trajectory", "image", "movie", "plot", "table", "sweep"};
+    static const char *const kinds[BEAD_OUTPUT_KINDS] = {"trajectory", "image", "movie", "plot", "table", "sweep", "sheet"};
     for (size_t i = 0; i < scene->output_count; i++)
         fprintf(out, "output %zu: %s %s\n", i, kinds[scene->outputs[i].kind], scene->outputs[i].path);
 }

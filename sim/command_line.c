@@ -158,6 +158,13 @@ static enum bead_error set_configuration(struct command *command, const char *va
     return BEAD_OK;
 }
 
+static enum bead_error set_sheet(struct command *command, const char *value, struct bead_message *msg)
+{
+    (void)value, (void)msg;
+    command->sheet = true;
+    return BEAD_OK;
+}
+
 static enum bead_error set_shard(struct command *command, const char *value, struct bead_message *msg)
 {
     char *slash = NULL, *end = NULL;
@@ -201,7 +208,9 @@ static const struct option_row rows[] = {
     {"plan", 0, NULL, "say what would be computed, what is skipped and why, and stop", set_plan},
     {"list", 0, "WHAT", "list %s", set_list},
     {"info", 0, "FILE", "describe a scene, a trajectory or a sweep's file and stop", set_info},
-    {"configuration", 0, "N", "run chain N of a sweep's file alone, NAME:N where it has several sweeps", set_configuration},
+    {"configuration", 0, "N", "run chain N of a sweep (a scene or a sweep's file) alone; NAME:N of several sweeps",
+     set_configuration},
+    {"sheet", 0, NULL, "draw many configurations of a sweep, or of a random chain, into the file -o, and nothing else", set_sheet},
     {"shard", 0, "K/N", "compute part K of N of a sweep, into a file of its own: sweep.h5 -> sweep.KofN.h5", set_shard},
     {"merge", 0, NULL, "put the parts of a sweep that are named, in any order, together into the file -o", set_merge},
     {"threads", 0, "N", "use N threads (default 0: all cores); the results are the same for any", set_threads},

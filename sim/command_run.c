@@ -25,6 +25,7 @@ static void fill_job(const struct command *command, const volatile sig_atomic_t 
     job->sinks = command->program->sinks;
     job->sweep_sinks = command->program->sweep_sinks;
     job->configuration = command->configuration;
+    job->sheet = command->sheet;
     job->part = command->shard;
     job->parts = command->shards;
     job->stop = stop;

@@ -1,7 +1,7 @@
 /* An output that names several files is as many outputs: {plot: [a.pdf, a.png], ...}. */
 #include "sim/scene_output.h"
 
-static const char *const kinds[] = {"trajectory", "image", "movie", "plot", "table", "sweep"};
+static const char *const kinds[] = {"trajectory", "image", "movie", "plot", "table", "sweep", "sheet"};
 
 /* Place in the map of the list of files; 0: there is none. */
 static size_t find_list(const struct bead_node *entry)

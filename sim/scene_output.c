@@ -9,7 +9,7 @@
 #include "sim/equation.h"
 #include "sim/suggest.h"
 
-static const char *const kinds[] = {"trajectory", "image", "movie", "plot", "table", "sweep"};
+static const char *const kinds[] = {"trajectory", "image", "movie", "plot", "table", "sweep", "sheet"};
 
 bool bead_scene_has_sensors(const struct bead_scene *scene)
 {
@@ -54,7 +54,7 @@ static enum bead_error find_kind(const struct bead_reader *reader, const struct 
                               kinds[output->kind]);
         output->kind = (enum bead_output_kind)i;
         bool vector = where.node->kind == BEAD_NODE_SCALAR && is_vector(where.node->text) &&
-                      (output->kind == BEAD_OUTPUT_IMAGE || output->kind == BEAD_OUTPUT_PLOT);
+                      (output->kind == BEAD_OUTPUT_IMAGE || output->kind == BEAD_OUTPUT_PLOT || output->kind == BEAD_OUTPUT_SHEET);
         *form = 1u << (form_of(reader->scene, output->kind) + (vector ? BEAD_OUTPUT_VECTOR : 0));
     }
     return BEAD_OK;
@@ -73,8 +73,9 @@ static enum bead_error no_kind(const struct bead_reader *reader, const struct be
         if (search.best)
             return bead_wrong(reader, &key, "unknown key%s", bead_suggest_text(&search, near, sizeof near));
     }
-    return bead_wrong(reader, at,
-                      "has no kind; must have one of the keys trajectory, image, movie, plot, table or sweep, with a file's name");
+    return bead_wrong(
+        reader, at,
+        "has no kind; must have one of the keys trajectory, image, movie, plot, table, sweep or sheet, with a file's name");
 }
 
 static enum bead_error check_times(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
@@ -214,7 +215,7 @@ static enum bead_error check_fields(const struct bead_reader *reader, const stru
     char all[120] = "";
     struct bead_at where = bead_at_key(at, output->kind == BEAD_OUTPUT_TRAJECTORY ? "fields" : "field");
     bool profiles = output->kind == BEAD_OUTPUT_TABLE && output->show == BEAD_SHOW_PROFILES;
-    if (output->kind == BEAD_OUTPUT_IMAGE || output->kind == BEAD_OUTPUT_MOVIE || profiles)
+    if (output->kind == BEAD_OUTPUT_IMAGE || output->kind == BEAD_OUTPUT_MOVIE || output->kind == BEAD_OUTPUT_SHEET || profiles)
         asked = BEAD_FIELD_BIT(output->field);
     else if (output->kind == BEAD_OUTPUT_TRAJECTORY)
         asked = output->fields;

@@ -29,6 +29,7 @@ BEAD_CHECK enum bead_error bead_output_check_sweep(const struct bead_reader *rea
 BEAD_CHECK enum bead_error bead_output_check_sweep_shown(const struct bead_reader *reader, const struct bead_at *at,
                                                          const struct bead_output *output);
 BEAD_OUTPUT_READER(bead_output_read_threshold);
+BEAD_OUTPUT_READER(bead_output_read_magnetism);
 
 /* `show` of plots and tables, and the keys that go with it (scene_show.c). */
 BEAD_CHECK enum bead_error bead_output_check_show(const struct bead_reader *reader, const struct bead_at *at,

@@ -12,6 +12,7 @@ static const char *const extensions[BEAD_OUTPUT_KINDS][8] = {
     [BEAD_OUTPUT_PLOT] = {"png", "pdf", "svg"},
     [BEAD_OUTPUT_TABLE] = {"csv"},
     [BEAD_OUTPUT_SWEEP] = {"h5"},
+    [BEAD_OUTPUT_SHEET] = {"png", "pdf", "svg"},
 };
 
 static enum bead_error check_extension(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)

@@ -15,6 +15,7 @@ void bead_output_free(struct bead_output *output)
     free(output->threshold);
     free(output->path);
     free(output->colormap);
+    free(output->magnetism);
     free(output->caption);
     free(output->panel_title);
     bead_output_free_movie(output);

@@ -286,6 +286,8 @@ static enum bead_error open_scene(struct bead_session *s, struct bead_message *m
     enum bead_error err = BEAD_OK;
     if (s->job.configuration) {
         err = bead_session_load_configuration(s, msg);
+    } else if (s->job.sheet) {
+        err = bead_session_load_sheet(s, msg);
     } else {
         err = bead_scene_find(s->job.input, path, sizeof path, msg);
         if (!err)
@@ -438,12 +440,13 @@ static enum bead_error open_trajectory(struct bead_session *s, struct bead_messa
 static enum bead_error open_input(struct bead_session *s, struct bead_message *msg)
 {
     bool sweep = bead_sweep_is(s->job.input);
-    if (s->job.configuration && !sweep)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--configuration: %s is not the file of a sweep", s->job.input);
+    if (s->job.configuration && s->job.sheet)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--sheet shows many configurations, --configuration one: give one of the two");
     if (sweep && !s->job.configuration)
         return bead_session_open_sweep_file(s, msg);
-    if (!sweep && bead_trajectory_is(s->job.input))
-        return open_trajectory(s, msg);
+    if (!sweep && !s->job.configuration && bead_trajectory_is(s->job.input))
+        return s->job.sheet ? bead_fail(msg, BEAD_ERROR_USAGE, "--sheet: %s is the trajectory of a single run", s->job.input)
+                            : open_trajectory(s, msg);
     return open_scene(s, msg);
 }
 

@@ -93,12 +93,14 @@ static enum bead_error outputs_for(const char *path, const char *const (*kinds)[
     return length < 0 ? out_of_memory(msg) : BEAD_OK;
 }
 
+static const char *const sheet_kinds[][2] = {{"png", "sheet"}, {"pdf", "sheet"}, {"svg", "sheet"}, {NULL, NULL}};
+
 /* Once more, with an output that its scene does not have. */
 static enum bead_error open_with_default(struct bead_session *s, struct bead_message *msg)
 {
     static const char *const kinds[][2] = {{"png", "plot"}, {"pdf", "plot"}, {"svg", "plot"}, {"csv", "table"}, {NULL, NULL}};
     char *outputs = NULL, *first = NULL;
-    enum bead_error err = outputs_for(s->job.output, kinds, false, &outputs, msg);
+    enum bead_error err = outputs_for(s->job.output, s->job.sheet ? sheet_kinds : kinds, false, &outputs, msg);
     const char **settings = calloc(s->job.setting_count + 1, sizeof *settings);
     if (!err && (!settings || asprintf(&first, "outputs=%s", outputs) < 0))
         err = out_of_memory(msg);
@@ -115,6 +117,53 @@ static enum bead_error open_with_default(struct bead_session *s, struct bead_mes
     return err;
 }
 
+/* More configurations than sheets have room for. */
+#define OF_CHAIN "sweep={magnetism: all, configurations: 64}"
+
+/* Load the scene with nothing but a sheet; `sweep` is one of its chain where it has none; NULL. */
+static enum bead_error load_sheet(struct bead_session *s, const char *path, const char *outputs, const char *sweep,
+                                  struct bead_message *msg)
+{
+    char *first = NULL;
+    const char **settings = calloc(s->job.setting_count + 2, sizeof *settings);
+    size_t count = 0;
+    enum bead_error err = settings && asprintf(&first, "outputs=%s", outputs) >= 0 ? BEAD_OK : out_of_memory(msg);
+    if (!err) {
+        if (sweep)
+            settings[count++] = sweep;
+        settings[count++] = first;
+        for (size_t i = 0; i < s->job.setting_count; i++)
+            settings[count++] = s->job.settings[i];
+        err = bead_scene_load(path, settings, count, &s->scene, msg);
+    }
+    free(first);
+    free(settings);
+    return err;
+}
+
+enum bead_error bead_session_load_sheet(struct bead_session *s, struct bead_message *msg)
+{
+    char path[4096], *outputs = NULL;
+    struct bead_scene *plain = NULL;
+    if (!s->job.output)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--sheet: say where it goes with -o FILE (png, pdf, svg)");
+    if (s->job.parts > 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--sheet: there is no part of a sheet; leave --shard out");
+    enum bead_error err = outputs_for(s->job.output, sheet_kinds, false, &outputs, msg);
+    if (!err)
+        err = bead_scene_find(s->job.input, path, sizeof path, msg);
+    if (!err)
+        err = bead_scene_load(path, NULL, 0, &plain, msg);
+    if (!err && plain->sweep_count == 0 && (plain->chain_count != 1 || plain->chains[0].equation.name))
+        err = bead_fail(msg, BEAD_ERROR_USAGE, "--sheet: %s has neither a sweep nor one chain of beads", path);
+    if (!err)
+        err = load_sheet(s, path, outputs, plain->sweep_count > 0 ? NULL : OF_CHAIN, msg);
+    s->job.output = NULL; /* the scene says where */
+    bead_scene_free(plain);
+    free(outputs);
+    return err;
+}
+
 enum bead_error bead_session_open_sweep_file(struct bead_session *s, struct bead_message *msg)
 {
     if (!s->job.output)
@@ -126,7 +175,7 @@ enum bead_error bead_session_open_sweep_file(struct bead_session *s, struct bead
     if (s->job.parts > 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: %s is computed already", s->job.input);
     enum bead_error err = bead_sweep_open(s->job.input, NULL, 0, &s->sweep, msg);
-    if (!err && !bead_session_find_again(bead_sweep_scene(s->sweep), s->job.output)) {
+    if (!err && (s->job.sheet || !bead_session_find_again(bead_sweep_scene(s->sweep), s->job.output))) {
         err = open_with_default(s, msg);
     } else if (!err && s->job.setting_count > 0) {
         bead_sweep_close(s->sweep);
@@ -181,12 +230,38 @@ static enum bead_error find_configuration(const struct bead_sweep *sweep, const 
     return BEAD_OK;
 }
 
+/* The sweep of a file, or that of a scene, which then stays as long. A scene of one random chain has the sweep that its sheet
+ * shows.
+ */
+static enum bead_error open_configurations(const struct bead_session *s, struct bead_scene **scene, struct bead_sweep **sweep,
+                                           struct bead_message *msg)
+{
+    static const char *const sheet_settings[] = {OF_CHAIN, "outputs=[{sheet: sheet.png}]"};
+    char path[4096];
+    if (bead_sweep_is(s->job.input))
+        return bead_sweep_open(s->job.input, NULL, 0, sweep, msg);
+    if (bead_trajectory_is(s->job.input))
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--configuration: %s is the trajectory of a single run", s->job.input);
+    enum bead_error err = bead_scene_find(s->job.input, path, sizeof path, msg);
+    if (!err)
+        err = bead_scene_load(path, NULL, 0, scene, msg);
+    if (!err && (*scene)->sweep_count == 0) {
+        if ((*scene)->chain_count != 1 || (*scene)->chains[0].equation.name)
+            return bead_fail(msg, BEAD_ERROR_USAGE, "--configuration: %s has neither a sweep nor one chain of beads", path);
+        bead_scene_free(*scene);
+        *scene = NULL;
+        err = bead_scene_load(path, sheet_settings, 2, scene, msg);
+    }
+    return err ? err : bead_sweep_create(*scene, sweep, msg);
+}
+
 enum bead_error bead_session_load_configuration(struct bead_session *s, struct bead_message *msg)
 {
     static const char *const kinds[][2] = {{"mp4", "movie"},  {"mkv", "movie"},     {"webm", "movie"}, {"gif", "movie"},
                                            {"apng", "movie"}, {"png", "image"},     {"pdf", "image"},  {"svg", "image"},
                                            {"csv", "table"},  {"h5", "trajectory"}, {NULL, NULL}};
     struct bead_sweep *sweep = NULL;
+    struct bead_scene *scene = NULL;
     char *outputs = NULL, *text = NULL;
     size_t panel = 0, index = 0;
     if (!s->job.output)
@@ -194,11 +269,11 @@ enum bead_error bead_session_load_configuration(struct bead_session *s, struct b
                          "--configuration: say what to make of it with -o FILE (mp4, png, pdf, h5, csv, ...)");
     enum bead_error err = outputs_for(s->job.output, kinds, true, &outputs, msg);
     if (!err)
-        err = bead_sweep_open(s->job.input, NULL, 0, &sweep, msg);
+        err = open_configurations(s, &scene, &sweep, msg);
     if (!err)
         err = find_configuration(sweep, s->job.configuration, &panel, &index, msg);
     struct bead_sweep_configuration found;
-    if (!err && !bead_sweep_configuration(sweep, panel, index, &found)) {
+    if (!err && !scene && !bead_sweep_configuration(sweep, panel, index, &found)) {
         size_t part, parts;
         bead_sweep_part(sweep, &part, &parts);
         err = bead_fail(msg, BEAD_ERROR_USAGE, "--configuration %s: is not in %s, which is part %zu of %zu", s->job.configuration,
@@ -212,21 +287,38 @@ enum bead_error bead_session_load_configuration(struct bead_session *s, struct b
     free(outputs);
     free(text);
     bead_sweep_close(sweep);
+    bead_scene_free(scene);
     return err;
 }
 
 /* ---- running ---- */
 
+static struct bead_sweep_settings settings_of(const struct bead_session *s)
+{
+    return (struct bead_sweep_settings){.threads = s->threads,
+                                        .instructions = s->job.instructions,
+                                        .part = s->job.part,
+                                        .parts = s->job.parts,
+                                        .stop = s->job.stop,
+                                        .progress = s->job.progress,
+                                        .progress_context = s->job.progress_context};
+}
+
+/* Does an output show results of the sweep? Sheets run what they show themselves. */
+static bool needs_results(const struct bead_session *s)
+{
+    bool needs = false;
+    for (size_t i = 0; i < s->made_count; i++) {
+        const struct bead_made *m = &s->made[i];
+        needs = needs || (m->asked && (m->output->kind == BEAD_OUTPUT_SWEEP || (m->sweep_type && !m->sweep_type->run)));
+    }
+    return needs;
+}
+
 static enum bead_error compute(struct bead_session *s, const char *results, const char *journal, struct bead_message *msg)
 {
-    struct bead_sweep_settings settings = {.threads = s->threads,
-                                           .instructions = s->job.instructions,
-                                           .journal = journal,
-                                           .part = s->job.part,
-                                           .parts = s->job.parts,
-                                           .stop = s->job.stop,
-                                           .progress = s->job.progress,
-                                           .progress_context = s->job.progress_context};
+    struct bead_sweep_settings settings = settings_of(s);
+    settings.journal = journal;
     enum bead_error err = bead_sweep_run(s->sweep, &settings, &s->counts.chains, msg);
     return !err && results ? bead_sweep_write(s->sweep, results, msg) : err;
 }
@@ -238,7 +330,12 @@ static enum bead_error write_output(struct bead_session *s, struct bead_made *m,
     if (!m->asked || (!results && !m->sweep_type))
         return BEAD_OK;
     *r = (struct bead_result){m->path, 0, 0};
-    enum bead_error err = results ? BEAD_OK : m->sweep_type->write(m->output, s->sweep, m->path, &r->bytes, msg);
+    const struct bead_sweep_settings settings = settings_of(s);
+    enum bead_error err = BEAD_OK;
+    if (!results && m->sweep_type->run)
+        err = m->sweep_type->run(m->output, s->sweep, &settings, m->path, &r->bytes, msg);
+    else if (!results)
+        err = m->sweep_type->write(m->output, s->sweep, m->path, &r->bytes, msg);
     if (!err && r->bytes == 0)
         r->bytes = bead_file_bytes(m->path);
     s->result_count += !err;
@@ -259,7 +356,7 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
     enum bead_error err = s->sweep_read ? BEAD_OK : bead_session_make_directory(s->job.output, msg);
     if (!err && results)
         err = bead_file_part_name(results, &journal, msg);
-    if (!err && !s->sweep_read)
+    if (!err && !s->sweep_read && needs_results(s))
         err = compute(s, results, journal, msg);
     for (size_t i = 0; !err && i < s->made_count; i++)
         err = write_output(s, &s->made[i], msg);
@@ -322,7 +419,9 @@ enum bead_error bead_session_plan_sweep(const struct bead_session *s, FILE *out,
     if (err)
         return err;
     if (s->sweep_read)
-        fprintf(out, "results are read; nothing is simulated\n");
+        fprintf(out, "results are read; nothing is simulated%s\n", needs_results(s) ? "" : " but what a sheet shows");
+    else if (!needs_results(s))
+        fprintf(out, "of these, only those that a sheet shows\n");
     else if (isnan(s->source->simulate.until))
         fprintf(out, "time: each chain until its front reaches the end\n");
     else

@@ -28,6 +28,8 @@ struct bead_sweep {
 struct sweep_panel *bead_sweep_panel_of(const struct bead_sweep *sweep, size_t job, size_t *row);
 /* Is the job in the sweep's part? */
 bool bead_sweep_mine(const struct bead_sweep *sweep, size_t job);
+/* The beads that a place is made of, in a chain of the panel. */
+struct bead_span bead_sweep_place_span(const struct sweep_panel *panel, const struct bead_chain *chain, size_t place);
 /* Everything but spins and results: for a file that has them. */
 BEAD_CHECK enum bead_error bead_sweep_allocate(const struct bead_scene *scene, struct bead_sweep **sweep, struct bead_message *msg);
 /* Numbers of 8 bytes that a job's results are. */

@@ -64,12 +64,12 @@ struct measure {
 };
 
 /* The bead range of a place. */
-static struct bead_span place_span(const struct measure *m, size_t place)
+struct bead_span bead_sweep_place_span(const struct sweep_panel *panel, const struct bead_chain *chain, size_t place)
 {
-    const struct bead_sweep_spec *spec = m->panel->shown.spec;
+    const struct bead_sweep_spec *spec = panel->shown.spec;
     const struct bead_sweep_measures *measures = &spec->measures;
     size_t count = 0;
-    const struct bead_sensor *sensors = bead_chain_sensors(m->chain, &count);
+    const struct bead_sensor *sensors = bead_chain_sensors(chain, &count);
     for (size_t i = 0; measures->sensor_count && i < count; i++) {
         if (strcmp(sensors[i].name, measures->sensors[place]) == 0)
             return (struct bead_span){sensors[i].bead, sensors[i].bead};
@@ -81,7 +81,7 @@ static void find_span(struct measure *m)
 {
     m->span = (struct bead_span){SIZE_MAX, 0};
     for (size_t i = 0; i < m->panel->shown.places; i++) {
-        struct bead_span place = place_span(m, i);
+        struct bead_span place = bead_sweep_place_span(m->panel, m->chain, i);
         m->span.first = place.first < m->span.first ? place.first : m->span.first;
         m->span.last = place.last > m->span.last ? place.last : m->span.last;
     }
@@ -127,7 +127,7 @@ static void collect(const struct measure *m, const struct bead_peak *found)
 {
     const struct bead_sweep_panel *shown = &m->panel->shown;
     for (size_t i = 0; i < shown->places; i++) {
-        struct bead_span span = place_span(m, i);
+        struct bead_span span = bead_sweep_place_span(m->panel, m->chain, i);
         struct bead_sweep_peak *peak = &m->panel->peaks[m->row * shown->places + i];
         *peak = (struct bead_sweep_peak){found[span.first].value, found[span.first].time, span.first};
         for (size_t j = span.first + 1; j <= span.last; j++) {

@@ -194,7 +194,7 @@ static enum bead_error write_table(const struct bead_output *output, const struc
 }
 
 static const char *const extensions[] = {"csv", NULL};
-static const struct bead_sweep_sink table = {"table", BEAD_OUTPUT_TABLE, extensions, why, write_table};
+static const struct bead_sweep_sink table = {"table", BEAD_OUTPUT_TABLE, extensions, why, write_table, NULL};
 static const struct bead_sweep_sink *const sinks[] = {&table, NULL};
 
 const struct bead_sweep_sink *const *bead_sweep_data_sinks(void)

@@ -526,6 +526,78 @@ static void files_are_not_trusted(void **state)
     bead_scene_free(scene);
 }
 
+/* ---- configurations that are looked at ---- */
+
+struct look {
+    size_t samples, last; /* fail at this one */
+    double time, largest;
+};
+
+static enum bead_error look_on(void *context, const struct bead_sample *sample, struct bead_message *msg)
+{
+    struct look *look = context;
+    if (look->samples == look->last)
+        return bead_fail(msg, BEAD_ERROR_IO, "enough");
+    assert_true(look->samples == 0 ? sample->time == 0 : sample->time > look->time);
+    assert_int_equal(sample->index, look->samples++);
+    look->time = sample->time;
+    for (size_t j = 0; j < sample->active; j++)
+        look->largest = fmax(look->largest, sample->field[BEAD_FIELD_VELOCITY][j]);
+    return BEAD_OK;
+}
+
+/* The same forces as the sweep's, the index 1 of the clean chain, less of others; the same bits for any number of threads. */
+static void watches_measure_single_runs(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    struct bead_scene *scene = parse("sweep: {cells: 20, magnetism: [0, 0.5, 0.9, 1], configurations: 3}" OUTPUT);
+    struct bead_sweep *sweep = compute(scene, NULL);
+    size_t count = bead_sweep_panel(sweep, 0)->configurations;
+    struct bead_sweep_watch found[2][16] = {0};
+    assert_in_range(count, 8, 16);
+    for (int threads = 1; threads <= 2; threads++) {
+        const struct bead_sweep_settings settings = {.threads = threads};
+        for (size_t i = 0; i < count; i++)
+            found[threads - 1][i].index = i;
+        if (bead_sweep_watch(sweep, found[threads - 1], count, &settings, &msg))
+            fail_msg("%s", msg.text);
+    }
+    assert_memory_equal(found[0], found[1], sizeof found[0]);
+    for (size_t i = 0; i < count; i++) {
+        const struct bead_sweep_watch *w = &found[0][i];
+        assert_true(w->force == peak_of(sweep, i)->force);
+        assert_true(w->arrival > peak_of(sweep, i)->time && w->participation > 1 && w->order >= 0);
+        assert_true(i + 1 < count ? w->order < 0.8 : w->order > 0.999);
+    }
+    assert_true(found[0][0].order < 0.4);
+    bead_sweep_close(sweep);
+    bead_scene_free(scene);
+}
+
+static void watches_give_samples(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    struct bead_scene *scene = parse("sweep: {cells: 8, spins: [\"11011101\"]}" OUTPUT);
+    const struct bead_sweep_settings settings = {.threads = 1};
+    struct bead_sweep *sweep = NULL;
+    assert_int_equal(bead_sweep_create(scene, &sweep, &msg), BEAD_OK);
+    struct look look = {.last = SIZE_MAX};
+    struct bead_sweep_watch watch = {
+        .end = 1e-4, .every = 1e-5, .fields = BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY), .take = look_on, .context = &look};
+    if (bead_sweep_watch(sweep, &watch, 1, &settings, &msg))
+        fail_msg("%s", msg.text);
+    assert_int_equal(look.samples, 11);
+    assert_true(look.largest == 0.443); /* the striker's, at the start */
+    assert_true(isnan(watch.arrival) && isnan(watch.order));
+    look = (struct look){.last = 5};
+    assert_int_equal(bead_sweep_watch(sweep, &watch, 1, &settings, &msg), BEAD_ERROR_IO);
+    assert_string_equal(msg.text, "enough");
+    bead_sweep_close(sweep);
+    bead_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -545,6 +617,8 @@ int main(void)
         cmocka_unit_test(a_spoilt_journal_is_not_believed),
         cmocka_unit_test(parts_make_the_whole),
         cmocka_unit_test(files_are_not_trusted),
+        cmocka_unit_test(watches_measure_single_runs),
+        cmocka_unit_test(watches_give_samples),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

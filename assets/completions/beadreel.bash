@@ -18,7 +18,7 @@ _beadreel()
         -o | --output | --info) mapfile -t COMPREPLY < <(compgen -P "$prefix" -f -- "$value"); return ;;
     esac
     if [[ $cur == -* ]]; then
-        mapfile -t COMPREPLY < <(compgen -W "--output --set --only --plan --list --info --configuration --shard --merge --threads --instructions --canvas --progress \
+        mapfile -t COMPREPLY < <(compgen -W "--output --set --only --plan --list --info --configuration --sheet --shard --merge --threads --instructions --canvas --progress \
             --help --version -o -h -V" -- "$cur")
         return
     fi

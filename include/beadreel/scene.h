@@ -153,6 +153,7 @@ enum bead_output_kind {
     BEAD_OUTPUT_PLOT,
     BEAD_OUTPUT_TABLE,
     BEAD_OUTPUT_SWEEP,
+    BEAD_OUTPUT_SHEET,
     BEAD_OUTPUT_KINDS
 };
 enum bead_show {
@@ -222,7 +223,10 @@ struct bead_output {
     enum bead_show show;
     enum bead_sweep_show sweep_show; /* of sweeps, instead of show */
     char *threshold;                 /* how a sweep's threshold is found: a name of statistics.h */
-    double size[2];                  /* pixels, or metres where size_is_length; 0: the kind's own default */
+    size_t configurations;           /* sheets: how many of each magnetism at most; 0: as many as have room */
+    double *magnetism;               /* sheets: the rows, as asked; NULL: as many as have room */
+    size_t magnetism_count;
+    double size[2]; /* pixels, or metres where size_is_length; 0: the kind's own default */
     bool size_is_length;
     double dpi; /* of lengths, and of rasters in vector files */
     char *colormap;

@@ -48,8 +48,10 @@ struct bead_job {
     bool full_window;                                        /* compute beads at rest too (for checks; same results) */
     const struct bead_sink_type *const *const *sinks;        /* NULL-terminated list of NULL-terminated lists */
     const struct bead_sweep_sink *const *const *sweep_sinks; /* the same for outputs of sweeps; NULL: none */
-    const char *configuration;         /* of a sweep's file: run this chain of it: "17", or "NAME:17" where it has several sweeps */
-    size_t part, parts;                /* compute part 1..parts of a sweep, into a file of its own; 0, 0: all */
+    const char
+        *configuration; /* of a sweep's file: or a scene: run this chain of it: "17", or "NAME:17" where it has several sweeps */
+    bool sheet;         /* make nothing but a contact sheet, the file `output` */
+    size_t part, parts; /* compute part 1..parts of a sweep, into a file of its own; 0, 0: all */
     const volatile sig_atomic_t *stop; /* non-zero: finish files and return STOPPED; may be NULL */
     void (*progress)(void *context, const struct bead_progress *progress); /* may be NULL */
     void *progress_context;

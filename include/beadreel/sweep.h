@@ -103,6 +103,21 @@ struct bead_sweep_settings {
  * were computed now; may be NULL. Errors: MEMORY, NUMBERS, SCENE, USAGE (journal), IO, STOPPED. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_run(struct bead_sweep *sweep, const struct bead_sweep_settings *settings,
                                                    uint64_t *computed, struct bead_message *msg);
+/* One configuration that is run to be looked at. */
+struct bead_sweep_watch {
+    size_t panel, index; /* a configuration, or BEAD_SWEEP_CLEAN */
+    double end;          /* s; 0: as the front arrives */
+    unsigned fields;     /* BEAD_FIELD_BITs of the samples at 0, every, ... <= end, of all beads */
+    double every;        /* s */
+    enum bead_error (*take)(void *context, const struct bead_sample *sample, struct bead_message *msg); /* NULL: no samples */
+    void *context; /* of this configuration alone: take is called from several threads, of one configuration from one */
+    /* Found: when the front arrived, s (NaN: not until the end); the peak force of the sweep's (first) place, N; participation of
+     * energies at the arrival, beads, and the clean index (order.h) */
+    double arrival, force, participation, order;
+};
+/* Run these; results are the same for any number of threads. Errors: MEMORY, NUMBERS, SCENE, USAGE, STOPPED, those of `take`. */
+BEAD_API BEAD_CHECK enum bead_error bead_sweep_watch(const struct bead_sweep *sweep, struct bead_sweep_watch *watches, size_t count,
+                                                     const struct bead_sweep_settings *settings, struct bead_message *msg);
 /* "sweep.h5" -> "sweep.2of4.h5", to be freed with free(). Errors: MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_part_path(const char *path, size_t part, size_t parts, char **name,
                                                          struct bead_message *msg);
@@ -154,6 +169,9 @@ struct bead_sweep_sink {
     const char *(*why)(const struct bead_output *output);
     enum bead_error (*write)(const struct bead_output *output, const struct bead_sweep *sweep, const char *path, uint64_t *bytes,
                              struct bead_message *msg);
+    /* Instead of write: needs no results of the sweep, and runs what it shows. */
+    enum bead_error (*run)(const struct bead_output *output, const struct bead_sweep *sweep,
+                           const struct bead_sweep_settings *settings, const char *path, uint64_t *bytes, struct bead_message *msg);
 };
 /* Tables. NULL-terminated. */
 BEAD_API const struct bead_sweep_sink *const *bead_sweep_data_sinks(void);
