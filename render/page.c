@@ -60,19 +60,27 @@ void bead_page_look(const struct bead_page *page, const struct bead_output *outp
     }
 }
 
+/* What the picture shows, in words. */
+static const char *subject_of(const struct bead_output *output, const struct bead_scene *scene)
+{
+    static const char *const plots[BEAD_SHOW_COUNT] = {
+        [BEAD_SHOW_SENSORS] = "force of sensors",          [BEAD_SHOW_PEAKS] = "peak force of contacts",
+        [BEAD_SHOW_SETUP] = "drawing of the experiment",   [BEAD_SHOW_CONTACT] = "drawing of a contact",
+        [BEAD_SHOW_CELL] = "drawing of the cells",         [BEAD_SHOW_MODES] = "energies of modes",
+        [BEAD_SHOW_PROFILES] = "profiles at several times"};
+    if (scene->sweep_count > 0)
+        return "results of a sweep";
+    if (output->kind == BEAD_OUTPUT_PLOT && output->show < BEAD_SHOW_COUNT && plots[output->show])
+        return plots[output->show];
+    return bead_field_info(output->field)->title;
+}
+
 void bead_page_notes(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
                      char *description, size_t size, struct bead_picture_notes *notes)
 {
-    bool sensors = output->kind == BEAD_OUTPUT_PLOT;
-    const char *equation = scene->chains[0].equation.name;
-    static const char *const plots[] = {[BEAD_SHOW_SENSORS] = "force of sensors",
-                                        [BEAD_SHOW_PEAKS] = "peak force of contacts",
-                                        [BEAD_SHOW_SETUP] = "drawing of the experiment",
-                                        [BEAD_SHOW_CONTACT] = "drawing of a contact",
-                                        [BEAD_SHOW_CELL] = "drawing of the cells"};
-    const char *what = sensors ? plots[output->show] : bead_field_info(output->field)->title;
+    const char *what = subject_of(output, scene), *equation = scene->chains[0].equation.name;
     if (equation)
-        snprintf(description, size, "%s of the equation %s", sensors ? "numbers" : what, equation);
+        snprintf(description, size, "%s of the equation %s", what, equation);
     else
         snprintf(description, size, "%s in %zu chain%s of beads", what, scene->chain_count, scene->chain_count == 1 ? "" : "s");
     *notes = (struct bead_picture_notes){.dpi = page->dpi,

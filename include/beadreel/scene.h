@@ -166,7 +166,8 @@ enum bead_show {
     BEAD_SHOW_CELL,
     BEAD_SHOW_MODES,
     BEAD_SHOW_PROFILES,
-    BEAD_SHOW_CHAIN
+    BEAD_SHOW_CHAIN,
+    BEAD_SHOW_COUNT
 };
 enum { BEAD_CONTACT_AUTO = 1000000000, BEAD_MODES = 64, BEAD_MOMENTS = 12 };
 /* What plots and tables of sweeps show: force against magnetism, forces of every configuration, peaks along the chain. */

@@ -36,6 +36,7 @@ boost() { "$work/boost" "$2" "$1" "$3"; }
 thesis() { octave-cli --norc --quiet "$here/precision_thesis.m" "$1" "$2"; }
 
 peers() {
+    "$programs/precision_plain"
     "$programs/precision_gsl"
     "$programs/precision_sundials"
     python=''
