@@ -148,6 +148,9 @@ thesis: $(BUILD)/beadreel ## the figures of the thesis, with their numbers, into
 	@set -e; for f in $(sort $(wildcard assets/scenes/thesis/*.yaml)); do \
 	    BEADREEL_ASSETS=assets $(BUILD)/beadreel thesis/$$(basename $$f .yaml) -o $(THESIS); done
 
+gallery: $(BUILD)/beadreel ## the README's pictures, from ready scenes, into assets/gallery/
+	BEADREEL_ASSETS=assets assets/gallery/make.sh $(BUILD)/beadreel assets/gallery
+
 # Tests fill structures that own their strings with literals.
 compile_test = $(CC) $(FLAGS) -Wno-write-strings -Itests $(sim_cflags) $(render_cflags)
 $(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT)
@@ -190,7 +193,7 @@ lint: ## formatting, static analysis
 	@echo "clang-format" && clang-format --dry-run -Werror $(FORMATTED)
 	@echo "cppcheck" && cppcheck --quiet --std=c11 --language=c --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
 	    --suppressions-list=tests/cppcheck.txt -j $$(nproc) -i tests/bench/precision_boost.cc -Iinclude -I. -D__linux__ -D__x86_64__ -DBEAD_DATADIR='""' sim render tests
-	@echo "shellcheck" && shellcheck -S warning -e SC2034,SC2154 $(wildcard .ci/run tests/*.sh tests/*/*.sh tests/*.bash)
+	@echo "shellcheck" && shellcheck -S warning -e SC2034,SC2154 $(wildcard .ci/run assets/gallery/*.sh tests/*.sh tests/*/*.sh tests/*.bash)
 
 man: $(BUILD)/beadreel ## write the options into the man page again
 	@tests/man_options.sh $(BUILD)/beadreel assets/beadreel.1
@@ -234,6 +237,6 @@ uninstall: ## remove what `make install` put there
 clean: ## remove what was built
 	rm -rf $(BUILD) $(BUILD)-asan
 
-.PHONY: all help deps deps-ci demo thesis test asan bench stress lint man install uninstall clean always
+.PHONY: all help deps deps-ci demo thesis gallery test asan bench stress lint man install uninstall clean always
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -21,6 +21,34 @@ links_exist() {
     done
 }
 ok "links lead to files" links_exist
+# A picture must be one, and the gallery's are kept with the sources: small.
+pictures_are_small() {
+    local picture count=0
+    for picture in $(grep -oE '!\[[^]]*\]\([^)]*\)' "$readme" | sed 's/.*(\(.*\))/\1/'); do
+        [ "$(head -c 4 "$top/$picture" | tail -c 3)" = PNG ] || { echo "$picture is no PNG"; return 1; }
+        [[ $picture != *gallery* ]] || [ "$(stat -c %s "$top/$picture")" -lt 200000 ] || { echo "$picture is large"; return 1; }
+        count=$((count + 1))
+    done
+    [ $count -ge 2 ]
+}
+ok "pictures are there, and small" pictures_are_small
+gallery_is_shown() {
+    local picture
+    for picture in "$top"/assets/gallery/*.png; do
+        grep -q "(assets/gallery/$(basename "$picture"))" "$readme" || { echo "$picture"; return 1; }
+    done
+}
+ok "all of the gallery is shown" gallery_is_shown
+for scene in "$top"/assets/scenes/*.yaml "$top"/assets/scenes/*/*.yaml; do
+    ok "--plan of ${scene#"$top/assets/scenes/"}" exits 0 "$BUILD/beadreel" --plan "$scene"
+done
+commands_plan() {
+    local line
+    while IFS= read -r line; do
+        (cd "$T" && eval "\"$BUILD/beadreel\" --plan ${line#beadreel }") >/dev/null || { echo "$line"; return 1; }
+    done < <(sed -n '/^## Gallery/,/^## /p' "$readme" | grep -oE '`beadreel [^`]*`' | tr -d '`')
+}
+ok "the gallery's commands are right" commands_plan
 targets_exist() {
     local target
     for target in $(grep -oE '`make [a-z-]+' "$readme" | cut -d' ' -f2 | sort -u); do
