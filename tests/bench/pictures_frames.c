@@ -1,6 +1,7 @@
 /* Frames of movies, to compare encoders by.
  *   pictures_frames raw MOVIE OUT.yuv       the frames as raw planes, 4:2:0 BT.709
  *   pictures_frames psnr MOVIE RAW.yuv      dB, of luma: of all pixels; of the blocks of 16 x 16 that differ from the frame before
+ *   pictures_frames options QUALITY         this program's options for mp4 files, as those of `ffmpeg`
  */
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
@@ -11,6 +12,7 @@
 #include <string.h>
 
 #include "render/convert.h"
+#include "render/movie_private.h"
 
 enum { SIDE = 16, LINE_ALIGN = 64 };
 
@@ -191,11 +193,40 @@ static double decibels(const struct errors *e)
     return e->pixels ? 10 * log10(255.0 * 255.0 * (double)e->pixels / fmax(e->sum, 1)) : NAN;
 }
 
+/* "key=value key=value" as "-key value -key value"; values may hold further equals signs. */
+static int print_options(const char *quality)
+{
+    static const char *const names[] = {"draft", "standard", "high"};
+    const struct bead_preset *preset = NULL;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        if (strcmp(quality, names[i]) == 0)
+            preset = &bead_codec_find("movie.mp4")->presets[i];
+    }
+    if (!preset)
+        return complain("options: of draft, standard or high"), 2;
+    printf("-c:v %s -threads 1", preset->encoder); /* threads: as movies are opened */
+    bool key = true;
+    for (const char *at = preset->options; *at; at++) {
+        if (at == preset->options || at[-1] == ' ')
+            printf(" -");
+        if (*at == ' ') {
+            key = true;
+            continue;
+        }
+        putchar(key && *at == '=' ? ' ' : *at);
+        key = key && *at != '=';
+    }
+    putchar('\n');
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
+    if (argc == 3 && strcmp(argv[1], "options") == 0)
+        return print_options(argv[2]);
     bool raw = argc == 4 && strcmp(argv[1], "raw") == 0;
     if (!raw && !(argc == 4 && strcmp(argv[1], "psnr") == 0))
-        return complain("usage: pictures_frames raw|psnr MOVIE RAW"), 2;
+        return complain("usage: pictures_frames raw|psnr MOVIE RAW, or options QUALITY"), 2;
     struct job job = {.raw = fopen(argv[3], raw ? "wb" : "rb"), .frame = raw ? write_raw : compare};
     if (!job.raw)
         return complain("the raw file cannot be opened"), 1;
