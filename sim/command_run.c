@@ -98,16 +98,17 @@ static void print_summary(const struct bead_session *session, size_t files, uint
            seconds);
     if (bead_session_sweep(session))
         print_sweep(session, seconds);
-    if (outcomes && chains > 0) {
+    double end = 0;
+    for (size_t i = 0; outcomes && i < chains; i++)
+        end = fmax(end, outcomes[i].end);
+    if (end > 0) {
         const char *unit = bead_session_time_unit(session);
-        double end = outcomes[0].end;
-        for (size_t i = 1; i < chains; i++)
-            end = fmax(end, outcomes[i].end);
         printf(": %zu chain%s to %s", chains, chains == 1 ? "" : "s", command_quantity(end, unit, time, sizeof time));
         if (outcomes[0].method)
             printf(" with %s, first step %s", outcomes[0].method, command_quantity(outcomes[0].step, unit, step, sizeof step));
         print_errors(outcomes, chains);
-    }
+    } else if (chains > 0)
+        printf(": drawings only, nothing to compute");
     putchar('\n');
 }
 

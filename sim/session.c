@@ -328,12 +328,11 @@ const struct bead_output *bead_session_find_again(const struct bead_scene *scene
 
 static const char *kind_of(const char *file)
 {
-    static const char *const movies[] = {"mp4", "mkv", "webm", "gif", "apng", NULL};
-    for (const char *const *m = movies; *m; m++) {
-        if (strcasecmp(*m, extension(file)) == 0)
-            return "movie";
-    }
-    return strcasecmp(extension(file), "csv") == 0 ? "table" : "image";
+    static const char *const ends[] = {"mp4", "mkv", "webm", "gif", "apng", "csv", "png", "pdf", "svg"};
+    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++)
+        if (strcasecmp(ends[i], extension(file)) == 0)
+            return i < 5 ? "movie" : i < 6 ? "table" : "image";
+    return NULL;
 }
 
 static enum bead_error open_again(struct bead_session *s, const char *const *settings, size_t count, struct bead_message *msg)
@@ -346,10 +345,14 @@ static enum bead_error open_again(struct bead_session *s, const char *const *set
 static enum bead_error open_with_default(struct bead_session *s, struct bead_message *msg)
 {
     size_t count = s->job.setting_count;
+    const char *kind = kind_of(s->job.output);
     char *outputs = NULL;
+    if (!kind)
+        return bead_fail(msg, BEAD_ERROR_USAGE,
+                         "--output: `%s` ends like none of .png, .pdf, .svg, .mp4, .mkv, .webm, .gif, .apng, .csv", s->job.output);
     const char **settings = calloc(count + 1, sizeof *settings);
-    int length = asprintf(&outputs, "outputs=[{%s: \"%s\"%s}]", kind_of(s->job.output), base_name(s->job.output),
-                          strcmp(kind_of(s->job.output), "table") == 0 ? ", show: sensors" : "");
+    int length = asprintf(&outputs, "outputs=[{%s: \"%s\"%s}]", kind, base_name(s->job.output),
+                          strcmp(kind, "table") == 0 ? ", show: sensors" : "");
     enum bead_error err = settings && length > 0 ? BEAD_OK : out_of_memory(msg);
     if (!err) {
         settings[0] = outputs;

@@ -59,6 +59,26 @@ static enum bead_error no_node(const struct builder *b, yaml_mark_t mark)
     return out_of_memory(b);
 }
 
+/* What is most often behind libyaml's complaints. */
+static const char *hint(const char *problem)
+{
+    static const char quotes[] = "; a text with a colon, comma or bracket in it stands in \"quotes\"";
+    static const struct {
+        const char *problem, *hint;
+    } hints[] = {
+        {"found character that cannot start any token",
+         "; lines are indented with spaces, not tabs, and @, % or ` begin only texts in \"quotes\""},
+        {"did not find expected ',' or '}'", quotes},
+        {"did not find expected ',' or ']'", quotes},
+        {"mapping values are not allowed in this context", quotes},
+    };
+    for (size_t i = 0; problem && i < sizeof hints / sizeof hints[0]; i++) {
+        if (strcmp(problem, hints[i].problem) == 0)
+            return hints[i].hint;
+    }
+    return "";
+}
+
 /* libyaml's own complaint. Its reader knows bytes only, and counts them wrongly behind a bad one: count lines here. */
 static enum bead_error parser_wrong(const struct builder *b)
 {
@@ -74,8 +94,8 @@ static enum bead_error parser_wrong(const struct builder *b)
         }
     }
     char what[256];
-    snprintf(what, sizeof what, "not YAML: %s%s%s", parser->context ? parser->context : "", parser->context ? ", " : "",
-             parser->problem ? parser->problem : "unreadable");
+    snprintf(what, sizeof what, "not YAML: %s%s%s%s", parser->context ? parser->context : "", parser->context ? ", " : "",
+             parser->problem ? parser->problem : "unreadable", hint(parser->problem));
     return wrong(b, mark, what);
 }
 

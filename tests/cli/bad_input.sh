@@ -48,6 +48,8 @@ ok "--info of no file" refused "1 2" "$beadreel" --info "$T/none.h5"
 
 # HDF5 files that are damaged or somebody else's.
 size=$(stat -c %s "$run_h5" 2>/dev/null || echo 0)
+ok "a trajectory as no file of ours" refused 2 "$beadreel" "$run_h5" -o "$T/out.d/run.xyz"
+ok "... says what it could be" grep -q '^beadreel: --output: .*run.xyz.*\.png.*\.mp4.*\.csv' "$T/err"
 ok "the trajectory draws" exits 0 "$beadreel" "$run_h5" -o "$T/made/whole.png"
 for cut in 10 100 1000 $((size / 4)) $((size / 2)) $((size - 100)); do
     head -c "$cut" "$run_h5" >"$T/cut.h5"

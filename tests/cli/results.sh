@@ -29,6 +29,9 @@ ok "... makes only data" test "$(ls -A data | tr '\n' ' ')" = "beads.csv peaks.c
 ok "... names what it skipped" grep -q '^skipped.*: force.png$' out
 ok "... the same peaks" cmp all/peaks.csv data/peaks.csv
 
+ok "drawings" exits 0 "$beadreel" schematics -o drawings --only setup.pdf
+ok "... have no run to sum up" grep -qE '^1 file, .*: drawings only, nothing to compute$' out
+
 ok "--only" exits 0 "$beadreel" scene.yaml -o only --only peaks.csv
 ok "... makes one file" test "$(ls -A only)" = peaks.csv
 ok "... with the same numbers" cmp all/peaks.csv only/peaks.csv
