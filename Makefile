@@ -198,7 +198,7 @@ lint: ## formatting, static analysis
 man: $(BUILD)/beadreel ## write the options into the man page again
 	@tests/man_options.sh $(BUILD)/beadreel assets/beadreel.1
 
-ASSETS = $(shell cd assets && find . -type f ! -name '*.png' ! -name '*.1' ! -path './completions/*' | sed 's,^\./,,')
+ASSETS = $(shell cd assets && find . -type f ! -name '*.png' ! -name '*.1' ! -path './completions/*' ! -path './gallery/*' | sed 's,^\./,,')
 SHARE  = $(DESTDIR)$(PREFIX)/share
 
 install: all ## install to PREFIX (default /usr/local), below DESTDIR
