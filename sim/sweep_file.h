@@ -3,6 +3,6 @@
 #define BEADREEL_SIM_SWEEP_FILE_H
 
 #define BEAD_SWEEP_KIND "beadreel-sweep"
-enum { BEAD_SWEEP_FORMAT = 1 };
+enum { BEAD_SWEEP_FORMAT = 2 };
 
 #endif

@@ -12,7 +12,7 @@
 #include "sim/sweep_data.h"
 
 static const char magic[16] = "beadreel-sweep\n";
-enum { FORMAT = 1 };
+enum { FORMAT = 2 };
 /* Seconds of work that a power failure may cost. */
 static const double sync_every = 1;
 

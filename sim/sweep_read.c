@@ -85,7 +85,13 @@ static void read_peaks(struct reader *r, const char *prefix, const size_t *rows,
     for (size_t i = 0; i < count * places && !r->h5->error; i++) {
         if (whole[i] < 0 || (uint64_t)whole[i] >= r->panel->shown.beads)
             wrong(r, "a bead that the chain does not have");
-        peaks[rows[i / places] * places + i % places].bead = (uint64_t)whole[i];
+        peaks[rows[i / places] * places + i % places].bead = (uint32_t)whole[i];
+    }
+    bead_h5_read_table(r->h5, name_of(r, prefix, "peak_open"), BEAD_H5_INT, count, places, whole);
+    for (size_t i = 0; i < count * places && !r->h5->error; i++) {
+        if (whole[i] != 0 && whole[i] != 1)
+            wrong(r, "marks other than 0 and 1");
+        peaks[rows[i / places] * places + i % places].open = whole[i] == 1;
     }
 }
 

@@ -129,11 +129,13 @@ static void collect(const struct measure *m, const struct bead_peak *found)
     for (size_t i = 0; i < shown->places; i++) {
         struct bead_span span = bead_sweep_place_span(m->panel, m->chain, i);
         struct bead_sweep_peak *peak = &m->panel->peaks[m->row * shown->places + i];
-        *peak = (struct bead_sweep_peak){found[span.first].value, found[span.first].time, span.first};
+        *peak = (struct bead_sweep_peak){found[span.first].value, found[span.first].time, (uint32_t)span.first, 0};
         for (size_t j = span.first + 1; j <= span.last; j++) {
             if (found[j].value > peak->force)
-                *peak = (struct bead_sweep_peak){found[j].value, found[j].time, j};
+                *peak = (struct bead_sweep_peak){found[j].value, found[j].time, (uint32_t)j, 0};
         }
+        for (size_t j = span.first; j <= span.last; j++)
+            peak->open |= found[j].open;
     }
     if (!m->panel->profiles)
         return;

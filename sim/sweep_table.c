@@ -80,7 +80,7 @@ static enum bead_error write_magnetism(const struct out *o, struct bead_message 
 static enum bead_error write_configurations(const struct out *o, struct bead_message *msg)
 {
     (void)msg;
-    head(o, "configuration,magnetism,normalised,peak_force_N,time_s,bead,spins");
+    head(o, "configuration,magnetism,normalised,peak_force_N,time_s,bead,spins,state");
     for (size_t p = 0; p < bead_sweep_panels(o->sweep); p++) {
         const struct bead_sweep_panel *panel = bead_sweep_panel(o->sweep, p);
         struct bead_sweep_configuration clean, c;
@@ -95,7 +95,7 @@ static enum bead_error write_configurations(const struct out *o, struct bead_mes
                 number(o->file, normal ? peak->force / clean.peaks[place].force : NAN);
                 number(o->file, peak->force);
                 number(o->file, peak->time);
-                fprintf(o->file, ",%zu,%.*s\n", (size_t)peak->bead, (int)panel->spec->cells, c.spins);
+                fprintf(o->file, ",%zu,%.*s,%s\n", (size_t)peak->bead, (int)panel->spec->cells, c.spins, peak->open ? "open" : "");
             }
         }
     }

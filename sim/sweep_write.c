@@ -96,6 +96,10 @@ static void write_peaks(struct writer *w, const char *prefix, const size_t *rows
         whole[i] = (int64_t)w->panel->peaks[rows[i / places] * places + i % places].bead;
     snprintf(name, sizeof name, "%speak_bead", prefix);
     bead_h5_write_table(w->h5, w->group, name, NULL, BEAD_H5_INT, count, places, scales, whole);
+    for (size_t i = 0; i < count * places; i++)
+        whole[i] = w->panel->peaks[rows[i / places] * places + i % places].open;
+    snprintf(name, sizeof name, "%speak_open", prefix);
+    bead_h5_write_table(w->h5, w->group, name, NULL, BEAD_H5_INT, count, places, scales, whole);
 }
 
 static void write_profiles(struct writer *w, const char *prefix, const size_t *rows, size_t count, hid_t scale, double *numbers)

@@ -483,13 +483,8 @@ static void files_are_not_trusted(void **state)
     static const struct {
         const char *name;
         double value;
-    } changes[] = {{"peak_force", -1},
-                   {"peak_force", NAN},
-                   {"peak_bead", 1000},
-                   {"peak_bead", -1},
-                   {"spins", 2},
-                   {"configuration", 5},
-                   {"reference_peak_force", INFINITY}};
+    } changes[] = {{"peak_force", -1}, {"peak_force", NAN}, {"peak_bead", 1000},  {"peak_bead", -1},
+                   {"peak_open", 2},   {"spins", 2},        {"configuration", 5}, {"reference_peak_force", INFINITY}};
     for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
         change_value(path, copy, changes[i].name, changes[i].value);
         assert_int_equal(bead_sweep_open(copy, NULL, 0, &read, &msg), BEAD_ERROR_FORMAT);

@@ -17,7 +17,7 @@
  *   spins [n][cells]      1 up, 0 reversed, of the random cells
  *   magnetism [n]         M of the chain
  *   place [places]        "peak", or the sensors' names
- *   peak_force [n][place] N, peak_time [n][place] s, peak_bead [n][place]
+ *   peak_force [n][place] N, peak_time [n][place] s, peak_bead [n][place], peak_open [n][place]
  *   bead [beads], bead_force [n][bead] N, bead_energy [n][bead] J      where decay is measured
  *   reference_...         the same of the chain with all random cells up */
 #ifndef BEADREEL_SWEEP_H
@@ -48,7 +48,8 @@ struct bead_sweep_panel {
 struct bead_sweep_peak {
     double force;  /* N: largest bead force of the first passage */
     double time;   /* s; NaN where the wave has not come */
-    uint64_t bead; /* where */
+    uint32_t bead; /* where */
+    uint32_t open; /* 1: at the end of the run a force there was rising, and higher than before */
 };
 
 struct bead_sweep_configuration {
