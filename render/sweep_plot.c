@@ -206,7 +206,7 @@ static bool add_fit(struct panel *p, const struct bead_decay *fit, size_t first,
     return x != NULL;
 }
 
-/* Means, with the exponential; with the power law where that has ended when the power law begins. */
+/* Means in units of the clean chain, with the exponential and the power law. */
 static bool add_profile(struct panel *p, const struct plot *plot, size_t index, const struct bead_sweep_decay *d, bool energy,
                         size_t colour)
 {
@@ -214,24 +214,28 @@ static bool add_profile(struct panel *p, const struct plot *plot, size_t index, 
     const struct bead_decay *fit = energy ? &d->of_energy : &d->of_force;
     size_t count = 0, beads = panel->beads;
     double *x = take(p, beads, 2);
-    if (!x)
+    struct bead_sweep_configuration clean;
+    if (!x || !bead_sweep_configuration(plot->sweep, index, BEAD_SWEEP_CLEAN, &clean))
         return false;
-    bead_sweep_smooth(plot->sweep, index, energy ? d->energy : d->force, x + beads, &count);
+    for (size_t i = 0; i < beads; i++)
+        x[i] = energy ? d->energy[i] / clean.bead_energy[i] : d->force[i] / clean.bead_force[i];
+    bead_sweep_smooth(plot->sweep, index, x, x + beads, &count);
     double half = 0.5 * (double)(panel->spec->last + 1 - count);
     for (size_t i = 0; i < count; i++)
         x[i] = (double)i + half;
-    bool falls = isfinite(fit->length),
-         power = isfinite(fit->exponent) && d->of_force.last < fit->beyond * 3 / 2 && fit->beyond < count;
+    bool falls = isfinite(fit->length), power = isfinite(fit->exponent);
     char *word = p->words[p->series_count];
     int used = snprintf(word, sizeof *p->words, "*M* = %.3g", d->magnetism);
     if (falls)
         used += snprintf(word + used, sizeof *p->words - (size_t)used, ", *γ* = %.0f", fit->length);
+    if (falls && isfinite(fit->length_error))
+        used += snprintf(word + used, sizeof *p->words - (size_t)used, " ± %.0f", fit->length_error);
     if (power)
         snprintf(word + used, sizeof *p->words - (size_t)used, ", *x*^{%.2f}", fit->exponent);
     p->series[p->series_count++] =
         (struct bead_series){.x = x, .y = x + beads, .count = count, .mark = BEAD_MARK_LINE, .colour = colour, .label = word};
     bool good = !falls || add_fit(p, fit, fit->first, fit->last, half, false, colour);
-    return good && (!power || add_fit(p, fit, fit->beyond, count - 1, half, true, colour));
+    return good && (!power || add_fit(p, fit, fit->last, count - 1, half, true, colour));
 }
 
 /* To the last random bead: behind it is what the wave makes of an ordered chain, and its end. */
@@ -247,8 +251,8 @@ static enum bead_error fill_decay(struct plot *plot, size_t place, struct bead_m
         err = add_profile(p, plot, index, &p->decays[i], energy, i) ? BEAD_OK : out_of_memory(msg);
     struct bead_panel *shown = &plot->shown[place];
     shown->x = (struct bead_graph_axis){.title = "bead", .unit = "1", .low = NAN, .high = NAN};
-    shown->y = (struct bead_graph_axis){.title = energy ? "peak energy" : "peak force",
-                                        .unit = energy ? "J" : "N",
+    shown->y = (struct bead_graph_axis){.title = energy ? "energy of the front *E*/*E*(*M* = 1)" : "peak force *F*/*F*(*M* = 1)",
+                                        .unit = "",
                                         .low = NAN,
                                         .high = NAN,
                                         .scale = BEAD_SCALE_LOG};

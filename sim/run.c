@@ -153,6 +153,11 @@ double bead_run_time(const struct bead_run *run)
     return run->stepper->t1;
 }
 
+const struct bead_peak *bead_run_bead_peaks(const struct bead_run *run)
+{
+    return run->bead_peaks ? bead_peaks_found(run->bead_peaks) : NULL;
+}
+
 double bead_run_arrival(const struct bead_run *run)
 {
     return run->front.arrival;

@@ -58,6 +58,8 @@ void bead_run_destroy(struct bead_run *run);
 double bead_run_time(const struct bead_run *run); /* s: end of the last step */
 /* When the front reached the end of the chain; NaN: not yet. */
 double bead_run_arrival(const struct bead_run *run);
+/* [beads], so far; NULL: not asked for. */
+const struct bead_peak *bead_run_bead_peaks(const struct bead_run *run);
 /* Errors: NUMBERS where energy or a number ran away. */
 BEAD_CHECK enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg);
 /* Fields (BEAD_FIELD_BITs) of the beads in `span` at time t into `sample` (time, active and field are set). Borrowed until the next

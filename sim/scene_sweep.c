@@ -43,7 +43,8 @@ static const struct bead_option measure_rows[] = {
      .type = BEAD_OPTION_FLAG,
      .offset = MEASURE(decay),
      .initial = "false",
-     .help = "keep the peaks of every bead's force and energy, too"},
+     .help = "keep, of every bead, the peak force and the energy of the front then (that of the bead and the four on either side), "
+             "and force and energy at the end, too"},
 };
 const struct bead_options bead_sweep_measure_options = {"sweep.measure", "what is measured of every chain",
                                                         BEAD_OPTIONS(measure_rows), NULL, NULL};

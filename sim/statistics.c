@@ -1,8 +1,6 @@
 #include "beadreel/statistics.h"
 
 #include <math.h>
-#include <stdbool.h>
-#include <stdint.h>
 #include <stdlib.h>
 
 static int by_value(const void *a, const void *b)
@@ -66,49 +64,15 @@ void bead_line_fit(const double *x, const double *y, size_t count, struct bead_l
         line->slope_error = sqrt(rest / (double)(count - 2) / xx);
 }
 
-/* Of ln y against x, or ln x, over the places first..last. False: out of memory. */
-static bool fit_part(const double *y, size_t count, size_t first, size_t last, bool logarithmic, struct bead_line *line)
-{
-    double *points = calloc(2 * (count + 1), sizeof *points);
-    size_t used = 0;
-    if (!points)
-        return false;
-    for (size_t i = first; i <= last && i < count; i++) {
-        if (!(y[i] > 0) || !isfinite(y[i]) || (logarithmic && i == 0))
-            continue;
-        points[used] = logarithmic ? log((double)i) : (double)i;
-        points[count + used++] = log(y[i]);
-    }
-    bead_line_fit(points, points + count, used, line);
-    free(points);
-    return true;
-}
-
-void bead_decay_fit(const double *y, size_t count, size_t first, size_t last, size_t beyond, struct bead_decay *decay)
-{
-    struct bead_line line;
-    *decay = (struct bead_decay){NAN, NAN, NAN, NAN, NAN, NAN, first, last, beyond};
-    if (fit_part(y, count, first, last, false, &line) && line.count > 2) {
-        decay->length = line.slope < 0 ? -1 / line.slope : INFINITY;
-        decay->length_offset = line.offset;
-        decay->length_error = line.slope < 0 ? line.slope_error / (line.slope * line.slope) : NAN;
-    }
-    if (fit_part(y, count, beyond, SIZE_MAX, true, &line) && line.count > 2) {
-        decay->exponent = line.slope;
-        decay->exponent_error = line.slope_error;
-        decay->exponent_offset = line.offset;
-    }
-}
-
 double bead_participation(const double *y, size_t count)
 {
-    double squares = 0, fourths = 0, largest = 0;
+    double sum = 0, squares = 0, largest = 0;
     for (size_t i = 0; i < count; i++)
         largest = fmax(largest, fabs(y[i]));
     for (size_t i = 0; i < count && largest > 0; i++) {
-        double part = y[i] / largest * (y[i] / largest);
-        squares += part;
-        fourths += part * part;
+        double part = fabs(y[i]) / largest;
+        sum += part;
+        squares += part * part;
     }
-    return largest > 0 ? squares * squares / fourths : NAN;
+    return largest > 0 ? sum * sum / squares : NAN;
 }

@@ -27,7 +27,7 @@ static size_t count_beads(const struct bead_chain_spec *chain)
 
 size_t bead_sweep_words(const struct sweep_panel *panel)
 {
-    return 3 * panel->shown.places + (panel->profiles ? 2 * panel->shown.beads : 0);
+    return 3 * panel->shown.places + (panel->profiles ? PROFILES * panel->shown.beads : 0);
 }
 
 struct sweep_panel *bead_sweep_panel_of(const struct bead_sweep *sweep, size_t job, size_t *row)
@@ -63,7 +63,7 @@ static enum bead_error make_panel(struct bead_sweep *sweep, size_t index, struct
     panel->spins = calloc(jobs, spec->cells);
     panel->peaks = calloc(jobs * (panel->shown.places + 1), sizeof *panel->peaks);
     if (spec->measures.decay)
-        panel->profiles = calloc(jobs * panel->shown.beads, 2 * sizeof *panel->profiles);
+        panel->profiles = calloc(jobs * panel->shown.beads, PROFILES * sizeof *panel->profiles);
     return panel->spins && panel->peaks && (panel->profiles || !spec->measures.decay) ? BEAD_OK : out_of_memory(msg);
 }
 
@@ -217,8 +217,11 @@ bool bead_sweep_configuration(const struct bead_sweep *sweep, size_t panel, size
         return false;
     found->peaks = p->shown.places ? p->peaks + row * p->shown.places : NULL;
     if (p->profiles) {
-        found->bead_force = p->profiles + 2 * row * p->shown.beads;
-        found->bead_energy = found->bead_force + p->shown.beads;
+        const double *profiles = p->profiles + PROFILES * row * p->shown.beads;
+        found->bead_force = profiles + PROFILE_FORCE * p->shown.beads;
+        found->bead_energy = profiles + PROFILE_ENERGY * p->shown.beads;
+        found->last_force = profiles + PROFILE_LAST_FORCE * p->shown.beads;
+        found->last_energy = profiles + PROFILE_LAST_ENERGY * p->shown.beads;
     }
     return true;
 }

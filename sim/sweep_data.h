@@ -4,13 +4,16 @@
 
 #include "beadreel/sweep.h"
 
+/* What is kept of every bead where decay is measured, in the order of struct bead_sweep_configuration. */
+enum sweep_profile { PROFILE_FORCE, PROFILE_ENERGY, PROFILE_LAST_FORCE, PROFILE_LAST_ENERGY, PROFILES };
+
 /* Jobs are numbered through all panels; the first of each panel is its clean chain. */
 struct sweep_panel {
     struct bead_sweep_panel shown;
     size_t first_job;
     char *spins;                   /* [jobs][cells] */
     struct bead_sweep_peak *peaks; /* [jobs][places] */
-    double *profiles;              /* [jobs][2][beads]: forces, energies; NULL: not measured */
+    double *profiles;              /* [jobs][PROFILES][beads]; NULL: not measured */
 };
 
 struct bead_sweep {
@@ -38,6 +41,22 @@ size_t bead_sweep_words(const struct sweep_panel *panel);
 struct bead_kernels;
 BEAD_CHECK enum bead_error bead_sweep_compute(struct bead_sweep *sweep, size_t job, const struct bead_kernels *kernels,
                                               const volatile sig_atomic_t *stop, struct bead_message *msg);
+
+/* Names and units of the datasets of profiles. */
+struct sweep_profile_name {
+    const char *name, *unit;
+};
+extern const struct sweep_profile_name bead_sweep_profiles[PROFILES];
+
+/* Configurations known, by magnetism. */
+struct sweep_entry {
+    double magnetism;
+    size_t index;
+};
+/* *count of them, to be freed with free(). NULL: out of memory. */
+struct sweep_entry *bead_sweep_entries(const struct bead_sweep *sweep, size_t panel, size_t *count);
+/* Number of entries from `first` on that are of one magnetism. */
+size_t bead_sweep_alike(const struct sweep_entry *entries, size_t count, size_t first);
 
 /* ---- journal: records with checksums, written one after the other ---- */
 struct bead_sweep_journal;

@@ -64,7 +64,7 @@ static size_t pack(const struct bead_sweep *sweep, size_t job, uint64_t *record)
     if (peaks > 0)
         memcpy(record + 1, p->peaks + row * p->shown.places, peaks * sizeof *record);
     if (p->profiles)
-        memcpy(record + 1 + peaks, p->profiles + 2 * row * p->shown.beads, (words - peaks) * sizeof *record);
+        memcpy(record + 1 + peaks, p->profiles + PROFILES * row * p->shown.beads, (words - peaks) * sizeof *record);
     record[words + 1] = bead_fingerprint(sweep->scene->fingerprint, record, (words + 1) * sizeof *record);
     return words + 2;
 }
@@ -77,7 +77,7 @@ static void unpack(struct bead_sweep *sweep, const uint64_t *record)
     if (peaks > 0)
         memcpy(p->peaks + row * p->shown.places, record + 1, peaks * sizeof *record);
     if (p->profiles)
-        memcpy(p->profiles + 2 * row * p->shown.beads, record + 1 + peaks, (words - peaks) * sizeof *record);
+        memcpy(p->profiles + PROFILES * row * p->shown.beads, record + 1 + peaks, (words - peaks) * sizeof *record);
     sweep->known[job] = 1;
 }
 

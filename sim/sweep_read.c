@@ -97,14 +97,13 @@ static void read_peaks(struct reader *r, const char *prefix, const size_t *rows,
 
 static void read_profiles(struct reader *r, const char *prefix, const size_t *rows, size_t count, double *numbers)
 {
-    static const char *const names[] = {"bead_force", "bead_energy"};
     const size_t beads = r->panel->shown.beads;
-    for (size_t what = 0; what < 2; what++) {
-        bead_h5_read_table(r->h5, name_of(r, prefix, names[what]), BEAD_H5_DOUBLE, count, beads, numbers);
+    for (size_t what = 0; what < PROFILES; what++) {
+        bead_h5_read_table(r->h5, name_of(r, prefix, bead_sweep_profiles[what].name), BEAD_H5_DOUBLE, count, beads, numbers);
         for (size_t i = 0; i < count * beads && !r->h5->error; i++) {
             if (!(numbers[i] >= 0) || !isfinite(numbers[i]))
                 wrong(r, "a force or energy that is none");
-            r->panel->profiles[(2 * rows[i / beads] + what) * beads + i % beads] = numbers[i];
+            r->panel->profiles[(PROFILES * rows[i / beads] + what) * beads + i % beads] = numbers[i];
         }
     }
 }
@@ -247,7 +246,7 @@ static void take_part(struct bead_sweep *all, const struct bead_sweep *part)
             continue;
         struct sweep_panel *to = bead_sweep_panel_of(all, job, &row);
         const struct sweep_panel *from = &part->panels[to - all->panels];
-        const size_t cells = to->shown.spec->cells, places = to->shown.places, profile = 2 * to->shown.beads;
+        const size_t cells = to->shown.spec->cells, places = to->shown.places, profile = PROFILES * to->shown.beads;
         memcpy(to->spins + row * cells, from->spins + row * cells, cells);
         if (places)
             memcpy(to->peaks + row * places, from->peaks + row * places, places * sizeof *to->peaks);

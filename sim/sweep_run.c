@@ -16,42 +16,9 @@
 enum { LOOK_EVERY = 64 };
 /* A front that takes this many times longer than a wave needs for the chain never comes. */
 static const double patience = 200;
-/* Energies are looked at this often within a step, and their maxima are vertices of parabolas. */
-enum { LOOKS = 4 };
-
-/* Peaks of the beads' energies, from equally spaced looks within a step. */
-struct energies {
-    double *last, *peak; /* [beads] of the look before, and the largest so far */
-    double *before;      /* of the look before that */
-    size_t beads;
-};
-
-static double vertex(double a, double b, double c)
-{
-    double bend = a - 2 * b + c, slope = 0.5 * (c - a);
-    return bend < 0 ? b - 0.5 * slope * slope / bend : b;
-}
-
-static enum bead_error watch_energies(struct energies *e, struct bead_run *run, double from, struct bead_message *msg)
-{
-    double to = bead_run_time(run);
-    for (int i = 1; i <= LOOKS; i++) {
-        struct bead_sample sample = {.chain = 0};
-        double time = i == LOOKS ? to : from + i * (to - from) / LOOKS;
-        enum bead_error err =
-            bead_run_sample(run, time, BEAD_FIELD_BIT(BEAD_FIELD_ENERGY), (struct bead_span){0, e->beads - 1}, &sample, msg);
-        if (err)
-            return err;
-        const double *energy = sample.field[BEAD_FIELD_ENERGY];
-        for (size_t j = 0; j < sample.active && j < e->beads; j++) {
-            if (e->last[j] >= e->before[j] && e->last[j] > energy[j])
-                e->peak[j] = fmax(e->peak[j], vertex(e->before[j], e->last[j], energy[j]));
-            e->before[j] = e->last[j];
-            e->last[j] = energy[j];
-        }
-    }
-    return BEAD_OK;
-}
+/* A clean pulse in a chain of dimers is held by three beads on either side of its peak, but for 1e-4 of its energy; four leave room
+ * for one that disorder has widened. */
+enum { REACH = 4 };
 
 /* What is measured of one chain. */
 struct measure {
@@ -60,7 +27,7 @@ struct measure {
     size_t row;
     const struct bead_chain *chain;
     struct bead_span span; /* beads whose peak forces are wanted */
-    struct energies energies;
+    double *seen;          /* [beads] s: times of the peaks whose energy is known; NULL: not wanted */
 };
 
 /* The bead range of a place. */
@@ -89,16 +56,44 @@ static void find_span(struct measure *m)
         m->span = (struct bead_span){0, m->panel->shown.beads - 1};
 }
 
-static enum bead_error prepare_energies(struct measure *m, struct bead_message *msg)
+static double *profile_of(const struct measure *m, enum sweep_profile which)
 {
-    struct energies *e = &m->energies;
-    e->beads = m->panel->shown.beads;
-    e->before = calloc(3 * e->beads, sizeof *e->before);
-    if (!e->before)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the energies of %zu beads", e->beads);
-    e->last = e->before + e->beads;
-    e->peak = e->last + e->beads;
+    return m->panel->profiles + (PROFILES * m->row + which) * m->panel->shown.beads;
+}
+
+/* Energy about the beads whose force has come to a new peak in the step just made. */
+static enum bead_error watch_energies(struct measure *m, struct bead_run *run, struct bead_message *msg)
+{
+    const struct bead_peak *found = bead_run_bead_peaks(run);
+    double *front = profile_of(m, PROFILE_ENERGY);
+    for (size_t j = 0; j < m->panel->shown.beads; j++) {
+        if (isnan(found[j].time) || found[j].time == m->seen[j])
+            continue;
+        struct bead_span about = {j > REACH ? j - REACH : 0, j + REACH};
+        struct bead_sample sample = {.chain = 0};
+        enum bead_error err = bead_run_sample(run, found[j].time, BEAD_FIELD_BIT(BEAD_FIELD_ENERGY), about, &sample, msg);
+        if (err)
+            return err;
+        m->seen[j] = found[j].time;
+        front[j] = 0;
+        for (size_t i = about.first; i <= about.last && i < sample.active; i++)
+            front[j] += sample.field[BEAD_FIELD_ENERGY][i];
+    }
     return BEAD_OK;
+}
+
+/* The chain as the run ends, to where the front is. */
+static enum bead_error keep_last(const struct measure *m, struct bead_run *run, double end, struct bead_message *msg)
+{
+    static const unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_ENERGY);
+    const size_t beads = m->panel->shown.beads;
+    struct bead_sample sample = {.chain = 0};
+    enum bead_error err = bead_run_sample(run, end, fields, (struct bead_span){0, beads - 1}, &sample, msg);
+    for (size_t j = 0; !err && j < beads && j < sample.active; j++) {
+        profile_of(m, PROFILE_LAST_FORCE)[j] = sample.field[BEAD_FIELD_FORCE][j];
+        profile_of(m, PROFILE_LAST_ENERGY)[j] = sample.field[BEAD_FIELD_ENERGY][j];
+    }
+    return err;
 }
 
 static enum bead_error play(struct measure *m, struct bead_run *run, double end, const volatile sig_atomic_t *stop,
@@ -116,8 +111,8 @@ static enum bead_error play(struct measure *m, struct bead_run *run, double end,
                              "%s: a configuration's front has not reached the end after %.4g s: give simulate.until",
                              m->sweep->scene->file, from);
         enum bead_error err = bead_run_step(run, msg);
-        if (!err && m->energies.before)
-            err = watch_energies(&m->energies, run, from, msg);
+        if (!err && m->seen)
+            err = watch_energies(m, run, msg);
         if (err)
             return err;
     }
@@ -139,12 +134,8 @@ static void collect(const struct measure *m, const struct bead_peak *found)
     }
     if (!m->panel->profiles)
         return;
-    double *force = m->panel->profiles + 2 * m->row * shown->beads, *energy = force + shown->beads;
-    for (size_t j = 0; j < shown->beads; j++) {
-        force[j] = found[j].value;
-        energy[j] = fmax(m->energies.peak[j], m->energies.last[j]);
-    }
-    energy[0] = fmax(energy[0], bead_chain_energy(m->chain)); /* the striker's is largest at the start */
+    for (size_t j = 0; j < shown->beads; j++)
+        profile_of(m, PROFILE_FORCE)[j] = found[j].value;
 }
 
 static enum bead_error measure(struct measure *m, const struct bead_kernels *kernels, const volatile sig_atomic_t *stop,
@@ -160,16 +151,19 @@ static enum bead_error measure(struct measure *m, const struct bead_kernels *ker
                                          .peak_span = &m->span};
     struct bead_run *run = NULL;
     enum bead_error err = bead_run_create(&settings, &run, msg);
-    if (!err && m->panel->profiles)
-        err = prepare_energies(m, msg);
+    if (!err && m->panel->profiles && !(m->seen = calloc(m->panel->shown.beads, sizeof *m->seen)))
+        err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the energies of %zu beads", m->panel->shown.beads);
     if (!err)
         err = play(m, run, settings.end, stop, msg);
     if (!err) {
         struct bead_outcome outcome;
-        bead_run_finish(run, isfinite(settings.end) ? settings.end : bead_run_arrival(run), &outcome);
+        double end = isfinite(settings.end) ? settings.end : bead_run_arrival(run);
+        bead_run_finish(run, end, &outcome);
         collect(m, outcome.bead_peaks);
+        if (m->seen)
+            err = keep_last(m, run, end, msg);
     }
-    free(m->energies.before);
+    free(m->seen);
     bead_run_destroy(run);
     return err;
 }

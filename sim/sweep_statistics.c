@@ -14,37 +14,30 @@ static enum bead_error out_of_memory(struct bead_message *msg)
     return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the statistics of a sweep");
 }
 
-struct entry {
-    double magnetism, value;
-    size_t index;
-};
-
 static int by_magnetism(const void *a, const void *b)
 {
-    const struct entry *p = a, *q = b;
+    const struct sweep_entry *p = a, *q = b;
     if (fabs(p->magnetism - q->magnetism) > same)
         return p->magnetism < q->magnetism ? -1 : 1;
     return (p->index > q->index) - (p->index < q->index);
 }
 
-/* Configurations known, by magnetism; *count of them. NULL: out of memory. */
-static struct entry *list_entries(const struct bead_sweep *sweep, size_t panel, size_t *count)
+struct sweep_entry *bead_sweep_entries(const struct bead_sweep *sweep, size_t panel, size_t *count)
 {
     size_t all = sweep->panels[panel].shown.configurations;
-    struct entry *entries = calloc(all + 1, sizeof *entries);
+    struct sweep_entry *entries = calloc(all + 1, sizeof *entries);
     *count = 0;
     for (size_t i = 0; entries && i < all; i++) {
         struct bead_sweep_configuration c;
         if (bead_sweep_configuration(sweep, panel, i, &c))
-            entries[(*count)++] = (struct entry){c.magnetism, NAN, i};
+            entries[(*count)++] = (struct sweep_entry){c.magnetism, i};
     }
     if (entries)
         qsort(entries, *count, sizeof *entries, by_magnetism);
     return entries;
 }
 
-/* Number of entries from `first` on that are of one magnetism. */
-static size_t alike(const struct entry *entries, size_t count, size_t first)
+size_t bead_sweep_alike(const struct sweep_entry *entries, size_t count, size_t first)
 {
     size_t last = first + 1;
     while (last < count && fabs(entries[last].magnetism - entries[first].magnetism) <= same)
@@ -52,7 +45,7 @@ static size_t alike(const struct entry *entries, size_t count, size_t first)
     return last - first;
 }
 
-static enum bead_error fill_rows(struct bead_sweep_statistics *s, const struct entry *entries, size_t count,
+static enum bead_error fill_rows(struct bead_sweep_statistics *s, const struct sweep_entry *entries, size_t count,
                                  struct bead_message *msg)
 {
     double *sorted = calloc(count + 1, sizeof *sorted);
@@ -63,8 +56,8 @@ static enum bead_error fill_rows(struct bead_sweep_statistics *s, const struct e
     }
     for (size_t first = 0; first < count;) {
         struct bead_sweep_row *row = &s->rows[s->row_count++];
-        *row =
-            (struct bead_sweep_row){.magnetism = entries[first].magnetism, .first = first, .count = alike(entries, count, first)};
+        *row = (struct bead_sweep_row){
+            .magnetism = entries[first].magnetism, .first = first, .count = bead_sweep_alike(entries, count, first)};
         memcpy(sorted, s->values + first, row->count * sizeof *sorted);
         bead_summary_of(sorted, row->count, &row->summary);
         first += row->count;
@@ -104,7 +97,7 @@ enum bead_error bead_sweep_statistics(const struct bead_sweep *sweep, size_t pan
                          "the chain with all cells up has no force at `%s` that others could be normalised by",
                          bead_sweep_place(sweep, panel, place));
     size_t count = 0;
-    struct entry *entries = list_entries(sweep, panel, &count);
+    struct sweep_entry *entries = bead_sweep_entries(sweep, panel, &count);
     s->values = calloc(count + 1, sizeof *s->values);
     s->indices = calloc(count + 1, sizeof *s->indices);
     enum bead_error err = entries && s->values && s->indices ? BEAD_OK : out_of_memory(msg);
@@ -129,107 +122,4 @@ void bead_sweep_statistics_free(struct bead_sweep_statistics *s)
     free(s->values);
     free(s->indices);
     *s = (struct bead_sweep_statistics){.clean = NAN};
-}
-
-/* ---- decay along the chain ---- */
-
-/* Near the striker the wave has not formed yet; beyond some hundred beads disorder that delocalises it lets it decay as a power. */
-enum { NEAR = 10, FAR = 100 };
-
-/* Beads of a random cell. */
-static size_t cell_beads(const struct bead_sweep *sweep, size_t panel)
-{
-    const struct bead_chain_spec *pattern = &sweep->scene->chains[sweep->panels[panel].shown.spec->chain];
-    size_t beads = 1;
-    for (size_t i = 0; i < pattern->segment_count; i++)
-        beads = pattern->segments[i].spins == BEAD_SPINS_RANDOM ? pattern->segments[i].cell_beads : beads;
-    return beads;
-}
-
-void bead_sweep_smooth(const struct bead_sweep *sweep, size_t panel, const double *values, double *means, size_t *count)
-{
-    const size_t cell = cell_beads(sweep, panel), random = sweep->panels[panel].shown.spec->last + 1;
-    *count = random > cell ? random + 1 - cell : 0;
-    for (size_t i = 0; i < *count; i++) {
-        double sum = 0;
-        for (size_t k = 0; k < cell; k++)
-            sum += log(values[i + k]) / (double)cell;
-        means[i] = exp(sum);
-    }
-}
-
-static enum bead_error fit_decay(const struct bead_sweep *sweep, size_t panel, const double *values, struct bead_decay *decay,
-                                 struct bead_message *msg)
-{
-    size_t count, last = NEAR;
-    double *means = calloc(sweep->panels[panel].shown.beads, sizeof *means);
-    if (!means)
-        return out_of_memory(msg);
-    bead_sweep_smooth(sweep, panel, values, means, &count);
-    while (last + 1 < count && means[last + 1] > means[NEAR] / exp(1))
-        last++;
-    bead_decay_fit(means, count, NEAR, last, FAR, decay);
-    free(means);
-    return BEAD_OK;
-}
-
-/* Geometric means; the fits leave the fixed cells and the end out. */
-static enum bead_error find_decay(const struct bead_sweep *sweep, size_t panel, const struct entry *entries, size_t count,
-                                  struct bead_sweep_decay *d, struct bead_message *msg)
-{
-    const struct bead_sweep_panel *shown = &sweep->panels[panel].shown;
-    const size_t beads = shown->beads, random = shown->spec->last + 1;
-    d->force = calloc(beads, sizeof *d->force);
-    d->energy = calloc(beads, sizeof *d->energy);
-    if (!d->force || !d->energy)
-        return out_of_memory(msg);
-    for (size_t i = 0; i < count; i++) {
-        struct bead_sweep_configuration c;
-        bead_sweep_configuration(sweep, panel, entries[i].index, &c);
-        for (size_t j = 0; j < beads; j++) {
-            d->force[j] += log(c.bead_force[j]) / (double)count;
-            d->energy[j] += log(c.bead_energy[j]) / (double)count;
-        }
-        d->participation += bead_participation(c.bead_force + random, beads - random) / (double)count;
-    }
-    for (size_t j = 0; j < beads; j++) {
-        d->force[j] = exp(d->force[j]);
-        d->energy[j] = exp(d->energy[j]);
-    }
-    enum bead_error err = fit_decay(sweep, panel, d->force, &d->of_force, msg);
-    return err ? err : fit_decay(sweep, panel, d->energy, &d->of_energy, msg);
-}
-
-enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel, struct bead_sweep_decay **decays, size_t *count,
-                                  struct bead_message *msg)
-{
-    size_t all = 0;
-    *count = 0;
-    *decays = NULL;
-    if (!sweep->panels[panel].profiles)
-        return bead_fail(msg, BEAD_ERROR_NUMBERS, "decay was not measured");
-    struct entry *entries = list_entries(sweep, panel, &all);
-    *decays = calloc(all + 1, sizeof **decays);
-    enum bead_error err = entries && *decays ? BEAD_OK : out_of_memory(msg);
-    for (size_t first = 0; first < all && !err;) {
-        struct bead_sweep_decay *d = &(*decays)[(*count)++];
-        *d = (struct bead_sweep_decay){.magnetism = entries[first].magnetism, .count = alike(entries, all, first)};
-        err = find_decay(sweep, panel, entries + first, d->count, d, msg);
-        first += d->count;
-    }
-    free(entries);
-    if (err) {
-        bead_sweep_decays_free(*decays, *count);
-        *decays = NULL;
-    }
-    return err;
-}
-
-void bead_sweep_decays_free(struct bead_sweep_decay *decays, size_t count)
-{
-    for (size_t i = 0; decays && i < count; i++) {
-        free(decays[i].force);
-        free(decays[i].energy);
-    }
-    free(decays);
 }

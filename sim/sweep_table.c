@@ -105,7 +105,8 @@ static enum bead_error write_configurations(const struct out *o, struct bead_mes
 static enum bead_error write_decay(const struct out *o, struct bead_message *msg)
 {
     head(o, "magnetism,configurations,bead,force_N,energy_J,force_length,force_length_error,energy_length,energy_length_error,"
-            "force_exponent,energy_exponent,participation");
+            "force_exponent,force_exponent_error,energy_exponent,energy_exponent_error,fit_first,fit_last,force_participation,"
+            "energy_participation");
     for (size_t p = 0; p < bead_sweep_panels(o->sweep); p++) {
         struct bead_sweep_decay *decays = NULL;
         size_t count = 0;
@@ -114,14 +115,25 @@ static enum bead_error write_decay(const struct out *o, struct bead_message *msg
             return err;
         for (size_t i = 0; i < count; i++) {
             const struct bead_sweep_decay *d = &decays[i];
-            const double fits[] = {d->of_force.length,   d->of_force.length_error, d->of_energy.length, d->of_energy.length_error,
-                                   d->of_force.exponent, d->of_energy.exponent,    d->participation};
+            const struct bead_decay *f = &d->of_force, *e = &d->of_energy;
+            const double fits[] = {f->length,
+                                   f->length_error,
+                                   e->length,
+                                   e->length_error,
+                                   f->exponent,
+                                   f->exponent_error,
+                                   e->exponent,
+                                   e->exponent_error,
+                                   (double)f->first,
+                                   (double)f->last,
+                                   d->force_participation,
+                                   d->energy_participation};
             for (size_t j = 0; j < bead_sweep_panel(o->sweep, p)->beads; j++) {
                 names(o, p, 0);
                 fprintf(o->file, "%.17g,%zu,%zu", d->magnetism, d->count, j);
                 number(o->file, d->force[j]);
                 number(o->file, d->energy[j]);
-                for (size_t k = 0; k < 7; k++)
+                for (size_t k = 0; k < sizeof fits / sizeof *fits; k++)
                     number(o->file, fits[k]);
                 fputc('\n', o->file);
             }

@@ -102,16 +102,21 @@ static void write_peaks(struct writer *w, const char *prefix, const size_t *rows
     bead_h5_write_table(w->h5, w->group, name, NULL, BEAD_H5_INT, count, places, scales, whole);
 }
 
+const struct sweep_profile_name bead_sweep_profiles[] = {[PROFILE_FORCE] = {"bead_force", "N"},
+                                                         [PROFILE_ENERGY] = {"bead_energy", "J"},
+                                                         [PROFILE_LAST_FORCE] = {"last_force", "N"},
+                                                         [PROFILE_LAST_ENERGY] = {"last_energy", "J"}};
+
 static void write_profiles(struct writer *w, const char *prefix, const size_t *rows, size_t count, hid_t scale, double *numbers)
 {
     const size_t beads = w->panel->shown.beads;
     const hid_t scales[2] = {scale, w->bead};
     char name[64];
-    for (size_t what = 0; what < 2; what++) {
+    for (size_t what = 0; what < PROFILES; what++) {
         for (size_t i = 0; i < count; i++)
-            memcpy(numbers + i * beads, w->panel->profiles + (2 * rows[i] + what) * beads, beads * sizeof *numbers);
-        snprintf(name, sizeof name, "%s%s", prefix, what == 0 ? "bead_force" : "bead_energy");
-        bead_h5_write_table(w->h5, w->group, name, what == 0 ? "N" : "J", BEAD_H5_DOUBLE, count, beads, scales, numbers);
+            memcpy(numbers + i * beads, w->panel->profiles + (PROFILES * rows[i] + what) * beads, beads * sizeof *numbers);
+        snprintf(name, sizeof name, "%s%s", prefix, bead_sweep_profiles[what].name);
+        bead_h5_write_table(w->h5, w->group, name, bead_sweep_profiles[what].unit, BEAD_H5_DOUBLE, count, beads, scales, numbers);
     }
 }
 

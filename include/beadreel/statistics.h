@@ -61,18 +61,34 @@ struct bead_line {
 };
 BEAD_API void bead_line_fit(const double *x, const double *y, size_t count, struct bead_line *line);
 
-/* Decay along a chain of what is 1 without disorder, y at places 0..count-1 (beads): exponential over first..last,
- * y ~ exp(-x / length), and a power law over all from `beyond` on, y ~ x^exponent. Places with y <= 0 or not finite are left out.
- */
+/* Decay along a chain of what is 1 without disorder, y at places (beads) 0, 1, ...: exponential near the striker, y ~ exp(-x /
+ * length), a power law farther on, y ~ x^exponent. */
 struct bead_decay {
     double length, length_error;           /* beads; INFINITY where it does not decay */
-    double exponent, exponent_error;       /* NaN where less than three places lie beyond */
+    double exponent, exponent_error;       /* NaN where the places do not reach to four times `last` */
     double length_offset, exponent_offset; /* ln y at place 0, and at place 1, of the two lines */
-    size_t first, last, beyond;            /* places they were fitted to */
+    size_t first, last;                    /* places that the exponential was fitted over; the power law: from `last` on */
 };
-BEAD_API void bead_decay_fit(const double *y, size_t count, size_t first, size_t last, size_t beyond, struct bead_decay *decay);
+/* The place from `first` on at which the mean of ln y over `cell` places has fallen to -1, or the last one of all. */
+BEAD_API size_t bead_decay_reach(const double *logs, size_t places, size_t first, size_t cell);
+/* Lines by least squares through ln y, given; places where it is not finite are left out. The errors are NaN. */
+BEAD_API void bead_decay_fit(const double *logs, size_t places, size_t first, size_t last, struct bead_decay *decay);
 
-/* Participation ratio (sum y^2)^2 / sum y^4 of amplitudes y: about how many of them share what there is; 1 to count. NaN where all
+/* Logarithms of forces and energies, [rows][places] of configurations that differ by chance only. */
+struct bead_decay_profiles {
+    const double *force, *energy;
+    size_t rows, places;
+    size_t first, cell; /* where the wave has formed; beads of a cell, over which forces differ however clean the wave is */
+};
+/* Of the means of the logarithms, that is, of geometric means: the logarithm of a wave's force is a sum over the domains it has
+ * passed, so its mean is that of the typical wave, and spreads least. The range of both is that of the force: one length, over
+ * which the exponential holds whatever the disorder is, and which has as many domains at any. Errors are deviations over
+ * `resamples` bootstrap samples of the rows, the range found anew in each; NaN below two rows. Errors: MEMORY. */
+BEAD_API BEAD_CHECK enum bead_error bead_decay_of(const struct bead_decay_profiles *profiles, size_t resamples, uint64_t seed,
+                                                  struct bead_decay *of_force, struct bead_decay *of_energy,
+                                                  struct bead_message *msg);
+
+/* Participation ratio (sum y)^2 / sum y^2 of what is not negative: about how many share what there is; 1 to count. NaN where all
  * are 0. */
 BEAD_API double bead_participation(const double *y, size_t count);
 

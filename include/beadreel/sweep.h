@@ -18,7 +18,7 @@
  *   magnetism [n]         M of the chain
  *   place [places]        "peak", or the sensors' names
  *   peak_force [n][place] N, peak_time [n][place] s, peak_bead [n][place], peak_open [n][place]
- *   bead [beads], bead_force [n][bead] N, bead_energy [n][bead] J      where decay is measured
+ *   bead [beads], bead_force, last_force [n][bead] N, bead_energy, last_energy [n][bead] J      where decay is measured
  *   reference_...         the same of the chain with all random cells up */
 #ifndef BEADREEL_SWEEP_H
 #define BEADREEL_SWEEP_H
@@ -55,8 +55,11 @@ struct bead_sweep_peak {
 struct bead_sweep_configuration {
     const char *spins; /* [cells] '0' and '1', not terminated */
     double magnetism;
-    const struct bead_sweep_peak *peaks;    /* [places] */
-    const double *bead_force, *bead_energy; /* [beads] N, J: peaks of the first passage; NULL where not measured */
+    const struct bead_sweep_peak *peaks; /* [places] */
+    /* [beads], where decay is measured, else NULL. Peak forces of the first passage, N; the energy of the front, J: that of the
+     * bead and the four on either side, at the moment of its peak force. */
+    const double *bead_force, *bead_energy;
+    const double *last_force, *last_energy; /* [beads] N, J: of each bead when the front has reached the end */
 };
 
 #define BEAD_SWEEP_CLEAN ((size_t)-1) /* instead of a configuration's number: all random cells up */
@@ -177,17 +180,17 @@ struct bead_sweep_sink {
 /* Tables. NULL-terminated. */
 BEAD_API const struct bead_sweep_sink *const *bead_sweep_data_sinks(void);
 
-/* How peaks decay along the chain: geometric means over the configurations of a magnetism. */
+/* How peaks decay along the chain: geometric means over the configurations of a magnetism, and fits of these in units of the clean
+ * chain's. */
 struct bead_sweep_decay {
     double magnetism;
     size_t count;           /* configurations */
     double *force, *energy; /* [beads] N, J: geometric means of the peaks */
-    /* Of geometric means over each cell's beads, which differ however clean the wave is. Exponential: from bead 10, where the wave
-     * has formed, to where it has fallen by a factor e, or to the last random bead; power law: from bead 100 to the last random
-     * one. */
+    /* From bead 10, where the wave has formed, to where it has fallen to 1/e, or to the last random bead. */
     struct bead_decay of_force, of_energy;
-    double participation; /* mean participation ratio of the peak forces of the beads behind the random part */
+    double force_participation, energy_participation; /* of last_force, last_energy: means of the ratios, beads */
 };
+/* Errors: MEMORY; NUMBERS where decay was not measured, or the clean chain is not known. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel,
                                                       struct bead_sweep_decay **decays, size_t *count, struct bead_message *msg);
 /* Geometric means over the beads i, i + 1, ... of a random cell, of `values` [beads], to the last random bead: into means [beads],

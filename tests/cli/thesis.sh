@@ -78,7 +78,7 @@ for case in "1 reversed,.7985" "2 apart,.6376" "3 apart,.5091" "2 adjacent,.836"
     ok "... energy past ${case/,/: }" within "$(cell figures/defect-measures.csv 3 "${case%,*},energy past defect,")" "${case#*,}" .003
 done
 # Decay lengths of the first fall by e, with 20 configurations: within 12 % of those of many.
-few decay --set sweep.configurations=20
+few decay --set sweep.configurations=20 --set sweep.cells=200 --set sweep.magnetism="[0.9, 0.8, 0.5, 0]"
 for case in 0.90,338 0.8,187 0.5,117 0,103; do
     ok "... decay length at M = ${case/,/: }" within "$(awk -F, -v m="${case%,*}" 'NR > 1 && $1 - m < 1e-9 && m - $1 < 1e-9 {print $6; exit}' few/decay.csv)" "${case#*,}" "$((${case#*,} * 12 / 100))"
 done
