@@ -129,7 +129,7 @@ static bool add_curve(struct panel *p, const struct bead_sweep_statistics *s, si
                                                         .y = x ? x + n : NULL,
                                                         .error = x && !median ? x + 2 * n : NULL,
                                                         .count = n,
-                                                        .mark = median || n > 40 ? BEAD_MARK_LINE : BEAD_MARK_LINE_POINTS,
+                                                        .mark = median ? BEAD_MARK_LINE : BEAD_MARK_LINE_POINTS,
                                                         .colour = colour,
                                                         .dashed = median,
                                                         .label = word};
@@ -185,6 +185,24 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
     shown->x = (struct bead_graph_axis){.title = "magnetism *M*", .unit = "", .low = -0.02, .high = 1.02};
     shown->y = (struct bead_graph_axis){.title = "peak force *F*/*F*(*M* = 1)", .unit = "", .low = 0, .high = NAN, .zero = true};
     return err;
+}
+
+/* Means have one look in all panels, which one legend explains: points only where these stand apart in each. */
+static void join_marks(struct plot *plot)
+{
+    enum { APART = 40 };
+    bool dense = false;
+    for (size_t i = 0; i < plot->count; i++) {
+        for (size_t k = 0; k < plot->panels[i].places; k++)
+            dense = dense || plot->panels[i].statistics[k].row_count > APART;
+    }
+    for (size_t i = 0; dense && i < plot->count; i++) {
+        for (size_t k = 0; k < plot->panels[i].series_count; k++) {
+            struct bead_series *series = &plot->panels[i].series[k];
+            if (series->mark == BEAD_MARK_LINE_POINTS)
+                series->mark = BEAD_MARK_LINE;
+        }
+    }
 }
 
 /* ---- decay ---- */
@@ -296,6 +314,8 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
         plot.shown[i].rulers = plot.panels[i].rulers;
         plot.shown[i].ruler_count = plot.panels[i].ruler_count;
     }
+    if (!err)
+        join_marks(&plot);
     const char *title = bead_sweep_scene(sweep)->title;
     const struct bead_graph graph = {.title = *title ? title : NULL,
                                      .caption = output->caption && *output->caption ? output->caption : NULL,

@@ -6,8 +6,9 @@
 #include "beadreel/statistics.h"
 #include "sim/draw.h"
 
-/* The power law is told from the exponential over two doublings of the distance, at least. */
-enum { FARTHER = 4, POINTS = 3 };
+/* The power law is told from the exponential over three doublings of the distance, at least: the first is the way from one to the
+ * other. */
+enum { FARTHER = 8, POINTS = 3 };
 
 size_t bead_decay_reach(const double *logs, size_t places, size_t first, size_t cell)
 {

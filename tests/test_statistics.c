@@ -45,25 +45,25 @@ static double known_decay(size_t place)
 static void decay_of_known_laws(void **state)
 {
     (void)state;
-    double logs[500];
+    double logs[900];
     struct bead_decay decay;
-    for (size_t i = 0; i < 500; i++)
+    for (size_t i = 0; i < 900; i++)
         logs[i] = known_decay(i);
-    assert_int_equal(bead_decay_reach(logs, 500, 10, 1), 103);
+    assert_int_equal(bead_decay_reach(logs, 900, 10, 1), 103);
     assert_int_equal(bead_decay_reach(logs, 80, 10, 1), 79);
-    bead_decay_fit(logs, 500, 10, 103, &decay);
+    bead_decay_fit(logs, 900, 10, 103, &decay);
     assert_near(decay.length, 103, 1e-9);
     assert_near(decay.exponent, -0.61, 1e-12);
     assert_near(decay.length_offset, 0, 1e-12);
     assert_near(decay.exponent_offset, -1 + 0.61 * log(103), 1e-12);
     assert_true(decay.first == 10 && decay.last == 103 && isnan(decay.length_error) && isnan(decay.exponent_error));
     logs[50] = -INFINITY; /* left out */
-    bead_decay_fit(logs, 500, 10, 103, &decay);
+    bead_decay_fit(logs, 900, 10, 103, &decay);
     assert_near(decay.length, 103, 1e-9);
-    bead_decay_fit(logs, 400, 10, 103, &decay); /* not to four times as far */
+    bead_decay_fit(logs, 800, 10, 103, &decay); /* not to eight times as far */
     assert_true(isnan(decay.exponent));
     memset(logs, 0, sizeof logs);
-    bead_decay_fit(logs, 500, 10, 499, &decay);
+    bead_decay_fit(logs, 900, 10, 899, &decay);
     assert_true(isinf(decay.length));
 }
 
