@@ -86,25 +86,37 @@ static double reach_along(const struct bead_composer *c, size_t chain, size_t la
     return bead_axis_draw(NULL, &c->look, &axis, plot, side, false, true, title);
 }
 
-/* How far axes will reach out of plots of about the size they will have. */
+/* Left of plots of this height: of beads, values and times. */
+static double reach_left(const struct bead_composer *c, double length)
+{
+    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->field);
+    const char *unit = bead_chain_time_unit(c->setup.chains[0]);
+    const double *range = c->setup.range, *time = c->setup.time;
+    double most = reach(&c->look, range[0], range[1], field->unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, field->title);
+    most = fmax(most, reach(&c->look, time[0], time[1], unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, "time"));
+    for (size_t i = 0; i < c->wants.chain_count; i++)
+        most = fmax(most, reach_along(c, i, span_of(c, i).last, length, BEAD_SIDE_LEFT));
+    return most;
+}
+
+/* How far axes will reach out of plots of about the size they will have; titles of low plots are broken into lines, which reach
+ * further. */
 static void measure_axes(struct bead_composer *c)
 {
     struct bead_movie_wants *w = &c->wants;
     const struct bead_look *look = &c->look;
     const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->field);
     const char *unit = bead_chain_time_unit(c->setup.chains[0]);
-    double length = fmax(40, 0.12 * w->height), most = 1;
+    double length = fmax(40, 0.12 * w->height), most = 1, rows = (double)(w->chain_count * w->view_count);
+    w->left = fmax(reach_left(c, length), fmax(reach_left(c, fmax(24, 0.4 * w->height / rows)), reach_left(c, 40)));
     w->same_beads = true;
     for (size_t i = 0; i < w->chain_count; i++) {
         struct bead_span span = span_of(c, i), first = span_of(c, 0);
         w->same_beads = w->same_beads && span.first == first.first && span.last == first.last;
         most = fmax(most, (double)span.last);
-        w->left = fmax(w->left, reach_along(c, i, span.last, length, BEAD_SIDE_LEFT));
         w->below_beads = fmax(w->below_beads, reach_along(c, i, span.last, 8 * length, BEAD_SIDE_BOTTOM));
     }
-    const double *range = c->setup.range, *time = c->setup.time;
-    w->left = fmax(w->left, reach(look, range[0], range[1], field->unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, field->title));
-    w->left = fmax(w->left, reach(look, time[0], time[1], unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, "time"));
+    const double *time = c->setup.time;
     w->below_moving = reach(look, 0, most, "1", BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, NULL);
     for (size_t i = 0; w->follow && i < w->chain_count; i++) {
         struct bead_span beads = beads_of(c, i);

@@ -50,6 +50,30 @@ static void film(const char *scene, const char *name, const char *quality, const
     decode(file, movie);
 }
 
+/* Titles of low plots are broken into lines: they reach further than those of high ones, but not out of the frame. */
+static void titles_stay_in_the_frame(void **state)
+{
+    (void)state;
+    static struct decoded movie;
+    char scene[512];
+    write_scene("chains:\n"
+                "  - {name: A, beads: [{bead: large-steel, count: 5}], wall: brass}\n"
+                "  - {name: B, beads: [{bead: aluminium, count: 5}], wall: brass}\n"
+                "outputs: [{movie: low.mkv, follow: front, duration: 0.1 s}]\n",
+                scene);
+    film(scene, "low.mkv", "lossless", "outputs.0.size=[1280, 720]", &movie);
+    assert_int_equal(movie.width, 1280);
+    int corner[3], rgb[3];
+    decoded_rgb(movie.frame[0], 0, 0, corner);
+    for (int y = 0; y < movie.height; y++) {
+        for (int x = 0; x < 4; x++) {
+            decoded_rgb(movie.frame[0], x, y, rgb);
+            assert_memory_equal(rgb, corner, sizeof rgb);
+        }
+    }
+    decoded_free(&movie);
+}
+
 /* ---- flashes ---- */
 
 static double linear(int level)
@@ -217,6 +241,7 @@ int main(void)
         cmocka_unit_test(turns_are_counted),
         cmocka_unit_test(nothing_flashes),
         cmocka_unit_test(text_is_sharp),
+        cmocka_unit_test(titles_stay_in_the_frame),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }
