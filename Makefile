@@ -175,6 +175,9 @@ $(BENCHES) $(STRESSES): $(BUILD)/tests/%: tests/%.c $(STATIC)
 test: all $(TESTS) $(EXAMPLES) ## unit tests and tests of the programs; ends with `N passed, M failed`
 	@tests/run.sh $(BUILD)
 
+golden: all $(BUILD)/tests/test_golden ## make the golden pictures of the tests anew; look at them before you commit
+	@BEADREEL_ASSETS=assets BUILD=$(BUILD) BEADREEL_GOLDEN=update $(BUILD)/tests/test_golden
+
 asan: ## the tests under address and undefined-behaviour sanitizers
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)-asan STRICT_LINK= \
 	    CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all" test
@@ -237,6 +240,6 @@ uninstall: ## remove what `make install` put there
 clean: ## remove what was built
 	rm -rf $(BUILD) $(BUILD)-asan
 
-.PHONY: all help deps deps-ci demo thesis gallery test asan bench stress lint man install uninstall clean always
+.PHONY: all help deps deps-ci demo thesis gallery test golden asan bench stress lint man install uninstall clean always
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
