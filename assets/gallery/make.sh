@@ -13,7 +13,7 @@ picture() {
 
 picture waves clean-vs-delocalised 'image: FILE, style: movie, size: [800, 450], views: [beads, profile, spacetime], at: 0.8 ms, scale: sqrt'
 picture horizon clean-vs-delocalised 'image: FILE, size: [680, 380], trust: true, scale: sqrt' --set simulate.until='8 ms'
-"$beadreel" panels --progress none -o "$T" --set outputs.0.image="$(realpath "$to")/panels.png" --set outputs.0.dpi=110
+"$beadreel" panels --progress none -o "$to" --set outputs.0.image=panels.png --set outputs.0.dpi=110
 "$beadreel" teaching --only teaching.mp4 --progress none -o "$T" --set 'outputs.0.size=[800, 450]' --set outputs.0.fps=4 --set outputs.0.poster-at='0.8 ms'
 mv "$T/teaching.png" "$to"
 picture force sweep 'plot: FILE, size: [720, 450]'
