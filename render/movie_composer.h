@@ -33,6 +33,10 @@ struct bead_composer {
     bool over, under, bar_over, bar_under; /* values beyond the colours' range: seen; as the bar shows it */
 };
 
+/* Beads that are shown, also where the field is one of contacts. */
+struct bead_span bead_composer_beads(const struct bead_composer *composer, size_t chain);
+/* One for each chain; plots that go with the front become narrower where rows of beads need that. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_composer_cameras(struct bead_composer *composer, struct bead_message *msg);
 /* The colour bar, into the static layer. */
 void bead_overlay_draw_bar(struct bead_composer *composer, cairo_t *cr);
 /* Parts of the frame that change now and then, brought to `time`; they add what changed. */

@@ -58,16 +58,6 @@ static struct bead_span span_of(const struct bead_composer *c, size_t chain)
     return span;
 }
 
-/* The same of beads, also where the field is one of contacts. */
-static struct bead_span beads_of(const struct bead_composer *c, size_t chain)
-{
-    size_t last = bead_chain_beads(c->setup.chains[chain]) - 1;
-    struct bead_span span = c->setup.output->beads;
-    span.last = span.last < last ? span.last : last;
-    span.first = span.first < span.last ? span.first : span.last;
-    return span;
-}
-
 static double reach(const struct bead_look *look, double low, double high, const char *unit, enum bead_scale scale, double length,
                     enum bead_side side, const char *title)
 {
@@ -119,7 +109,7 @@ static void measure_axes(struct bead_composer *c)
     const double *time = c->setup.time;
     w->below_moving = reach(look, 0, most, "1", BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, NULL);
     for (size_t i = 0; w->follow && i < w->chain_count; i++) {
-        struct bead_span beads = beads_of(c, i);
+        struct bead_span beads = bead_composer_beads(c, i);
         double radius, spacing = bead_chain_spacing(c->setup.chains[i], beads, &radius);
         double shown = fmin((double)c->setup.output->window, (double)(beads.last - beads.first + 1));
         w->bead_height = fmax(w->bead_height, 0.9 * w->width * 2 * radius / (spacing * shown));
@@ -165,36 +155,6 @@ static enum bead_error fill_wants(struct bead_composer *c, struct bead_message *
     }
     measure_axes(c);
     return BEAD_OK;
-}
-
-/* All windows are of one length, so that all beads are drawn to one scale: as many beads as asked for, or more where these would be
- * higher than their rows. */
-static enum bead_error create_cameras(struct bead_composer *c, struct bead_message *msg)
-{
-    size_t count = c->wants.chain_count;
-    double width = 0, longest = 0, radius, largest = 0;
-    c->cameras = calloc(count, sizeof(struct bead_camera *));
-    if (!c->cameras)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for cameras");
-    for (size_t i = 0; i < count; i++) {
-        struct bead_span beads = beads_of(c, i);
-        double spacing = bead_chain_spacing(c->setup.chains[i], beads, &radius);
-        width = fmax(width, spacing * (double)c->setup.output->window);
-        longest = fmax(longest, spacing * (double)(beads.last - beads.first + 1) + 3.2 * radius); /* with what is at the ends */
-        largest = fmax(largest, radius);
-    }
-    width = fmin(width, longest);
-    for (size_t v = 0; v < c->wants.view_count; v++) {
-        const struct bead_rect *plot = &c->layout.chains[0].plot[v];
-        bool named = c->wants.sensors || c->layout.chains[0].labels[v];
-        double names = named && plot->height > 2.6 * c->look.tick ? 1.35 * c->look.tick : 0;
-        if (c->wants.views[v]->kind == BEAD_VIEW_BEADS)
-            width = fmax(width, plot->width * 2 * largest / (0.9 * (plot->height - names)));
-    }
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < count; i++)
-        err = bead_camera_create(c->setup.chains[i], beads_of(c, i), width, c->setup.time, &c->cameras[i], msg);
-    return err;
 }
 
 static enum bead_error create_views(struct bead_composer *c, struct bead_message *msg)
@@ -252,7 +212,7 @@ static enum bead_error fill(struct bead_composer *c, struct bead_message *msg)
     if (!err)
         err = bead_movie_arrange(&c->wants, &c->layout, msg);
     if (!err && c->wants.follow)
-        err = create_cameras(c, msg);
+        err = bead_composer_cameras(c, msg);
     if (!err)
         err = create_views(c, msg);
     if (!err)

@@ -130,6 +130,13 @@ static const struct {
                                  [BEAD_VIEW_SENSORS] = {1.2, 0.5},
                                  [BEAD_VIEW_MODES] = {1, 0.3}};
 
+/* Rows that go with the front show large beads: as high as these ask, if there is room. */
+static double share_of(const struct bead_movie_wants *w, size_t view)
+{
+    enum bead_view_kind kind = w->views[view]->kind;
+    return (moves(w, view) && kind == BEAD_VIEW_BEADS ? 1.5 : 1) * heights_of[kind].share;
+}
+
 static int most_height(const struct bead_movie_wants *w, const struct measures *m, size_t view)
 {
     if (moves(w, view) && w->views[view]->kind == BEAD_VIEW_BEADS)
@@ -147,14 +154,14 @@ static int share_out(const struct bead_movie_wants *w, const struct measures *m,
         int free = height;
         again = false;
         for (size_t i = 0; i < w->view_count; i++) {
-            shares += fixed[i] ? 0 : heights_of[w->views[i]->kind].share;
+            shares += fixed[i] ? 0 : share_of(w, i);
             free -= fixed[i] ? heights[i] : 0;
         }
         for (size_t i = 0; i < w->view_count; i++) {
             int limit = most_height(w, m, i);
             if (fixed[i])
                 continue;
-            heights[i] = (int)floor(free * heights_of[w->views[i]->kind].share / shares);
+            heights[i] = (int)floor(free * share_of(w, i) / shares);
             if (m->level < VIEWS_ONLY && heights[i] > limit && limit > 0) {
                 heights[i] = limit;
                 fixed[i] = again = true;
@@ -167,9 +174,11 @@ static int share_out(const struct bead_movie_wants *w, const struct measures *m,
     return used;
 }
 
-static int least_height(const struct measures *m)
+/* Of a view on average: labels go before plots become too low to be read. */
+static int least_height(const struct bead_movie_wants *w, const struct measures *m)
 {
-    return m->level == VIEWS_ONLY ? 1 : 12;
+    int least = m->level == VIEWS_ONLY ? 1 : 12, readable = whole(1.6 * w->look->tick);
+    return m->level < FEW_LABELS && w->view_count > 1 && readable > least ? readable : least;
 }
 
 /* Height that is not for plots. */
@@ -212,7 +221,7 @@ static bool place_chains(const struct bead_movie_wants *w, const struct measures
 {
     int heights[BEAD_MOVIE_VIEWS], chains = (int)w->chain_count;
     int room = (w->height - fixed_height(w, m)) / chains;
-    if (room < least_height(m) * (int)w->view_count || m->width < (m->level == VIEWS_ONLY ? 1 : 80))
+    if (room < least_height(w, m) * (int)w->view_count || m->width < (m->level == VIEWS_ONLY ? 1 : 80))
         return false;
     int spare = (room - share_out(w, m, room, heights)) * chains, y = m->top + spare / (2 * chains);
     for (size_t c = 0; c < w->chain_count; c++) {

@@ -12,6 +12,7 @@
 
 #include "render/camera.h"
 #include "render/magnify.h"
+#include "render/movie_composer.h"
 
 static void require(enum bead_error err, const struct bead_message *msg)
 {
@@ -111,12 +112,69 @@ static void windows_hold_the_front(void **state)
     run(30, 8, 0.9, 60);
 }
 
+/* As many beads as asked for, at most, each drawn whole, in frames of any shape with any number of chains. */
+static void window_of(size_t chains, int width, int height, size_t window)
+{
+    char text[4096];
+    struct bead_scene *scene;
+    struct bead_composer *composer;
+    struct bead_chain *chain[8];
+    struct bead_message msg = {""};
+    size_t used = (size_t)snprintf(text, sizeof text, "chains:\n");
+    for (size_t c = 0; c < chains; c++)
+        used += (size_t)snprintf(text + used, sizeof text - used,
+                                 "  - {name: c%zu, striker: {bead: large-steel}, beads: [{cell: [large-steel, aluminium], count: "
+                                 "40, spins: random, seed: %zu}]}\n",
+                                 c, c);
+    snprintf(text + used, sizeof text - used, "outputs: [{movie: a.mp4, follow: front, window: %zu}]\n", window);
+    require(bead_scene_parse("test", text, strlen(text), NULL, 0, &scene, &msg), &msg);
+    for (size_t c = 0; c < chains; c++)
+        require(bead_chain_create(scene, c, &chain[c], &msg), &msg);
+    struct bead_composer_setup setup = {.output = &scene->outputs[0],
+                                        .chains = (const struct bead_chain *const *)chain,
+                                        .chain_count = chains,
+                                        .width = width,
+                                        .height = height,
+                                        .time = {0, 1e-3},
+                                        .step = 1e-5,
+                                        .range = {0, 40}};
+    require(bead_composer_create(&setup, &composer, &msg), &msg);
+    for (size_t c = 0; c < chains; c++) {
+        double radius, spacing = bead_chain_spacing(chain[c], (struct bead_span){0, 80}, &radius);
+        double shown = bead_camera_width(composer->cameras[c]);
+        struct bead_rect plot = composer->layout.chains[c].plot[0];
+        if (shown > 1.001 * (double)window * spacing)
+            fail_msg("%zu chains, %d x %d: %g beads are shown, not %zu", chains, width, height, shown / spacing, window);
+        if (2 * radius * plot.width / shown > plot.height)
+            fail_msg("%zu chains, %d x %d: beads are higher than their row of %d", chains, width, height, plot.height);
+        assert_int_equal(composer->layout.chains[c].plot[1].width, plot.width);
+        assert_true(composer->layout.chains[c].plot[2].width >= plot.width);
+    }
+    bead_composer_destroy(composer);
+    for (size_t c = 0; c < chains; c++)
+        bead_chain_destroy(chain[c]);
+    bead_scene_free(scene);
+}
+
+static void windows_show_as_many_beads_as_asked_for(void **state)
+{
+    (void)state;
+    static const int sizes[][2] = {{1920, 1080}, {1280, 720}, {720, 1280}, {640, 360}};
+    for (size_t s = 0; s < sizeof sizes / sizeof sizes[0]; s++) {
+        for (size_t chains = 1; chains <= 8; chains++) {
+            window_of(chains, sizes[s][0], sizes[s][1], 40);
+            window_of(chains, sizes[s][0], sizes[s][1], 12);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(windows_start_and_stop_softly),
         cmocka_unit_test(followers_do_not_lag),
         cmocka_unit_test(windows_hold_the_front),
+        cmocka_unit_test(windows_show_as_many_beads_as_asked_for),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
