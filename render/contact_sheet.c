@@ -174,5 +174,4 @@ static const char *why(const struct bead_output *output)
     return "small pictures of many configurations, rows by magnetism; nothing but these is run for it";
 }
 
-static const char *const extensions[] = {"png", "pdf", "svg", NULL};
-const struct bead_sweep_sink bead_contact_sheet_sink = {"sheet", BEAD_OUTPUT_SHEET, extensions, why, NULL, run};
+const struct bead_sweep_sink bead_contact_sheet_sink = {"sheet", BEAD_OUTPUT_SHEET, bead_still_extensions, why, NULL, run};

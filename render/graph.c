@@ -1,4 +1,5 @@
 #include "render/graph_private.h"
+#include "render/markup.h"
 #include "render/page.h"
 
 enum bead_error bead_graph_draw(const struct bead_graph *graph, const struct bead_look *look, cairo_t *cr, double width,
@@ -35,10 +36,16 @@ static enum bead_error draw(void *context, cairo_t *cr, struct bead_message *msg
     return err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;
 }
 
-enum bead_error bead_graph_write(const struct bead_graph *graph, const struct bead_output *output, const struct bead_scene *scene,
-                                 const char *path, uint64_t *bytes, struct bead_message *msg)
+enum bead_error bead_graph_write(const struct bead_graph *graph, bool titled, const struct bead_output *output,
+                                 const struct bead_scene *scene, const char *path, uint64_t *bytes, struct bead_message *msg)
 {
-    struct job job = {.graph = graph, .output = output, .scene = scene};
+    char title[2048] = "";
+    struct bead_graph whole = *graph;
+    if (titled)
+        bead_markup_quote(scene->title, title, sizeof title);
+    whole.title = title;
+    whole.caption = output->caption;
+    struct job job = {.graph = &whole, .output = output, .scene = scene};
     enum bead_error err = bead_page_find(output, scene->file, &job.page, msg);
     if (err)
         return err;

@@ -138,4 +138,4 @@ static enum bead_error finish(struct bead_plot_data *data, const struct bead_out
     return BEAD_OK;
 }
 
-const struct plot_kind bead_plot_peaks = {BEAD_SHOW_PEAKS, create, needs, feed, finish};
+const struct plot_kind bead_plot_peaks = {BEAD_SHOW_PEAKS, true, false, create, needs, feed, finish};

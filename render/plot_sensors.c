@@ -262,4 +262,4 @@ static enum bead_error finish(struct bead_plot_data *data, const struct bead_out
     return err;
 }
 
-const struct plot_kind bead_plot_sensors = {BEAD_SHOW_SENSORS, create, needs, feed, finish};
+const struct plot_kind bead_plot_sensors = {BEAD_SHOW_SENSORS, true, false, create, needs, feed, finish};

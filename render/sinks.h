@@ -4,7 +4,8 @@
 
 #include "beadreel/sink.h"
 
-extern const struct bead_sink_type bead_image_sink, bead_plot_sink, bead_movie_sink, bead_modes_plot_sink, bead_profiles_plot_sink;
+extern const struct bead_sink_type bead_image_sink, bead_plot_sink, bead_movie_sink;
+extern const char *const bead_still_extensions[]; /* of pictures, NULL-terminated */
 
 struct bead_sweep_sink;
 extern const struct bead_sweep_sink bead_contact_sheet_sink;

@@ -5,7 +5,6 @@
 #include "beadreel/file.h"
 #include "render/bare.h"
 #include "render/figure.h"
-#include "render/markup.h"
 #include "render/plot_data.h"
 #include "render/schematic.h"
 #include "render/sheet.h"
@@ -101,27 +100,12 @@ static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *
     return sink->bare ? bead_bare_feed(sink->bare, sample, msg) : BEAD_OK;
 }
 
-static enum bead_error write_plot(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
-{
-    const int least = 240; /* px of height where a title is worth its room */
-    char title[2048] = "";
-    struct bead_graph graph = {.title = title, .caption = sink->output->caption, .share_x = true, .share_y = true};
-    enum bead_error err = bead_plot_data_finish(sink->plot, outcomes, msg);
-    if (err)
-        return err;
-    if (!sink->page.paper && sink->page.height >= least)
-        bead_markup_quote(sink->stage.scene->title, title, sizeof title);
-    graph.letters = sink->page.paper;
-    graph.panels = bead_plot_data_panels(sink->plot, &graph.panel_count);
-    return bead_graph_write(&graph, sink->output, sink->stage.scene, sink->path, &sink->bytes, msg);
-}
-
 static enum bead_error end(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
     if (sink->sheet)
         return bead_sheet_write(sink->sheet, outcomes, sink->path, &sink->bytes, msg);
     if (sink->plot)
-        return write_plot(sink, outcomes, msg);
+        return bead_plot_data_write(sink->plot, outcomes, &sink->page, sink->path, &sink->bytes, msg);
     if (sink->figure)
         return bead_figure_write(sink->figure, sink->path, &sink->bytes, msg);
     return sink->bare ? bead_bare_write(sink->bare, sink->path, &sink->bytes, msg)
@@ -134,18 +118,15 @@ static void result(const struct bead_sink *sink, uint64_t *bytes, uint64_t *item
     *items = 1;
 }
 
-static const char *const extensions[] = {"png", "pdf", "svg", NULL};
+const char *const bead_still_extensions[] = {"png", "pdf", "svg", NULL};
 
-#define STILL(title, words, of, shown)                                                                                        \
-    {                                                                                                                         \
-        .name = title, .help = words, .kind = of, .shows = shown, .extensions = extensions, .create = create, .needs = needs, \
-        .begin = begin, .sample = sample, .end = end, .destroy = destroy, .result = result                                    \
+#define STILL(title, words, of)                                                                                          \
+    {                                                                                                                    \
+        .name = title, .help = words, .kind = of, .extensions = bead_still_extensions, .create = create, .needs = needs, \
+        .begin = begin, .sample = sample, .end = end, .destroy = destroy, .result = result                               \
     }
 
-enum {
-    PLOTS = 1 << BEAD_SHOW_SENSORS | 1 << BEAD_SHOW_PEAKS | 1 << BEAD_SHOW_SETUP | 1 << BEAD_SHOW_CONTACT | 1 << BEAD_SHOW_CELL
-};
 const struct bead_sink_type bead_image_sink =
-    STILL("image", "space-time image or a still of other views: png, pdf, svg", BEAD_OUTPUT_IMAGE, 0);
-const struct bead_sink_type bead_plot_sink = STILL(
-    "plot", "force of sensors against time, peaks of contacts, or schematic drawings: png, pdf, svg", BEAD_OUTPUT_PLOT, PLOTS);
+    STILL("image", "space-time image or a still of other views: png, pdf, svg", BEAD_OUTPUT_IMAGE);
+const struct bead_sink_type bead_plot_sink =
+    STILL("plot", "sensors, peaks, modes, profiles, or schematic drawings: png, pdf, svg", BEAD_OUTPUT_PLOT);

@@ -316,16 +316,10 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
     }
     if (!err)
         join_marks(&plot);
-    const char *title = bead_sweep_scene(sweep)->title;
-    const struct bead_graph graph = {.title = *title ? title : NULL,
-                                     .caption = output->caption && *output->caption ? output->caption : NULL,
-                                     .panels = plot.shown,
-                                     .panel_count = plot.count,
-                                     .letters = true,
-                                     .share_x = !decay,
-                                     .share_y = !decay};
-    if (!err)
-        err = bead_graph_write(&graph, output, bead_sweep_scene(sweep), path, bytes, msg);
+    const struct bead_graph graph = {
+        .panels = plot.shown, .panel_count = plot.count, .letters = true, .share_x = !decay, .share_y = !decay};
+    if (!err) /* on paper the text says what it is */
+        err = bead_graph_write(&graph, output->style != BEAD_STYLE_PAPER, output, bead_sweep_scene(sweep), path, bytes, msg);
     free_plot(&plot);
     return err;
 }
@@ -336,8 +330,7 @@ static const char *why(const struct bead_output *output)
                                                   : "peak force against magnetism, with plateau and threshold";
 }
 
-static const char *const extensions[] = {"png", "pdf", "svg", NULL};
-static const struct bead_sweep_sink plot_sink = {"plot", BEAD_OUTPUT_PLOT, extensions, why, write_plot, NULL};
+static const struct bead_sweep_sink plot_sink = {"plot", BEAD_OUTPUT_PLOT, bead_still_extensions, why, write_plot, NULL};
 static const struct bead_sweep_sink *const sinks[] = {&plot_sink, &bead_contact_sheet_sink, NULL};
 
 const struct bead_sweep_sink *const *bead_sweep_render_sinks(void)

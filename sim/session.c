@@ -59,8 +59,7 @@ static const struct bead_sink_type *find_type(const struct bead_job *job, const 
 {
     for (const struct bead_sink_type *const *const *list = job->sinks; list && *list; list++) {
         for (const struct bead_sink_type *const *type = *list; *type; type++) {
-            bool shows = !(*type)->shows || (*type)->shows >> output->show & 1;
-            if ((*type)->kind == output->kind && shows && bead_session_has_extension((*type)->extensions, output->path))
+            if ((*type)->kind == output->kind && bead_session_has_extension((*type)->extensions, output->path))
                 return *type;
         }
     }

@@ -92,7 +92,6 @@ struct bead_sink_type {
     const char *name; /* "image" */
     const char *help; /* one line */
     enum bead_output_kind kind;
-    unsigned shows;                /* 1 << enum bead_show of plots that it makes; 0: all */
     const char *const *extensions; /* NULL-terminated, without the dot; NULL: any */
     enum bead_error (*create)(const struct bead_output *output, const struct bead_stage *stage, struct bead_sink **sink,
                               struct bead_message *msg);
