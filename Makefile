@@ -20,7 +20,7 @@ endif
 
 # Debian 12 packages: to build, to build and run the tests, and what .ci/run uses beyond those.
 BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libfftw3-dev libpng-dev \
-             libosmesa6-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri libavformat-dev libavcodec-dev libavutil-dev libcairo2-dev libpango1.0-dev fonts-stix fonts-lato
+             libosmesa6-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri libavformat-dev libavcodec-dev libavutil-dev libx264-dev libcairo2-dev libpango1.0-dev fonts-stix fonts-lato
 TEST_DEPS  = libcmocka-dev binutils hdf5-tools parallel
 CI_DEPS    = clang-format cppcheck shellcheck ffmpeg poppler-utils man-db
 
@@ -30,7 +30,7 @@ once              = $(eval $(1) := $(2))$($(1))
 hdf5              = $(call once,hdf5,$(shell pkg-config --exists hdf5-serial 2>/dev/null && echo hdf5-serial || echo hdf5))
 SIM_PACKAGES      = $(hdf5) yaml-0.1 udunits fftw3
 # Opened at run time where they are, linked by nothing; only their headers are needed.
-OPENED_PACKAGES   = osmesa egl libavformat libavcodec libavutil
+OPENED_PACKAGES   = osmesa egl libavformat libavcodec libavutil x264
 RENDER_PACKAGES   = libpng cairo pangocairo
 sim_cflags        = $(call once,sim_cflags,$(shell pkg-config --cflags $(SIM_PACKAGES)))
 sim_libs          = $(call once,sim_libs,$(shell pkg-config --libs $(SIM_PACKAGES)) -lhdf5_hl -lm -pthread)

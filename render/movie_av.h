@@ -12,6 +12,7 @@
     X(av_d2q)                    \
     X(av_dict_count)             \
     X(av_dict_free)              \
+    X(av_dict_get)               \
     X(av_dict_parse_string)      \
     X(av_dict_set)               \
     X(av_frame_alloc)            \
@@ -24,6 +25,7 @@
     X(av_frame_unref)            \
     X(av_log_get_level)          \
     X(av_log_set_level)          \
+    X(av_mallocz)                \
     X(av_mul_q)                  \
     X(av_opt_set_int)            \
     X(av_opt_set_q)              \

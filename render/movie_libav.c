@@ -1,20 +1,18 @@
-/* Frames into a file through libav: one video stream, times in frames, a picture kept and changed in place. */
+/* Frames into a file through libavformat: one video stream, times in frames, a picture kept and changed in place. */
 #include <errno.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "beadreel/file.h"
-#include "render/movie_av.h"
-#include "render/movie_pictures.h"
-#include "render/movie_private.h"
-
-enum { KEY_INTERVAL = 250 /* frames given to the encoder from one that can be jumped to, to the next */ };
+#include "render/movie_engine.h"
 
 struct bead_encoder {
     struct bead_av av;
     AVFormatContext *format;
-    AVCodecContext *codec;
+    const struct bead_engine_type *type;
+    struct bead_engine *engine;
+    struct bead_blocks blocks;     /* against the picture encoded last */
     struct bead_pictures pictures; /* frames as converted so far; the first is that of movies added at once */
     size_t now;                    /* the one added last */
     AVPacket *packet, *held;       /* a packet waits in `held` until the time of the next tells its duration */
@@ -54,65 +52,30 @@ static void silence(struct bead_encoder *e)
         e->av.av_log_set_level(AV_LOG_QUIET);
 }
 
-static int parse_options(struct bead_encoder *e, const char *text, AVDictionary **options)
-{
-    return text && *text ? e->av.av_dict_parse_string(options, text, "=", " ", 0) : 0;
-}
-
-static void set_colours(AVCodecContext *codec)
-{
-    codec->color_primaries = AVCOL_PRI_BT709;
-    if (codec->pix_fmt != AV_PIX_FMT_YUV420P) { /* pixels as they are, which are sRGB */
-        codec->color_trc = AVCOL_TRC_IEC61966_2_1;
-        codec->colorspace = AVCOL_SPC_RGB;
-        codec->color_range = AVCOL_RANGE_JPEG;
-        return;
-    }
-    codec->color_trc = AVCOL_TRC_BT709;
-    codec->colorspace = AVCOL_SPC_BT709;
-    codec->color_range = AVCOL_RANGE_MPEG;
-    codec->chroma_sample_location = AVCHROMA_LOC_CENTER;
-}
-
-static enum bead_error open_codec(struct bead_movie *movie, const struct bead_preset *preset, struct bead_message *msg)
+static enum bead_error open_engine(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    const AVCodec *type = e->av.avcodec_find_encoder_by_name(preset->encoder);
-    e->codec = e->av.avcodec_alloc_context3(type);
-    if (!e->codec)
-        return no_memory(movie, msg);
-    AVCodecContext *c = e->codec;
-    c->width = movie->settings.width;
-    c->height = movie->settings.height;
-    c->pix_fmt = preset->format;
-    c->time_base = e->frame_time;
-    c->framerate = av_inv_q(e->frame_time);
-    c->sample_aspect_ratio = (AVRational){1, 1};
-    c->gop_size = KEY_INTERVAL;
-    c->max_b_frames = 0;
-    c->thread_count = 1; /* x264's pictures depend on the number of threads */
-    c->flags |= AV_CODEC_FLAG_BITEXACT;
-    if (e->format->oformat->flags & AVFMT_GLOBALHEADER)
-        c->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
-    set_colours(c);
-    AVDictionary *options = NULL;
-    int code = parse_options(e, preset->options, &options);
-    if (code >= 0)
-        code = e->av.avcodec_open2(c, type, &options);
-    if (code >= 0 && e->av.av_dict_count(options))
-        code = AVERROR_OPTION_NOT_FOUND;
-    e->av.av_dict_free(&options);
-    return code < 0 ? fail(movie, "the encoder cannot be opened", code, msg) : BEAD_OK;
+    const struct bead_movie_settings *settings = &movie->settings;
+    const struct bead_preset *preset = &movie->codec->presets[settings->quality];
+    const struct bead_engine_setup setup = {.av = &e->av,
+                                            .preset = preset,
+                                            .pictures = bead_picture_format(settings->width, settings->height, preset->format),
+                                            .frame_time = e->frame_time,
+                                            .global_header = e->format->oformat->flags & AVFMT_GLOBALHEADER};
+    e->type = preset->engine;
+    int code = e->type->open(&setup, &e->engine);
+    if (code < 0)
+        return fail(movie, "the encoder cannot be opened", code, msg);
+    enum bead_error err = bead_blocks_create(settings->width, settings->height, &e->blocks, msg);
+    return err ? err : bead_pictures_open(&e->av, &setup.pictures, movie->path, &e->pictures, msg);
 }
 
-static enum bead_error open_pictures(struct bead_movie *movie, struct bead_message *msg)
+static enum bead_error open_packets(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
     e->packet = e->av.av_packet_alloc();
     e->held = e->av.av_packet_alloc();
-    if (!e->packet || !e->held)
-        return no_memory(movie, msg);
-    return bead_pictures_open(&e->av, e->codec, movie->path, &e->pictures, msg);
+    return e->packet && e->held ? BEAD_OK : no_memory(movie, msg);
 }
 
 static int open_stream(struct bead_movie *movie)
@@ -122,9 +85,9 @@ static int open_stream(struct bead_movie *movie)
     if (!stream)
         return AVERROR(ENOMEM);
     stream->time_base = e->frame_time;
-    stream->avg_frame_rate = e->codec->framerate;
-    stream->sample_aspect_ratio = e->codec->sample_aspect_ratio;
-    int code = e->av.avcodec_parameters_from_context(stream->codecpar, e->codec);
+    stream->avg_frame_rate = av_inv_q(e->frame_time);
+    stream->sample_aspect_ratio = (AVRational){1, 1};
+    int code = e->type->describe(e->engine, stream->codecpar);
     if (code >= 0 && movie->settings.title)
         code = e->av.av_dict_set(&e->format->metadata, "title", movie->settings.title, 0);
     if (code >= 0 && movie->settings.comment)
@@ -143,8 +106,8 @@ static int open_cover(struct bead_movie *movie)
     stream->disposition = AV_DISPOSITION_ATTACHED_PIC;
     stream->codecpar->codec_type = AVMEDIA_TYPE_VIDEO;
     stream->codecpar->codec_id = AV_CODEC_ID_PNG;
-    stream->codecpar->width = e->codec->width;
-    stream->codecpar->height = e->codec->height;
+    stream->codecpar->width = movie->settings.width;
+    stream->codecpar->height = movie->settings.height;
     return 0;
 }
 
@@ -177,7 +140,7 @@ static enum bead_error open_file(struct bead_movie *movie, struct bead_message *
         return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be written: %s", movie->path, text);
     }
     AVDictionary *options = NULL;
-    code = parse_options(e, movie->codec->muxer_options, &options);
+    code = bead_engine_options(&e->av, movie->codec->muxer_options, &options);
     if (code >= 0)
         code = e->av.avformat_write_header(e->format, &options);
     e->begun = code >= 0;
@@ -221,9 +184,9 @@ static enum bead_error libav_open(struct bead_movie *movie, struct bead_message 
     e->group = e->group < 1 ? 1 : e->group;
     err = open_format(movie, msg);
     if (!err)
-        err = open_codec(movie, &movie->codec->presets[movie->settings.quality], msg);
+        err = open_engine(movie, msg);
     if (!err)
-        err = open_pictures(movie, msg);
+        err = open_packets(movie, msg);
     return err ? err : open_file(movie, msg);
 }
 
@@ -245,7 +208,7 @@ static enum bead_error drain(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
     for (;;) {
-        int code = e->av.avcodec_receive_packet(e->codec, e->packet);
+        int code = e->type->receive(e->engine, e->packet);
         if (code == AVERROR(EAGAIN) || code == AVERROR_EOF)
             return BEAD_OK;
         if (code < 0)
@@ -266,9 +229,10 @@ static enum bead_error encode(struct bead_movie *movie, int64_t time, struct bea
     AVFrame *picture = e->pictures.slots[e->now].picture;
     picture->pts = e->last = time;
     e->dirty = false;
-    int code = e->av.avcodec_send_frame(e->codec, picture);
+    int code = e->type->send(e->engine, picture, &e->blocks);
     if (code < 0)
         return fail(movie, "encoding failed", code, msg);
+    bead_blocks_encoded(&e->blocks);
     movie->encoded++;
     return drain(movie, msg);
 }
@@ -292,8 +256,10 @@ static enum bead_error libav_add_slot(struct bead_movie *movie, size_t slot, con
 {
     struct bead_encoder *e = movie->encoder;
     int64_t time = (int64_t)movie->shown, place = time % e->group;
+    const struct bead_changes aligned = bead_pictures_align(&e->pictures, changes);
     e->now = slot;
-    e->dirty = e->dirty || bead_pictures_differ(&e->pictures, changes);
+    e->dirty = e->dirty || aligned.count > 0;
+    bead_blocks_change(&e->blocks, &aligned);
     if (!e->dirty)
         return BEAD_OK;
     if (time == 0)
@@ -342,7 +308,7 @@ static enum bead_error libav_finish(struct bead_movie *movie, struct bead_messag
     enum bead_error err = last_frame(movie, msg);
     if (err)
         return err;
-    int code = e->av.avcodec_send_frame(e->codec, NULL);
+    int code = e->type->send(e->engine, NULL, NULL);
     if (code < 0)
         return fail(movie, "encoding failed", code, msg);
     err = drain(movie, msg);
@@ -372,10 +338,12 @@ static void libav_destroy(struct bead_movie *movie)
     if (!e)
         return;
     bead_pictures_close(&e->pictures);
+    bead_blocks_free(&e->blocks);
     e->av.av_packet_free(&e->cover);
     e->av.av_packet_free(&e->held);
     e->av.av_packet_free(&e->packet);
-    e->av.avcodec_free_context(&e->codec);
+    if (e->type)
+        e->type->close(e->engine);
     /* Muxers that set delays keep a packet back, and some free it only with the trailer. */
     if (e->begun && movie->codec->delay_unit)
         e->av.av_write_trailer(e->format);

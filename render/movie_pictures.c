@@ -4,6 +4,19 @@
 
 enum { LINE_ALIGN = 64 /* bytes: blocks of the converters reach into the padding */ };
 
+struct bead_picture_format bead_picture_format(int width, int height, enum AVPixelFormat pixels)
+{
+    struct bead_picture_format f = {width,           height,          pixels,           AVCOL_PRI_BT709,
+                                    AVCOL_TRC_BT709, AVCOL_SPC_BT709, AVCOL_RANGE_MPEG, AVCHROMA_LOC_CENTER};
+    if (pixels == AV_PIX_FMT_YUV420P)
+        return f;
+    f.transfer = AVCOL_TRC_IEC61966_2_1; /* pixels as they are, which are sRGB */
+    f.matrix = AVCOL_SPC_RGB;
+    f.range = AVCOL_RANGE_JPEG;
+    f.chroma = AVCHROMA_LOC_UNSPECIFIED;
+    return f;
+}
+
 static enum bead_error no_memory(const struct bead_pictures *p, struct bead_message *msg)
 {
     return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for a picture", p->name);
@@ -11,20 +24,20 @@ static enum bead_error no_memory(const struct bead_pictures *p, struct bead_mess
 
 static enum bead_error add_slot(struct bead_pictures *p, struct bead_message *msg)
 {
-    const AVCodecContext *codec = p->codec;
+    const struct bead_picture_format *f = &p->format;
     AVFrame *picture = p->av->av_frame_alloc();
     if (!picture)
         return no_memory(p, msg);
     p->slots[p->count++] = (struct bead_picture_slot){picture, false};
-    picture->width = codec->width;
-    picture->height = codec->height;
-    picture->format = codec->pix_fmt;
-    picture->sample_aspect_ratio = codec->sample_aspect_ratio;
-    picture->color_primaries = codec->color_primaries;
-    picture->color_trc = codec->color_trc;
-    picture->colorspace = codec->colorspace;
-    picture->color_range = codec->color_range;
-    picture->chroma_location = codec->chroma_sample_location;
+    picture->width = f->width;
+    picture->height = f->height;
+    picture->format = f->pixels;
+    picture->sample_aspect_ratio = (AVRational){1, 1};
+    picture->color_primaries = f->primaries;
+    picture->color_trc = f->transfer;
+    picture->colorspace = f->matrix;
+    picture->color_range = f->range;
+    picture->chroma_location = f->chroma;
     return p->av->av_frame_get_buffer(picture, LINE_ALIGN) < 0 ? no_memory(p, msg) : BEAD_OK;
 }
 
@@ -42,14 +55,14 @@ enum bead_error bead_pictures_reserve(struct bead_pictures *pictures, size_t cou
     return err;
 }
 
-enum bead_error bead_pictures_open(const struct bead_av *av, const AVCodecContext *codec, const char *name,
+enum bead_error bead_pictures_open(const struct bead_av *av, const struct bead_picture_format *format, const char *name,
                                    struct bead_pictures *pictures, struct bead_message *msg)
 {
-    *pictures = (struct bead_pictures){.av = av, .codec = codec, .name = name};
+    *pictures = (struct bead_pictures){.av = av, .format = *format, .name = name};
     enum bead_error err = bead_pictures_reserve(pictures, 1, msg);
-    if (!err && codec->pix_fmt == AV_PIX_FMT_PAL8)
+    if (!err && format->pixels == AV_PIX_FMT_PAL8)
         return bead_palette_create(&pictures->palette, msg);
-    pictures->convert = bead_convert_find(codec->pix_fmt);
+    pictures->convert = bead_convert_find(format->pixels);
     if (!err && !pictures->convert)
         err = bead_fail(msg, BEAD_ERROR_CODEC, "%s: there is no conversion of pixels for this encoder", name);
     return err;
@@ -85,9 +98,9 @@ static bool make_writable(const struct bead_av *av, AVFrame *picture)
     return good;
 }
 
-static struct bead_changes align(const struct bead_pictures *p, const struct bead_changes *changes)
+struct bead_changes bead_pictures_align(const struct bead_pictures *p, const struct bead_changes *changes)
 {
-    const struct bead_frame size = {.width = p->codec->width, .height = p->codec->height};
+    const struct bead_frame size = {.width = p->format.width, .height = p->format.height};
     struct bead_changes aligned = {.count = 0};
     for (size_t i = 0; i < changes->count; i++) {
         struct bead_rect r = bead_convert_align(&size, changes->rect[i]);
@@ -97,17 +110,12 @@ static struct bead_changes align(const struct bead_pictures *p, const struct bea
     return aligned;
 }
 
-bool bead_pictures_differ(const struct bead_pictures *pictures, const struct bead_changes *changes)
-{
-    return align(pictures, changes).count > 0;
-}
-
 enum bead_error bead_pictures_convert(const struct bead_pictures *pictures, size_t slot, const struct bead_frame *frame,
                                       const struct bead_changes *missing, struct bead_message *msg)
 {
     const struct bead_changes whole = {1, {{0, 0, frame->width, frame->height}}};
     struct bead_picture_slot *to = &pictures->slots[slot];
-    struct bead_changes aligned = align(pictures, to->filled ? missing : &whole);
+    struct bead_changes aligned = bead_pictures_align(pictures, to->filled ? missing : &whole);
     if (!aligned.count)
         return BEAD_OK;
     if (!make_writable(pictures->av, to->picture))

@@ -10,14 +10,27 @@
 #include "render/movie_av.h"
 #include "render/palette.h"
 
+/* What encoders are told of their pictures. */
+struct bead_picture_format {
+    int width, height;
+    enum AVPixelFormat pixels;
+    enum AVColorPrimaries primaries;
+    enum AVColorTransferCharacteristic transfer;
+    enum AVColorSpace matrix;
+    enum AVColorRange range;
+    enum AVChromaLocation chroma;
+};
+/* BT.709 for 4:2:0, sRGB for everything else. */
+struct bead_picture_format bead_picture_format(int width, int height, enum AVPixelFormat pixels);
+
 struct bead_picture_slot {
     AVFrame *picture;
     bool filled;
 };
 
 struct bead_pictures {
-    const struct bead_av *av;     /* borrowed, as all names */
-    const AVCodecContext *codec;  /* borrowed */
+    const struct bead_av *av; /* borrowed, as the name */
+    struct bead_picture_format format;
     const char *name;             /* of the file, for messages */
     bead_convert convert;         /* or: */
     struct bead_palette *palette; /* then there is one slot only */
@@ -26,7 +39,7 @@ struct bead_pictures {
 };
 
 /* One slot. Errors: MEMORY, CODEC. What was made is freed by close, also after an error. */
-BEAD_CHECK enum bead_error bead_pictures_open(const struct bead_av *av, const AVCodecContext *codec, const char *name,
+BEAD_CHECK enum bead_error bead_pictures_open(const struct bead_av *av, const struct bead_picture_format *format, const char *name,
                                               struct bead_pictures *pictures, struct bead_message *msg);
 /* At least `count` slots. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_pictures_reserve(struct bead_pictures *pictures, size_t count, struct bead_message *msg);
@@ -34,8 +47,8 @@ BEAD_CHECK enum bead_error bead_pictures_reserve(struct bead_pictures *pictures,
  * one thread while another encodes others. Errors: MEMORY, CODEC. */
 BEAD_CHECK enum bead_error bead_pictures_convert(const struct bead_pictures *pictures, size_t slot, const struct bead_frame *frame,
                                                  const struct bead_changes *missing, struct bead_message *msg);
-/* Do changes reach into the picture? */
-bool bead_pictures_differ(const struct bead_pictures *pictures, const struct bead_changes *changes);
+/* Changes as far as they reach into the picture, in whole blocks of the conversion. */
+struct bead_changes bead_pictures_align(const struct bead_pictures *pictures, const struct bead_changes *changes);
 void bead_pictures_close(struct bead_pictures *pictures);
 
 #endif

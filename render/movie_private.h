@@ -9,7 +9,8 @@
 
 #include "beadreel/movie.h"
 
-struct bead_encoder; /* libav's part */
+struct bead_encoder;     /* libav's part */
+struct bead_engine_type; /* movie_engine.h */
 
 /* A way to write frames. */
 struct bead_movie_way {
@@ -30,12 +31,14 @@ struct bead_movie_way {
 };
 
 extern const struct bead_movie_way bead_movie_libav, bead_movie_hashes;
+extern const struct bead_engine_type bead_engine_av, bead_engine_x264;
 
 /* How one quality is encoded. */
 struct bead_preset {
+    const struct bead_engine_type *engine;
     const char *encoder; /* libav's name */
     enum AVPixelFormat format;
-    const char *options; /* of the encoder: "key=value key=value" */
+    const char *options; /* of the encoder, as libav has them: "key=value key=value" */
 };
 
 struct bead_codec {
