@@ -43,6 +43,23 @@ size_t bead_captions_find(const struct bead_output *output, double slowed, doubl
     return found != SIZE_MAX && time < end_of(output, slowed, found) ? found : SIZE_MAX;
 }
 
+enum bead_error bead_captions_check(const struct bead_output *output, const struct bead_scene *scene, double end, const char *unit,
+                                    struct bead_message *msg)
+{
+    const char *space = *unit ? " " : "";
+    for (size_t i = 0; i < output->caption_count; i++) {
+        const struct bead_caption *c = &output->captions[i];
+        if (c->at >= end)
+            return bead_fail(msg, BEAD_ERROR_SCENE,
+                             "%s:%zu:%zu: captions.%zu.at: is %g%s%s; must be before the end of what is shown, at %g%s%s",
+                             scene->file, c->place.line, c->place.column, i, c->at, space, unit, end, space, unit);
+    }
+    if (output->poster_at > end)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: poster-at: is %g%s%s; the movie ends at %g%s%s", scene->file,
+                         output->place.line, output->place.column, output->poster_at, space, unit, end, space, unit);
+    return BEAD_OK;
+}
+
 static struct bead_text_style style_of(const struct bead_look *look, double size)
 {
     return (struct bead_text_style){

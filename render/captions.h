@@ -18,4 +18,9 @@ double bead_caption_height(const struct bead_look *look);
 /* In the middle of `rect`, in as many lines as it has room for; smaller, and in the end cut, where it is too long. */
 void bead_caption_draw(cairo_t *cr, const struct bead_look *look, const char *text, struct bead_rect rect);
 
+/* Does the movie show the times that captions and poster are given for? `end`: of what it shows, in `unit`. Scenes that give the
+ * run's end have been checked; this is for runs whose end is found. Errors: SCENE. */
+BEAD_CHECK enum bead_error bead_captions_check(const struct bead_output *output, const struct bead_scene *scene, double end,
+                                               const char *unit, struct bead_message *msg);
+
 #endif

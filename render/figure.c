@@ -189,7 +189,11 @@ static enum bead_error prepare(struct bead_figure *f, const enum bead_view_kind 
     enum bead_error err = bead_colour_range_check(output, f->stage.scene->file, msg);
     if (!err)
         err = bead_figure_times(output, &f->stage, f->time, msg);
-    f->at = isnan(output->at) ? f->time[1] : fmin(output->at, f->stage.end);
+    f->at = isnan(output->at) ? f->time[1] : output->at;
+    if (!err && f->at > f->stage.end * (1 + 1e-9))
+        err = bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: at: is %g; the run ends at %g", f->stage.scene->file,
+                        output->place.line, output->place.column, f->at, f->stage.end);
+    f->at = fmin(f->at, f->stage.end);
     if (!err)
         err = bead_colour_range_map(output, f->stage.chains[0], "viridis", &f->map, msg);
     if (err)

@@ -4,22 +4,20 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "beadreel/file.h"
 #include "beadreel/picture.h"
 
 /* A frame must have this much more to see than the one kept: copying each that is a trifle better would be a waste. */
 static const double better = 1.02;
 
 struct bead_poster {
-    char *path;
-    const char *title;
+    const char *path, *title;
     double at, slack; /* s; at NaN: where there is most to see */
     double interest;  /* of the frame kept */
     struct bead_frame frame;
     bool taken;
 };
 
-enum bead_error bead_poster_create(const struct bead_output *output, const struct bead_stage *stage, double step,
+enum bead_error bead_poster_create(const struct bead_output *output, const struct bead_scene *scene, const char *path, double step,
                                    struct bead_poster **poster, struct bead_message *msg)
 {
     struct bead_poster *p = *poster = calloc(1, sizeof *p);
@@ -27,13 +25,9 @@ enum bead_error bead_poster_create(const struct bead_output *output, const struc
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a poster");
     p->at = output->poster_at;
     p->slack = 0.5 * step;
-    p->title = stage->scene->title;
-    enum bead_error err = bead_file_join(stage->directory, output->poster, &p->path, msg);
-    if (err) {
-        bead_poster_destroy(p);
-        *poster = NULL;
-    }
-    return err;
+    p->path = path;
+    p->title = scene->title;
+    return BEAD_OK;
 }
 
 void bead_poster_destroy(struct bead_poster *p)
@@ -41,7 +35,6 @@ void bead_poster_destroy(struct bead_poster *p)
     if (!p)
         return;
     bead_frame_free(&p->frame);
-    free(p->path);
     free(p);
 }
 
@@ -79,12 +72,12 @@ static enum bead_error set_cover(const struct bead_poster *p, uint64_t bytes, st
     return err;
 }
 
-enum bead_error bead_poster_write(const struct bead_poster *p, struct bead_movie *movie, struct bead_message *msg)
+enum bead_error bead_poster_write(const struct bead_poster *p, struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg)
 {
     const struct bead_picture_notes notes = {.title = p->title && p->title[0] ? p->title : NULL};
-    uint64_t bytes = 0;
+    *bytes = 0;
     if (!p->taken)
         return BEAD_OK;
-    enum bead_error err = bead_png_write(p->path, &p->frame, &notes, &bytes, msg);
-    return err ? err : set_cover(p, bytes, movie, msg);
+    enum bead_error err = bead_png_write(p->path, &p->frame, &notes, bytes, msg);
+    return err ? err : set_cover(p, *bytes, movie, msg);
 }

@@ -10,6 +10,7 @@
 #include "beadreel/look.h"
 #include "beadreel/movie.h"
 #include "beadreel/pipe.h"
+#include "render/captions.h"
 #include "render/colour_range.h"
 #include "render/movie_frame.h"
 #include "render/movie_poster.h"
@@ -38,7 +39,8 @@ struct parcel {
 struct bead_sink {
     const struct bead_output *output;
     struct bead_stage stage;
-    char *path;
+    char *path, *poster_path; /* NULL: none */
+    uint64_t poster_bytes;
     char why[96];
     int width, height;
     double time[2], step; /* s: first and last frame of the motion, and between frames */
@@ -157,6 +159,7 @@ static void movie_destroy(struct bead_sink *s)
     for (int i = 0; i < FRAME_SLOTS; i++)
         bead_frame_free(&s->buffer[i]);
     free(s->path);
+    free(s->poster_path);
     free(s);
 }
 
@@ -169,7 +172,11 @@ static enum bead_error prepare(struct bead_sink *s, struct bead_message *msg)
     if (!err)
         err = choose_times(s, msg);
     if (!err)
+        err = bead_captions_check(s->output, s->stage.scene, s->time[1], bead_chain_time_unit(s->stage.chains[0]), msg);
+    if (!err)
         err = choose_grid(s, msg);
+    if (!err && s->output->poster && s->output->poster[0])
+        err = bead_file_join(s->stage.directory, s->output->poster, &s->poster_path, msg);
     if (!err)
         err = bead_file_join(s->stage.directory, s->output->path, &s->path, msg);
     if (err)
@@ -371,8 +378,8 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
     setup.range[1] = colours.high;
     enum bead_error err = bead_composer_create(&setup, &s->composer, msg);
     struct bead_movie_settings settings = settings_of(s);
-    if (!err && s->output->poster && s->output->poster[0])
-        err = bead_poster_create(s->output, &s->stage, s->step, &s->poster, msg);
+    if (!err && s->poster_path)
+        err = bead_poster_create(s->output, s->stage.scene, s->poster_path, s->step, &s->poster, msg);
     if (!err)
         err = bead_movie_open(s->path, &settings, &s->movie, msg);
     if (!err)
@@ -441,7 +448,7 @@ static enum bead_error movie_end(struct bead_sink *s, const struct bead_outcome 
     if (err)
         return err;
     if (s->poster)
-        err = bead_poster_write(s->poster, s->movie, msg);
+        err = bead_poster_write(s->poster, s->movie, &s->poster_bytes, msg);
     if (err)
         return err;
     struct bead_movie *movie = s->movie;
@@ -453,6 +460,12 @@ static void movie_result(const struct bead_sink *s, uint64_t *bytes, uint64_t *i
 {
     *bytes = s->bytes;
     *items = s->drawn;
+}
+
+static const char *movie_beside(const struct bead_sink *s, uint64_t *bytes)
+{
+    *bytes = s->poster_bytes;
+    return s->poster_path;
 }
 
 const struct bead_sink_type bead_movie_sink = {
@@ -467,4 +480,5 @@ const struct bead_sink_type bead_movie_sink = {
     .end = movie_end,
     .destroy = movie_destroy,
     .result = movie_result,
+    .beside = movie_beside,
 };

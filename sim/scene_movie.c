@@ -104,6 +104,7 @@ BEAD_OUTPUT_READER(bead_output_read_captions)
                               bead_node_show(element.node, shown, sizeof shown));
         err = read_caption(reader, &element, &output->captions[i]);
         struct bead_at where = bead_at_key(&element, "at");
+        output->captions[i].place = where.node->place;
         if (!err && i > 0 && output->captions[i].at <= output->captions[i - 1].at)
             err = bead_wrong(reader, &where, "is %g%s; must be later than that of the caption before, %g%s", output->captions[i].at,
                              unit_of(reader), output->captions[i - 1].at, unit_of(reader));

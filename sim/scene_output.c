@@ -101,6 +101,25 @@ static bool is_given(const struct bead_at *at, const char *key)
     return bead_at_key(at, key).node != at->node;
 }
 
+/* Keys of views that show a moment, in pictures without one. */
+static enum bead_error check_moment(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+{
+    bool beads = false, moment = false;
+    if (output->kind != BEAD_OUTPUT_IMAGE || output->panel_count > 0)
+        return BEAD_OK;
+    for (size_t i = 0; i < output->view_count; i++) {
+        beads = beads || output->views[i] == BEAD_VIEW_BEADS;
+        moment = moment || (output->views[i] != BEAD_VIEW_SPACETIME && output->views[i] != BEAD_VIEW_SENSORS);
+    }
+    struct bead_at where = bead_at_key(at, "at");
+    if (!moment && !isnan(output->at))
+        return bead_wrong(reader, &where,
+                          "is a moment, but the picture shows all times: add beads or profile to `views`, or give `time` instead");
+    where = bead_at_key(at, "magnify");
+    return beads || output->magnify == 0 ? BEAD_OK
+                                         : bead_wrong(reader, &where, "is given, but no beads are drawn: add beads to `views`");
+}
+
 /* Masses at all points of all chains, that the view of the beads can show. */
 static bool has_beads(const struct bead_scene *scene)
 {
@@ -320,7 +339,7 @@ enum bead_error bead_output_read_settings(struct bead_reader *reader, const stru
                                           struct bead_output *output)
 {
     static enum bead_error (*const checks[])(const struct bead_reader *, const struct bead_at *, const struct bead_output *) = {
-        check_equations, check_times, check_drawing, check_show, check_trust, bead_output_check_panels};
+        check_equations, check_times, check_moment, check_drawing, check_show, check_trust, bead_output_check_panels};
     enum bead_error err = bead_options_read(reader, at, &bead_output_options, form, output);
     if (err)
         return err;

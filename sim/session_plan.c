@@ -77,6 +77,8 @@ static void plan_output(const struct bead_session *s, const struct bead_made *m,
         return;
     }
     const struct bead_needs *n = &m->needs;
+    uint64_t bytes;
+    const char *beside = m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
     bool beads = !bead_chain_spec(s->chains[0])->equation.name;
     char fields[128];
     fprintf(out, "output %s: %s\n", m->path, n->why ? n->why : m->type->help);
@@ -90,6 +92,8 @@ static void plan_output(const struct bead_session *s, const struct bead_made *m,
     }
     if (n->contact_peaks || n->bead_peaks)
         fprintf(out, "  maxima of every %s's force, found between steps\n", n->contact_peaks ? "contact" : "bead");
+    if (beside)
+        fprintf(out, "  beside it: %s\n", beside);
     if (n->range)
         fprintf(out, "  the range of colours is found by a scouting pass over the same samples\n");
 }

@@ -110,7 +110,7 @@ static enum bead_error collect_outcomes(struct bead_session *s, struct bead_mess
 static enum bead_error end(struct bead_session *s, struct bead_message *msg)
 {
     enum bead_error err = collect_outcomes(s, msg);
-    s->results = calloc(s->made_count + 1, sizeof *s->results);
+    s->results = calloc(2 * s->made_count + 1, sizeof *s->results); /* each with a second file, at most */
     if (!err && !s->results)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for results");
     for (size_t i = 0; !err && i < s->made_count; i++) {
@@ -126,6 +126,10 @@ static enum bead_error end(struct bead_session *s, struct bead_message *msg)
         if (m->type->result)
             m->type->result(m->sink, &r->bytes, &r->items);
         s->result_count++;
+        uint64_t bytes = 0;
+        const char *beside = m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
+        if (beside && bytes > 0)
+            s->results[s->result_count++] = (struct bead_result){beside, bytes, 1};
     }
     return err;
 }

@@ -288,7 +288,7 @@ static void compare_copies(enum bead_follow follow)
     struct bead_composer *composer;
     struct bead_frame copy;
     double u[BEADS], f[BEADS];
-    struct bead_caption captions[] = {{1e-4, 3e-4, NAN, "F_{max}"}, {5e-4, NAN, NAN, "the last"}};
+    struct bead_caption captions[] = {{1e-4, 3e-4, NAN, "F_{max}", {0}}, {5e-4, NAN, NAN, "the last", {0}}};
     struct bead_output changed = w.scene->outputs[0];
     const struct bead_output *output = &changed;
     changed.follow = follow;
@@ -352,7 +352,7 @@ static char *read_all(const char *path)
 static char *run_with_threads(const char *directory, int threads, struct bead_grid native)
 {
     struct world w = make_world();
-    struct bead_caption captions[] = {{1e-4, NAN, NAN, "something happens"}};
+    struct bead_caption captions[] = {{1e-4, NAN, NAN, "something happens", {0}}};
     struct bead_output output = w.scene->outputs[0];
     struct bead_message msg = {""};
     struct bead_sink *sink;

@@ -22,11 +22,11 @@
 static void captions_come_and_go(void **state)
 {
     (void)state;
-    struct bead_caption list[] = {{1e-3, NAN, NAN, "until the next"},
-                                  {3e-3, 4e-3, NAN, "until its end"},
-                                  {5e-3, NAN, 2, "two seconds of the film"},
-                                  {8e-3, 20e-3, NAN, "longer than there is time"},
-                                  {9e-3, NAN, NAN, "the last"}};
+    struct bead_caption list[] = {{1e-3, NAN, NAN, "until the next", {0}},
+                                  {3e-3, 4e-3, NAN, "until its end", {0}},
+                                  {5e-3, NAN, 2, "two seconds of the film", {0}},
+                                  {8e-3, 20e-3, NAN, "longer than there is time", {0}},
+                                  {9e-3, NAN, NAN, "the last", {0}}};
     struct bead_output output = {.captions = list, .caption_count = 5};
     static const struct {
         double time;
@@ -48,7 +48,7 @@ static void long_captions_stay_longer(void **state)
     char text[91];
     memset(text, 'x', 90);
     text[90] = '\0';
-    struct bead_caption list[] = {{0, NAN, NAN, text}};
+    struct bead_caption list[] = {{0, NAN, NAN, text, {0}}};
     struct bead_output output = {.captions = list, .caption_count = 1};
     assert_int_equal(bead_captions_find(&output, 1, 5.9), 0);
     assert_int_equal(bead_captions_find(&output, 1, 6.1), SIZE_MAX);
@@ -59,10 +59,13 @@ static void long_captions_take_two_lines(void **state)
     (void)state;
     struct bead_look look;
     bead_look_screen(&look, 1280, 720, true);
-    struct bead_caption list[] = {{0, NAN, NAN, "short"},
-                                  {1, NAN, NAN,
+    struct bead_caption list[] = {{0, NAN, NAN, "short", {0}},
+                                  {1,
+                                   NAN,
+                                   NAN,
                                    "This one is a good deal longer, says more than anybody wants to know about a chain of beads "
-                                   "and will not fit into one line of a picture that is as small as this"}};
+                                   "and will not fit into one line of a picture that is as small as this",
+                                   {0}}};
     struct bead_output output = {.captions = list, .caption_count = 1};
     assert_int_equal(bead_captions_lines(&output, &look, 1280), 1);
     output.caption_count = 2;

@@ -203,6 +203,7 @@ struct bead_caption {
     double
         lasting; /* s of the film; NaN: not given. Neither: until the next caption, the last one for as long as it takes to read */
     char *text;
+    struct bead_place place; /* of `at` */
 };
 
 /* What a movie shows before the motion. */

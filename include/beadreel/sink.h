@@ -102,6 +102,8 @@ struct bead_sink_type {
     void (*destroy)(struct bead_sink *sink);
     /* For the result line: bytes written so far, and a work measure such as frames; may be NULL. */
     void (*result)(const struct bead_sink *sink, uint64_t *bytes, uint64_t *items);
+    /* A second file, such as a movie's poster: where it goes (the sink's), and bytes written so far. NULL: none. May be NULL. */
+    const char *(*beside)(const struct bead_sink *sink, uint64_t *bytes);
 };
 
 /* The sinks that need no graphics: trajectory, tables. NULL-terminated. */

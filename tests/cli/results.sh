@@ -32,6 +32,13 @@ ok "... the same peaks" cmp all/peaks.csv data/peaks.csv
 ok "drawings" exits 0 "$beadreel" schematics -o drawings --only setup.pdf
 ok "... have no run to sum up" grep -qE '^1 file, .*: drawings only, nothing to compute$' out
 
+poster=(--set 'outputs=[{movie: m.mp4, size: [320, 180], duration: 1 s, fps: 10, poster: p.png}]')
+ok "a movie with a poster" exits 0 "$beadreel" scene.yaml -o posters "${poster[@]}"
+ok "... names both files" grep -q '^posters/p.png  ' out
+ok "... and counts them" grep -q '^2 files, ' out
+ok "... with their sizes" test "$(grep -c '^posters/[mp].* [1-9][0-9.]* kB$' out)" = 2
+ok "... as planned" bash -c "'$beadreel' scene.yaml --plan -o posters \"\$@\" | grep -q '^  beside it: posters/p.png$'" - "${poster[@]}"
+
 ok "--only" exits 0 "$beadreel" scene.yaml -o only --only peaks.csv
 ok "... makes one file" test "$(ls -A only)" = peaks.csv
 ok "... with the same numbers" cmp all/peaks.csv only/peaks.csv
