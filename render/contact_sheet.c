@@ -163,7 +163,8 @@ static enum bead_error run(const struct bead_output *output, const struct bead_s
     if (!err)
         err = find_colours(&s, msg);
     if (!err)
-        err = bead_page_write(&s.page, output, bead_sweep_scene(sweep), contact_sheet_draw, &s, path, bytes, msg);
+        err = bead_page_write(&s.page, output, bead_sweep_scene(sweep), &(struct bead_drawing){contact_sheet_draw, NULL, &s}, path,
+                              bytes, msg);
     destroy(&s);
     return err;
 }

@@ -3,6 +3,7 @@
 
 #include "beadreel/canvas.h"
 #include "render/figure_private.h"
+#include "render/raster.h"
 #include "render/view_sensors.h"
 #include "render/view_spacetime.h"
 
@@ -119,10 +120,11 @@ enum bead_error bead_figure_draw(struct bead_figure *f, struct bead_frame *frame
     return err;
 }
 
-static enum bead_error draw_frame(struct bead_figure *f, struct bead_frame *frame, struct bead_message *msg)
+static enum bead_error draw_frame(void *context, struct bead_frame *frame, struct bead_message *msg)
 {
+    struct bead_figure *f = context;
     struct bead_frame background = {0};
-    enum bead_error err = bead_page_draw(frame, decorate, f, msg);
+    enum bead_error err = bead_raster_draw(frame, decorate, f, msg);
     if (!err && f->stills) { /* only those views draw over what was there */
         err = bead_frame_create(frame->width, frame->height, &background, msg);
         if (!err)
@@ -141,20 +143,6 @@ bool bead_figure_needs_canvas(const struct bead_figure *f)
             return !f->page.vector;
     }
     return false;
-}
-
-static enum bead_error write_raster(struct bead_figure *f, const char *path, const struct bead_picture_notes *notes,
-                                    uint64_t *bytes, struct bead_message *msg)
-{
-    struct bead_frame frame;
-    enum bead_error err = bead_frame_create(f->page.width, f->page.height, &frame, msg);
-    if (err)
-        return err;
-    err = draw_frame(f, &frame, msg);
-    if (!err)
-        err = bead_png_write(path, &frame, notes, bytes, msg);
-    bead_frame_free(&frame);
-    return err;
 }
 
 /* ---- vector ---- */
@@ -200,19 +188,16 @@ void bead_figure_release_canvas(struct bead_figure *f)
 enum bead_error bead_figure_write(struct bead_figure *f, const char *path, uint64_t *bytes, struct bead_message *msg)
 {
     struct bead_canvas *canvas = NULL;
-    struct bead_picture_notes notes;
-    char description[512];
+    const struct bead_drawing drawing = {draw_vector, draw_frame, f};
     double colours[2] = {INFINITY, -INFINITY}, sensors[2] = {INFINITY, -INFINITY};
     bead_figure_extremes(f, colours, sensors);
     bead_figure_set_range(f, colours, sensors);
-    bead_page_notes(&f->page, f->output, f->stage.scene, description, sizeof description, &notes);
     enum bead_error err =
         bead_figure_needs_canvas(f) ? bead_canvas_create(f->stage.canvas, f->page.width, f->page.height, &canvas, msg) : BEAD_OK;
     if (!err)
         err = bead_figure_finish(f, canvas, msg);
     if (!err)
-        err = f->page.vector ? bead_vector_write(path, f->page.width, f->page.height, draw_vector, f, &notes, bytes, msg)
-                             : write_raster(f, path, &notes, bytes, msg);
+        err = bead_page_write(&f->page, f->output, f->stage.scene, &drawing, path, bytes, msg);
     bead_figure_release_canvas(f);
     bead_canvas_destroy(canvas);
     return err;

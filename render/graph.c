@@ -50,5 +50,5 @@ enum bead_error bead_graph_write(const struct bead_graph *graph, bool titled, co
     if (err)
         return err;
     bead_page_look(&job.page, output, &job.look);
-    return bead_page_write(&job.page, output, scene, draw, &job, path, bytes, msg);
+    return bead_page_write(&job.page, output, scene, &(struct bead_drawing){draw, NULL, &job}, path, bytes, msg);
 }

@@ -9,6 +9,7 @@
 #include "render/colour_range.h"
 #include "render/magnify.h"
 #include "render/movie_card.h"
+#include "render/raster.h"
 #include "render/view_beads.h"
 
 unsigned bead_composer_fields(const struct bead_output *output, const struct bead_chain *chain)
@@ -298,21 +299,14 @@ static void draw_words(struct bead_composer *c, cairo_t *cr)
 
 static enum bead_error draw_background(struct bead_composer *c, struct bead_message *msg)
 {
-    struct bead_frame *b = &c->background;
-    cairo_surface_t *surface =
-        cairo_image_surface_create_for_data(b->pixels, CAIRO_FORMAT_RGB24, b->width, b->height, (int)b->stride);
-    cairo_t *cr = cairo_create(surface);
+    cairo_t *cr = bead_raster_begin(&c->background);
     cairo_set_source_rgb(cr, c->look.background.r, c->look.background.g, c->look.background.b);
     cairo_paint(cr);
     enum bead_error err = decorate_views(c, cr, msg);
     draw_words(c, cr);
     bead_overlay_draw_bar(c, cr);
-    cairo_surface_flush(surface);
-    if (!err && cairo_status(cr) != CAIRO_STATUS_SUCCESS)
-        err = bead_fail(msg, BEAD_ERROR_GRAPHICS, "drawing the background: %s", cairo_status_to_string(cairo_status(cr)));
-    cairo_destroy(cr);
-    cairo_surface_destroy(surface);
-    return err;
+    enum bead_error drawn = bead_raster_end(cr, "drawing the background", err ? NULL : msg);
+    return err ? err : drawn;
 }
 
 enum bead_error bead_composer_open(struct bead_composer *c, struct bead_message *msg)

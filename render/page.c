@@ -5,6 +5,8 @@
 #include <string.h>
 #include <strings.h>
 
+#include "render/raster.h"
+
 static bool is_vector(const char *path)
 {
     const char *dot = strrchr(path, '.');
@@ -90,26 +92,15 @@ void bead_page_notes(const struct bead_page *page, const struct bead_output *out
                                          .source = scene->text};
 }
 
-enum bead_error bead_page_draw(struct bead_frame *frame, bead_draw draw, void *context, struct bead_message *msg)
-{
-    cairo_surface_t *surface =
-        cairo_image_surface_create_for_data(frame->pixels, CAIRO_FORMAT_RGB24, frame->width, frame->height, (int)frame->stride);
-    cairo_t *cr = cairo_create(surface);
-    enum bead_error err = draw(context, cr, msg);
-    cairo_destroy(cr);
-    cairo_surface_flush(surface);
-    cairo_surface_destroy(surface);
-    return err;
-}
-
-static enum bead_error write_raster(const struct bead_page *page, bead_draw draw, void *context, const char *path,
+static enum bead_error write_raster(const struct bead_page *page, const struct bead_drawing *drawing, const char *path,
                                     const struct bead_picture_notes *notes, uint64_t *bytes, struct bead_message *msg)
 {
     struct bead_frame frame;
     enum bead_error err = bead_frame_create(page->width, page->height, &frame, msg);
     if (err)
         return err;
-    err = bead_page_draw(&frame, draw, context, msg);
+    err = drawing->raster ? drawing->raster(drawing->context, &frame, msg)
+                          : bead_raster_draw(&frame, drawing->draw, drawing->context, msg);
     if (!err)
         err = bead_png_write(path, &frame, notes, bytes, msg);
     bead_frame_free(&frame);
@@ -117,11 +108,11 @@ static enum bead_error write_raster(const struct bead_page *page, bead_draw draw
 }
 
 enum bead_error bead_page_write(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
-                                bead_draw draw, void *context, const char *path, uint64_t *bytes, struct bead_message *msg)
+                                const struct bead_drawing *drawing, const char *path, uint64_t *bytes, struct bead_message *msg)
 {
     struct bead_picture_notes notes;
     char description[512];
     bead_page_notes(page, output, scene, description, sizeof description, &notes);
-    return page->vector ? bead_vector_write(path, page->width, page->height, draw, context, &notes, bytes, msg)
-                        : write_raster(page, draw, context, path, &notes, bytes, msg);
+    return page->vector ? bead_vector_write(path, page->width, page->height, drawing->draw, drawing->context, &notes, bytes, msg)
+                        : write_raster(page, drawing, path, &notes, bytes, msg);
 }

@@ -21,11 +21,15 @@ void bead_page_look(const struct bead_page *page, const struct bead_output *outp
 /* What a picture file says about itself; `description` of `size` bytes must live as long as the notes. */
 void bead_page_notes(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
                      char *description, size_t size, struct bead_picture_notes *notes);
-/* Draw into a frame with cairo. Errors: those of `draw`. */
-BEAD_CHECK enum bead_error bead_page_draw(struct bead_frame *frame, bead_draw draw, void *context, struct bead_message *msg);
-/* Draw the page and write it as PNG, PDF or SVG. Errors: those of `draw`, IO, MEMORY. */
+/* How to draw a page: into vector files; into frames, where these are drawn in another way (NULL: the same). */
+struct bead_drawing {
+    bead_draw draw;
+    enum bead_error (*raster)(void *context, struct bead_frame *frame, struct bead_message *msg);
+    void *context;
+};
+/* Draw the page and write it as PNG, PDF or SVG. Errors: those of the drawing, GRAPHICS, IO, MEMORY. */
 BEAD_CHECK enum bead_error bead_page_write(const struct bead_page *page, const struct bead_output *output,
-                                           const struct bead_scene *scene, bead_draw draw, void *context, const char *path,
+                                           const struct bead_scene *scene, const struct bead_drawing *drawing, const char *path,
                                            uint64_t *bytes, struct bead_message *msg);
 
 #endif

@@ -243,40 +243,11 @@ enum bead_error bead_schematic_check(const struct bead_output *output, const str
     return err;
 }
 
-static enum bead_error write_raster(struct paper *paper, const char *path, const struct bead_picture_notes *notes, uint64_t *bytes,
-                                    struct bead_message *msg)
-{
-    struct bead_frame frame;
-    enum bead_error err = bead_frame_create(paper->page.width, paper->page.height, &frame, msg);
-    if (err)
-        return err;
-    cairo_surface_t *surface =
-        cairo_image_surface_create_for_data(frame.pixels, CAIRO_FORMAT_RGB24, frame.width, frame.height, (int)frame.stride);
-    cairo_t *cr = cairo_create(surface);
-    err = draw_paper(paper, cr, msg);
-    cairo_status_t status = cairo_status(cr);
-    if (!err && status)
-        err = bead_fail(msg, BEAD_ERROR_GRAPHICS, "%s: %s", path, cairo_status_to_string(status));
-    cairo_destroy(cr);
-    cairo_surface_flush(surface);
-    cairo_surface_destroy(surface);
-    if (!err)
-        err = bead_png_write(path, &frame, notes, bytes, msg);
-    bead_frame_free(&frame);
-    return err;
-}
-
 enum bead_error bead_schematic_write(const struct bead_output *output, const struct bead_stage *stage, const char *path,
                                      uint64_t *bytes, struct bead_message *msg)
 {
     struct paper paper;
-    struct bead_picture_notes notes;
-    char description[512];
+    const struct bead_drawing drawing = {draw_paper, NULL, &paper};
     enum bead_error err = open_paper(output, stage, &paper, msg);
-    if (err)
-        return err;
-    bead_page_notes(&paper.page, output, stage->scene, description, sizeof description, &notes);
-    if (paper.page.vector)
-        return bead_vector_write(path, paper.page.width, paper.page.height, draw_paper, &paper, &notes, bytes, msg);
-    return write_raster(&paper, path, &notes, bytes, msg);
+    return err ? err : bead_page_write(&paper.page, output, stage->scene, &drawing, path, bytes, msg);
 }

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "beadreel/canvas.h"
+#include "render/raster.h"
 #include "render/sheet_private.h"
 
 /* Panels of one group have one range. */
@@ -74,10 +75,11 @@ static enum bead_error draw_vector(void *context, cairo_t *cr, struct bead_messa
     return err;
 }
 
-static enum bead_error draw_frame(struct bead_sheet *s, struct bead_frame *frame, struct bead_message *msg)
+static enum bead_error draw_frame(void *context, struct bead_frame *frame, struct bead_message *msg)
 {
+    struct bead_sheet *s = context;
     struct bead_frame background = {0};
-    enum bead_error err = bead_page_draw(frame, decorate, s, msg);
+    enum bead_error err = bead_raster_draw(frame, decorate, s, msg);
     if (!err)
         err = bead_frame_create(frame->width, frame->height, &background, msg);
     if (!err)
@@ -87,20 +89,6 @@ static enum bead_error draw_frame(struct bead_sheet *s, struct bead_frame *frame
             err = bead_figure_draw(s->panels[p].figure, frame, &background, msg);
     }
     bead_frame_free(&background);
-    return err;
-}
-
-static enum bead_error write_raster(struct bead_sheet *s, const char *path, const struct bead_picture_notes *notes, uint64_t *bytes,
-                                    struct bead_message *msg)
-{
-    struct bead_frame frame;
-    enum bead_error err = bead_frame_create(s->page.width, s->page.height, &frame, msg);
-    if (err)
-        return err;
-    err = draw_frame(s, &frame, msg);
-    if (!err)
-        err = bead_png_write(path, &frame, notes, bytes, msg);
-    bead_frame_free(&frame);
     return err;
 }
 
@@ -124,13 +112,10 @@ enum bead_error bead_sheet_write(struct bead_sheet *s, const struct bead_outcome
                                  struct bead_message *msg)
 {
     struct bead_canvas *canvas = NULL;
-    struct bead_picture_notes notes;
-    char description[512];
-    bead_page_notes(&s->page, s->output, s->stage.scene, description, sizeof description, &notes);
+    const struct bead_drawing drawing = {draw_vector, draw_frame, s};
     enum bead_error err = finish(s, outcomes, &canvas, msg);
     if (!err)
-        err = s->page.vector ? bead_vector_write(path, s->page.width, s->page.height, draw_vector, s, &notes, bytes, msg)
-                             : write_raster(s, path, &notes, bytes, msg);
+        err = bead_page_write(&s->page, s->output, s->stage.scene, &drawing, path, bytes, msg);
     for (size_t p = 0; p < s->count; p++) {
         if (s->panels[p].figure)
             bead_figure_release_canvas(s->panels[p].figure);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/raster.h"
 #include "render/views.h"
 
 /* Part of its room that a bar has; end of the axis, in parts of the energy at the start. */
@@ -128,9 +129,7 @@ static enum bead_error draw(struct bead_view *v, double time, struct bead_frame 
 {
     if (v->fed == 0)
         return BEAD_OK;
-    cairo_surface_t *surface =
-        cairo_image_surface_create_for_data(frame->pixels, CAIRO_FORMAT_RGB24, frame->width, frame->height, (int)frame->stride);
-    cairo_t *cr = cairo_create(surface);
+    cairo_t *cr = bead_raster_begin(frame);
     for (size_t k = 0; k < v->modes; k++) {
         double top = top_of(v, energy_at(v, k, time));
         if (v->drawn && changes && v->top[k] == (int)lround(top * steps))
@@ -140,20 +139,17 @@ static enum bead_error draw(struct bead_view *v, double time, struct bead_frame 
         left = left > v->plot.x ? left : v->plot.x;
         right = right < v->plot.x + v->plot.width ? right : v->plot.x + v->plot.width;
         struct bead_rect rect = {left, v->plot.y, right - left, v->plot.height};
-        cairo_surface_flush(surface);
+        cairo_surface_flush(cairo_get_target(cr));
         if (background)
             bead_frame_copy(frame, background, rect);
-        cairo_surface_mark_dirty(surface);
+        cairo_surface_mark_dirty(cairo_get_target(cr));
         draw_bar(v, cr, k, top);
         v->top[k] = (int)lround(top * steps);
         if (changes)
             bead_changes_add(changes, rect);
     }
     v->drawn = true;
-    cairo_status_t status = cairo_status(cr);
-    cairo_destroy(cr);
-    cairo_surface_destroy(surface);
-    return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "bars of modes: %s", cairo_status_to_string(status)) : BEAD_OK;
+    return bead_raster_end(cr, "bars of modes", msg);
 }
 
 static enum bead_error vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)

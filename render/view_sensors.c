@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "render/horizon.h"
+#include "render/raster.h"
 #include "render/sensor_curves.h"
 #include "render/views.h"
 
@@ -325,20 +326,15 @@ static enum bead_error draw(struct bead_view *v, double time, struct bead_frame 
     struct bead_rect rect = touched(v, from, to);
     if (background && v->setup.fill)
         bead_frame_copy(frame, background, rect);
-    cairo_surface_t *surface =
-        cairo_image_surface_create_for_data(frame->pixels, CAIRO_FORMAT_RGB24, frame->width, frame->height, (int)frame->stride);
-    cairo_t *cr = cairo_create(surface);
+    cairo_t *cr = bead_raster_begin(frame);
     clip(cr, rect);
     paint_horizon(v, cr);
     double margin = (v->setup.time[1] - v->setup.time[0]) * (4 * curve_width * v->look.line + 4) / v->plot.width;
     paint_curves(v, cr, from - margin, until(v, time));
-    cairo_status_t status = cairo_status(cr);
-    cairo_destroy(cr);
-    cairo_surface_destroy(surface);
     bead_changes_add(changes, rect);
     v->shown = to;
     v->drawn = true;
-    return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "curves of sensors: %s", cairo_status_to_string(status)) : BEAD_OK;
+    return bead_raster_end(cr, "curves of sensors", msg);
 }
 
 static enum bead_error vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)

@@ -13,6 +13,7 @@
 #include "render/area.h"
 #include "render/camera.h"
 #include "render/horizon.h"
+#include "render/raster.h"
 #include "render/views.h"
 
 struct bead_view {
@@ -289,18 +290,13 @@ static enum bead_error draw_lines(const struct bead_view *v, struct bead_rect pa
 {
     if ((!v->horizon && !v->setup.marked) || part.width < 1 || part.height < 1)
         return BEAD_OK;
-    cairo_surface_t *surface =
-        cairo_image_surface_create_for_data(frame->pixels, CAIRO_FORMAT_RGB24, frame->width, frame->height, (int)frame->stride);
-    cairo_t *cr = cairo_create(surface);
+    cairo_t *cr = bead_raster_begin(frame);
     cairo_rectangle(cr, part.x, part.y, part.width, part.height);
     cairo_clip(cr);
     if (v->horizon)
         bead_horizon_draw(v->horizon, cr, &v->look, v->plot, v->setup.time_down, !v->setup.fill);
     stroke_mark(v, cr);
-    cairo_status_t status = cairo_status(cr);
-    cairo_destroy(cr);
-    cairo_surface_destroy(surface);
-    return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "horizon: %s", cairo_status_to_string(status)) : BEAD_OK;
+    return bead_raster_end(cr, "horizon", msg);
 }
 
 /* Time columns that have passed at `time`, so that their means are final: all of them in stills. */

@@ -1,10 +1,7 @@
 /* The work-precision diagram of a table of precision.sh, drawn with this program's own axes and text.
  *   precision_diagram TABLE.csv NAME [velocity]       writes NAME.png and NAME.pdf: errors of peaks, or of velocities */
-#include "beadreel/picture.h"
-
 #include "beadreel/colormap.h"
-#include "beadreel/look.h"
-#include "tests/bench/precision.h"
+#include "tests/bench/diagram.h"
 
 enum { WORDS = 48, COLUMNS = 3, ROWS = 2 };
 static const double dpi = 300, millimetre = 300 / 25.4;
@@ -251,34 +248,8 @@ static enum bead_error draw(void *context, cairo_t *cr, struct bead_message *msg
     return BEAD_OK;
 }
 
-static enum bead_error write_png(struct diagram *d, const char *path, const struct bead_picture_notes *notes,
-                                 struct bead_message *msg)
-{
-    struct bead_frame frame;
-    uint64_t bytes;
-    enum bead_error err = bead_frame_create(width, height, &frame, msg);
-    if (err)
-        return err;
-    cairo_surface_t *surface =
-        cairo_image_surface_create_for_data(frame.pixels, CAIRO_FORMAT_RGB24, width, height, (int)frame.stride);
-    cairo_t *cr = cairo_create(surface);
-    err = draw(d, cr, msg);
-    if (cairo_status(cr))
-        err = bead_fail(msg, BEAD_ERROR_GRAPHICS, "%s: %s", path, cairo_status_to_string(cairo_status(cr)));
-    cairo_destroy(cr);
-    cairo_surface_flush(surface);
-    cairo_surface_destroy(surface);
-    if (!err)
-        err = bead_png_write(path, &frame, notes, &bytes, msg);
-    bead_frame_free(&frame);
-    return err;
-}
-
 int main(int count, char **word)
 {
-    char path[512];
-    uint64_t bytes;
-    struct bead_message msg = {""};
     struct bead_picture_notes notes = {dpi, "Work against error", "Waves in chains of beads: CPU time and error of peak forces",
                                        NULL, NULL};
     const bool velocities = count == 4 && strcmp(word[3], "velocity") == 0;
@@ -288,13 +259,7 @@ int main(int count, char **word)
         notes.description = "Waves in chains of beads: CPU time of a whole run and error of velocities at an early time";
     struct diagram diagram = {.points = read_points(word[1], velocities), .velocities = velocities};
     bead_look_paper(&diagram.look, dpi);
-    snprintf(path, sizeof path, "%s.png", word[2]);
-    enum bead_error err = write_png(&diagram, path, &notes, &msg);
-    snprintf(path, sizeof path, "%s.pdf", word[2]);
-    if (!err)
-        err = bead_vector_write(path, width, height, draw, &diagram, &notes, &bytes, &msg);
+    diagram_write(word[2], width, height, draw, &diagram, &notes);
     free(diagram.points.point);
-    if (err)
-        GIVE_UP("%s", msg.text);
     return 0;
 }

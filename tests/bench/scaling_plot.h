@@ -4,9 +4,7 @@
 
 #include <sys/stat.h>
 
-#include "beadreel/look.h"
-#include "beadreel/picture.h"
-#include "tests/bench/precision.h"
+#include "tests/bench/diagram.h"
 
 struct scaling_row {
     size_t beads;
@@ -105,35 +103,10 @@ static inline enum bead_error scaling_draw(void *context, cairo_t *cr, struct be
     return BEAD_OK;
 }
 
-static inline enum bead_error scaling_png(struct scaling_plot *plot, const char *path, const struct bead_picture_notes *notes,
-                                          struct bead_message *msg)
-{
-    struct bead_frame frame;
-    uint64_t bytes;
-    enum bead_error err = bead_frame_create(SCALING_WIDTH, SCALING_HEIGHT, &frame, msg);
-    if (err)
-        return err;
-    cairo_surface_t *surface =
-        cairo_image_surface_create_for_data(frame.pixels, CAIRO_FORMAT_RGB24, SCALING_WIDTH, SCALING_HEIGHT, (int)frame.stride);
-    cairo_t *cr = cairo_create(surface);
-    err = scaling_draw(plot, cr, msg);
-    if (cairo_status(cr))
-        err = bead_fail(msg, BEAD_ERROR_GRAPHICS, "%s: %s", path, cairo_status_to_string(cairo_status(cr)));
-    cairo_destroy(cr);
-    cairo_surface_flush(surface);
-    cairo_surface_destroy(surface);
-    if (!err)
-        err = bead_png_write(path, &frame, notes, &bytes, msg);
-    bead_frame_free(&frame);
-    return err;
-}
-
 /* FOLDER/bench/scaling.csv, .png and .pdf. */
 static inline void scaling_write(const char *folder, const struct scaling_row *rows, size_t count)
 {
     char path[512];
-    uint64_t bytes;
-    struct bead_message msg = {""};
     const struct bead_picture_notes notes = {300, "Scaling", "Cost and memory of a bead over the length of the chain", NULL, NULL};
     struct scaling_plot plot = {.rows = rows, .count = count};
     bead_look_paper(&plot.look, 300);
@@ -148,13 +121,8 @@ static inline void scaling_write(const char *folder, const struct scaling_row *r
         fprintf(file, "%zu,%.2f,%.2f,%.0f\n", rows[i].beads, rows[i].cost, rows[i].plain, rows[i].memory);
     if (fclose(file))
         GIVE_UP("cannot write %s", path);
-    snprintf(path, sizeof path, "%s/bench/scaling.png", folder);
-    enum bead_error err = scaling_png(&plot, path, &notes, &msg);
-    snprintf(path, sizeof path, "%s/bench/scaling.pdf", folder);
-    if (!err)
-        err = bead_vector_write(path, SCALING_WIDTH, SCALING_HEIGHT, scaling_draw, &plot, &notes, &bytes, &msg);
-    if (err)
-        GIVE_UP("%s", msg.text);
+    snprintf(path, sizeof path, "%s/bench/scaling", folder);
+    diagram_write(path, SCALING_WIDTH, SCALING_HEIGHT, scaling_draw, &plot, &notes);
     fprintf(stderr, "bench: wrote %s/bench/scaling.csv, .png and .pdf\n", folder);
 }
 
