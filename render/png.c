@@ -12,8 +12,6 @@
 #include "beadreel/picture.h"
 
 struct writer {
-    const char *part;
-    FILE *file;
     png_structp png;
     png_infop info;
     uint8_t *row;
@@ -125,45 +123,29 @@ static void put_rows(struct writer *w, const struct image *image)
 }
 
 /* Everything that libpng may jump out of. */
-static enum bead_error encode(struct writer *w, const struct image *image, struct bead_message *msg)
+static enum bead_error encode(struct writer *w, const struct image *image, FILE *file, const char *part, struct bead_message *msg)
 {
     if (setjmp(w->jump))
-        return bead_fail(msg, BEAD_ERROR_IO, "%s: %s", w->part, w->error);
+        return bead_fail(msg, BEAD_ERROR_IO, "%s: %s", part, w->error);
     w->png = png_create_write_struct(PNG_LIBPNG_VER_STRING, w, on_error, on_warning);
     w->info = w->png ? png_create_info_struct(w->png) : NULL;
     w->row = malloc(3 * (size_t)image->width);
     if (!w->info || !w->row)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for a PNG encoder", w->part);
-    png_set_write_fn(w->png, w->file, on_write, on_flush);
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for a PNG encoder", part);
+    png_set_write_fn(w->png, file, on_write, on_flush);
     put_header(w, image);
     put_rows(w, image);
     return BEAD_OK;
 }
 
-static enum bead_error write_image(const char *path, const struct image *image, uint64_t *bytes, struct bead_message *msg)
+static enum bead_error fill(void *context, FILE *file, const char *part, struct bead_message *msg)
 {
-    char *part = NULL;
     struct writer *w = calloc(1, sizeof *w);
     if (!w)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for a PNG encoder", path);
-    enum bead_error err = bead_file_part_name(path, &part, msg);
-    w->part = part;
-    if (!err)
-        err = bead_file_create(part, &w->file, msg);
-    if (!err) {
-        err = encode(w, image, msg);
-        enum bead_error closed = bead_file_close(w->file, part, err ? NULL : msg);
-        err = err ? err : closed;
-        png_destroy_write_struct(&w->png, &w->info);
-        free(w->row);
-        if (err)
-            bead_file_discard(part);
-        else
-            err = bead_file_commit(part, path, msg);
-    }
-    if (!err && bytes)
-        *bytes = bead_file_bytes(path);
-    free(part);
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for a PNG encoder", part);
+    enum bead_error err = encode(w, context, file, part, msg);
+    png_destroy_write_struct(&w->png, &w->info);
+    free(w->row);
     free(w);
     return err;
 }
@@ -224,7 +206,7 @@ enum bead_error bead_png_write(const char *path, const struct bead_frame *frame,
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for %d x %d pixels", path, frame->width, frame->height);
     if (find_palette(frame, indices, &image))
         image.indices = indices;
-    enum bead_error err = write_image(path, &image, bytes, msg);
+    enum bead_error err = bead_file_write(path, fill, &image, bytes, msg);
     free(indices);
     return err;
 }
@@ -236,5 +218,5 @@ enum bead_error bead_png_write_indexed(const char *path, int width, int height, 
     struct image image = {.width = width, .height = height, .indices = indices, .colours = 256, .notes = notes};
     for (int i = 0; i < 256; i++)
         image.palette[i] = (png_color){palette[i][0], palette[i][1], palette[i][2]};
-    return write_image(path, &image, bytes, msg);
+    return bead_file_write(path, fill, &image, bytes, msg);
 }

@@ -79,25 +79,33 @@ static enum bead_error failed(const char *part, cairo_status_t status, struct be
                      status == CAIRO_STATUS_WRITE_ERROR ? strerror(errno) : cairo_status_to_string(status));
 }
 
-static enum bead_error draw_page(cairo_surface_t *surface, double scale, bead_draw draw, void *context, struct bead_message *msg)
+struct page {
+    const struct format *format;
+    int width, height;
+    bead_draw draw;
+    void *context;
+    const struct bead_picture_notes *notes;
+};
+
+static enum bead_error draw_page(cairo_surface_t *surface, double scale, const struct page *page, struct bead_message *msg)
 {
     cairo_t *cr = cairo_create(surface);
     cairo_scale(cr, scale, scale);
-    enum bead_error err = draw(context, cr, msg);
+    enum bead_error err = page->draw(page->context, cr, msg);
     if (!err)
         cairo_show_page(cr);
     cairo_destroy(cr);
     return err;
 }
 
-static enum bead_error write_page(const struct format *format, FILE *file, const char *part, int width, int height, bead_draw draw,
-                                  void *context, const struct bead_picture_notes *notes, struct bead_message *msg)
+static enum bead_error write_page(const struct page *page, FILE *file, const char *part, struct bead_message *msg)
 {
+    const struct bead_picture_notes *notes = page->notes;
     double scale = 72 / notes->dpi;
-    cairo_surface_t *surface = format->create(write_bytes, file, width * scale, height * scale);
+    cairo_surface_t *surface = page->format->create(write_bytes, file, page->width * scale, page->height * scale);
     cairo_surface_set_fallback_resolution(surface, notes->dpi, notes->dpi);
-    format->describe(surface, notes);
-    enum bead_error err = draw_page(surface, scale, draw, context, msg);
+    page->format->describe(surface, notes);
+    enum bead_error err = draw_page(surface, scale, page, msg);
     cairo_surface_finish(surface);
     cairo_status_t status = cairo_surface_status(surface);
     cairo_surface_destroy(surface);
@@ -105,15 +113,14 @@ static enum bead_error write_page(const struct format *format, FILE *file, const
 }
 
 /* By way of memory. */
-static enum bead_error write_named(const struct format *format, FILE *file, const char *part, int width, int height, bead_draw draw,
-                                   void *context, const struct bead_picture_notes *notes, struct bead_message *msg)
+static enum bead_error write_named(const struct page *page, FILE *file, const char *part, struct bead_message *msg)
 {
     char *text = NULL;
     size_t length = 0;
     FILE *memory = open_memstream(&text, &length);
     if (!memory)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", part);
-    enum bead_error err = write_page(format, memory, part, width, height, draw, context, notes, msg);
+    enum bead_error err = write_page(page, memory, part, msg);
     if (fclose(memory) != 0 && !err)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", part);
     if (!err)
@@ -122,29 +129,17 @@ static enum bead_error write_named(const struct format *format, FILE *file, cons
     return err;
 }
 
+static enum bead_error fill(void *context, FILE *file, const char *part, struct bead_message *msg)
+{
+    const struct page *page = context;
+    return page->format->named ? write_named(page, file, part, msg) : write_page(page, file, part, msg);
+}
+
 enum bead_error bead_vector_write(const char *path, int width, int height, bead_draw draw, void *context,
                                   const struct bead_picture_notes *notes, uint64_t *bytes, struct bead_message *msg)
 {
-    const struct format *format = find_format(path);
-    if (!format || !(notes->dpi > 0))
+    struct page page = {find_format(path), width, height, draw, context, notes};
+    if (!page.format || !(notes->dpi > 0))
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: a vector file is .pdf or .svg, with dots per inch > 0", path);
-    char *part = NULL;
-    FILE *file = NULL;
-    enum bead_error err = bead_file_part_name(path, &part, msg);
-    if (!err)
-        err = bead_file_create(part, &file, msg);
-    if (!err) {
-        err = format->named ? write_named(format, file, part, width, height, draw, context, notes, msg)
-                            : write_page(format, file, part, width, height, draw, context, notes, msg);
-        enum bead_error closed = bead_file_close(file, part, err ? NULL : msg);
-        err = err ? err : closed;
-        if (err)
-            bead_file_discard(part);
-        else
-            err = bead_file_commit(part, path, msg);
-    }
-    if (!err && bytes)
-        *bytes = bead_file_bytes(path);
-    free(part);
-    return err;
+    return bead_file_write(path, fill, &page, bytes, msg);
 }

@@ -114,3 +114,25 @@ uint64_t bead_file_bytes(const char *path)
     struct stat status;
     return path && stat(path, &status) == 0 && status.st_size > 0 ? (uint64_t)status.st_size : 0;
 }
+
+enum bead_error bead_file_write(const char *path, bead_file_fill fill, void *context, uint64_t *bytes, struct bead_message *msg)
+{
+    char *part = NULL;
+    FILE *file = NULL;
+    enum bead_error err = bead_file_part_name(path, &part, msg);
+    if (!err)
+        err = bead_file_create(part, &file, msg);
+    if (!err) {
+        err = fill(context, file, part, msg);
+        enum bead_error closed = bead_file_close(file, part, err ? NULL : msg);
+        err = err ? err : closed;
+        if (err)
+            bead_file_discard(part);
+        else
+            err = bead_file_commit(part, path, msg);
+    }
+    if (!err && bytes)
+        *bytes = bead_file_bytes(path);
+    free(part);
+    return err;
+}

@@ -1,5 +1,6 @@
 #include "sim/equation.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static const struct bead_equation *const equations[] = {&bead_equation_fput, &bead_equation_kdv, &bead_equation_shock, NULL};
@@ -16,4 +17,14 @@ const struct bead_equation *bead_equation_find(const char *name)
             return equations[i];
     }
     return NULL;
+}
+
+size_t bead_measure_add(struct bead_measure *measures, size_t count, size_t room, const char *name, double value)
+{
+    if (count < room) {
+        snprintf(measures[count].name, sizeof measures[count].name, "%s", name);
+        measures[count].unit = "";
+        measures[count].value = value;
+    }
+    return count + 1;
 }

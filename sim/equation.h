@@ -75,6 +75,9 @@ struct bead_equation {
                   double *energy);
 };
 
+/* For `measures`: one more, without a unit, where there is room; returns count + 1. */
+size_t bead_measure_add(struct bead_measure *measures, size_t count, size_t room, const char *name, double value);
+
 extern const struct bead_equation bead_equation_fput;
 extern const struct bead_equation bead_equation_kdv;
 extern const struct bead_equation bead_equation_shock;

@@ -388,39 +388,29 @@ static const double *state(const struct bead_motion *m, size_t *count)
     return m->u;
 }
 
-static size_t add_measure(struct bead_measure *measures, size_t count, size_t room, const char *name, double value)
-{
-    if (count < room) {
-        snprintf(measures[count].name, sizeof measures[count].name, "%s", name);
-        measures[count].unit = "";
-        measures[count].value = value;
-    }
-    return count + 1;
-}
-
 static size_t measures(const struct bead_motion *m, struct bead_measure *to, size_t room)
 {
     const struct bead_equation_spec *spec = m->settings.spec;
     const struct returns *r = &m->returns;
     size_t n = 0;
-    n = add_measure(to, n, room, "energy", m->energy_start);
-    n = add_measure(to, n, room, "largest error of the energy, relative", m->energy_error);
+    n = bead_measure_add(to, n, room, "energy", m->energy_start);
+    n = bead_measure_add(to, n, room, "largest error of the energy, relative", m->energy_error);
     if (spec->ends == BEAD_ENDS_PERIODIC)
-        n = add_measure(to, n, room, "momentum", m->momentum_start);
+        n = bead_measure_add(to, n, room, "momentum", m->momentum_start);
     if (spec->ends == BEAD_ENDS_PERIODIC)
-        n = add_measure(to, n, room, "change of the momentum", momentum(m) - m->momentum_start);
+        n = bead_measure_add(to, n, room, "change of the momentum", momentum(m) - m->momentum_start);
     if (!m->shape)
         return n;
     double period = (double)(2 * pi) / sqrt(m->omega2);
     char name[48];
     snprintf(name, sizeof name, "period of linear mode %zu", spec->mode);
-    n = add_measure(to, n, room, name, period);
-    n = add_measure(to, n, room, "smallest energy of the mode, relative", r->low / r->start);
-    n = add_measure(to, n, room, "time of the smallest energy", r->low_time);
+    n = bead_measure_add(to, n, room, name, period);
+    n = bead_measure_add(to, n, room, "smallest energy of the mode, relative", r->low / r->start);
+    n = bead_measure_add(to, n, room, "time of the smallest energy", r->low_time);
     if (r->high > 0) {
-        n = add_measure(to, n, room, "recurrence time", r->high_time);
-        n = add_measure(to, n, room, "recurrence time in periods", r->high_time / period);
-        n = add_measure(to, n, room, "energy of the mode at recurrence, relative", r->high / r->start);
+        n = bead_measure_add(to, n, room, "recurrence time", r->high_time);
+        n = bead_measure_add(to, n, room, "recurrence time in periods", r->high_time / period);
+        n = bead_measure_add(to, n, room, "energy of the mode at recurrence, relative", r->high / r->start);
     }
     return n;
 }

@@ -111,21 +111,11 @@ static double wrap(double x, double length)
     return x - length * round(x / length);
 }
 
-static size_t add(struct bead_measure *to, size_t n, size_t room, const char *name, double value)
-{
-    if (n < room) {
-        snprintf(to[n].name, sizeof to[n].name, "%s", name);
-        to[n].unit = "";
-        to[n].value = value;
-    }
-    return n + 1;
-}
-
 static size_t add_of_soliton(struct bead_measure *to, size_t n, size_t room, size_t soliton, const char *what, double value)
 {
     char name[sizeof to->name];
     snprintf(name, sizeof name, "soliton %zu: %s", soliton + 1, what);
-    return add(to, n, room, name, value);
+    return bead_measure_add(to, n, room, name, value);
 }
 
 /* The crest whose height is nearest the soliton's; those further off than a tenth are no soliton's, or in a collision. */
@@ -177,22 +167,22 @@ size_t bead_kdv_measures(const struct bead_kdv_watch *w, const struct bead_kdv *
     struct bead_kdv_integrals now;
     size_t n = 0, crests = 0;
     bead_kdv_integrals(kdv, &now);
-    n = add(to, n, room, "mass", now.mass);
-    n = add(to, n, room, "change of the mass", now.mass - w->start.mass);
-    n = add(to, n, room, "momentum", now.momentum);
-    n = add(to, n, room, "change of the momentum, relative", relative(now.momentum, w->start.momentum));
-    n = add(to, n, room, "hamiltonian", now.hamiltonian);
-    n = add(to, n, room, "change of the hamiltonian, relative", relative(now.hamiltonian, w->start.hamiltonian));
-    n = add(to, n, room, "tail of the spectrum, relative", kdv->tail);
+    n = bead_measure_add(to, n, room, "mass", now.mass);
+    n = bead_measure_add(to, n, room, "change of the mass", now.mass - w->start.mass);
+    n = bead_measure_add(to, n, room, "momentum", now.momentum);
+    n = bead_measure_add(to, n, room, "change of the momentum, relative", relative(now.momentum, w->start.momentum));
+    n = bead_measure_add(to, n, room, "hamiltonian", now.hamiltonian);
+    n = bead_measure_add(to, n, room, "change of the hamiltonian, relative", relative(now.hamiltonian, w->start.hamiltonian));
+    n = bead_measure_add(to, n, room, "tail of the spectrum, relative", kdv->tail);
     const double *u = values(kdv);
     for (size_t i = 0; i < kdv->spectral.points; i++)
         crests += is_crest(u, kdv->spectral.points, i);
     if (kdv->spec->start == BEAD_START_SOLITONS)
         return solitons(kdv, u, to, n, room);
-    n = add(to, n, room, "crests at the end", (double)crests);
+    n = bead_measure_add(to, n, room, "crests at the end", (double)crests);
     if (w->high > 0) {
-        n = add(to, n, room, "recurrence time", w->high_time);
-        n = add(to, n, room, "amplitude at recurrence, relative", sqrt(w->high / w->first));
+        n = bead_measure_add(to, n, room, "recurrence time", w->high_time);
+        n = bead_measure_add(to, n, room, "amplitude at recurrence, relative", sqrt(w->high / w->first));
     }
     return n;
 }

@@ -1,7 +1,6 @@
 #include "sim/shock_watch.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #include "sim/shock_law.h"
 
@@ -161,30 +160,22 @@ static double closed_form(const struct bead_equation_spec *spec)
     return 2 / (spec->speed * a * k) * sqrt((1 + a * s) / (1 - s * s));
 }
 
-static size_t add(struct bead_measure *to, size_t n, size_t room, const char *name, double value)
-{
-    if (n < room) {
-        snprintf(to[n].name, sizeof to[n].name, "%s", name);
-        to[n].unit = "";
-        to[n].value = value;
-    }
-    return n + 1;
-}
-
 size_t bead_shock_measures(const struct bead_shock_watch *w, const struct bead_shock_state *s, struct bead_measure *to, size_t room)
 {
     struct bead_shock_totals now;
     size_t n = 0;
     bead_shock_totals(w, s, &now);
-    n = add(to, n, room, "change of the integral of the strain", now.mass - w->start.mass);
-    n = add(to, n, room, "change of the momentum", now.momentum - w->start.momentum);
-    n = add(to, n, room, "energy", now.energy);
-    n = add(to, n, room, "change of the energy, relative", w->start.energy > 0 ? now.energy / w->start.energy - 1 : 0);
-    n = add(to, n, room, "energy out of nothing, relative", w->start.energy > 0 ? w->energy_gained / w->start.energy : 0);
-    n = add(to, n, room, "largest total variation, relative", w->variation_start > 0 ? w->variation_most / w->variation_start : 1);
+    n = bead_measure_add(to, n, room, "change of the integral of the strain", now.mass - w->start.mass);
+    n = bead_measure_add(to, n, room, "change of the momentum", now.momentum - w->start.momentum);
+    n = bead_measure_add(to, n, room, "energy", now.energy);
+    n = bead_measure_add(to, n, room, "change of the energy, relative", w->start.energy > 0 ? now.energy / w->start.energy - 1 : 0);
+    n = bead_measure_add(to, n, room, "energy out of nothing, relative",
+                         w->start.energy > 0 ? w->energy_gained / w->start.energy : 0);
+    n = bead_measure_add(to, n, room, "largest total variation, relative",
+                         w->variation_start > 0 ? w->variation_most / w->variation_start : 1);
     if (isfinite(w->breaking))
-        n = add(to, n, room, w->broken ? "breaking time" : "breaking time, extrapolated", w->breaking);
+        n = bead_measure_add(to, n, room, w->broken ? "breaking time" : "breaking time, extrapolated", w->breaking);
     if (w->spec->start == BEAD_START_SIMPLE_WAVE && w->spec->epsilon * w->spec->amplitude != 0)
-        n = add(to, n, room, "breaking time, closed form", closed_form(w->spec));
+        n = bead_measure_add(to, n, room, "breaking time, closed form", closed_form(w->spec));
     return n;
 }

@@ -165,17 +165,17 @@ static const char *why(const struct bead_output *output)
     return kind_of(output)->why;
 }
 
-static enum bead_error fill(FILE *file, const struct bead_output *output, const struct bead_sweep *sweep, struct bead_message *msg)
+static enum bead_error fill(void *context, FILE *file, const char *part, struct bead_message *msg)
 {
-    struct out o = {.file = file, .sweep = sweep, .output = output, .several = bead_sweep_panels(sweep) > 1};
-    for (size_t p = 0; p < bead_sweep_panels(sweep); p++)
-        o.places = o.places || (kind_of(output)->of_places && bead_sweep_panel(sweep, p)->spec->measures.sensor_count > 0);
+    (void)part;
+    struct out *o = context;
+    o->file = file;
     /* "C": a decimal point, whatever the user's language. */
     locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (plain == (locale_t)0)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
     locale_t before = uselocale(plain);
-    enum bead_error err = kind_of(output)->write(&o, msg);
+    enum bead_error err = kind_of(o->output)->write(o, msg);
     uselocale(before);
     freelocale(plain);
     return err;
@@ -184,25 +184,10 @@ static enum bead_error fill(FILE *file, const struct bead_output *output, const 
 static enum bead_error write_table(const struct bead_output *output, const struct bead_sweep *sweep, const char *path,
                                    uint64_t *bytes, struct bead_message *msg)
 {
-    char *part = NULL;
-    FILE *file = NULL;
-    enum bead_error err = bead_file_part_name(path, &part, msg);
-    if (!err)
-        err = bead_file_create(part, &file, msg);
-    if (!err) {
-        struct bead_message unused;
-        err = fill(file, output, sweep, msg);
-        enum bead_error closing = bead_file_close(file, part, err ? &unused : msg);
-        err = err ? err : closing;
-        if (err)
-            bead_file_discard(part);
-    }
-    if (!err)
-        err = bead_file_commit(part, path, msg);
-    if (!err)
-        *bytes = bead_file_bytes(path);
-    free(part);
-    return err;
+    struct out o = {.sweep = sweep, .output = output, .several = bead_sweep_panels(sweep) > 1};
+    for (size_t p = 0; p < bead_sweep_panels(sweep); p++)
+        o.places = o.places || (kind_of(output)->of_places && bead_sweep_panel(sweep, p)->spec->measures.sensor_count > 0);
+    return bead_file_write(path, fill, &o, bytes, msg);
 }
 
 static const char *const extensions[] = {"csv", NULL};

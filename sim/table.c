@@ -128,14 +128,28 @@ static void sensors_needs(const struct bead_sink *sink, struct bead_needs *needs
     }
 }
 
-static void sensors_header(struct bead_sink *sink)
+void bead_table_columns(struct bead_sink *sink, const char *time)
 {
-    fputs("time_s", sink->file);
+    fputs(time, sink->file);
     for (size_t i = 0; i < sink->column_count; i++) {
         fputc(',', sink->file);
         bead_table_text(sink->file, sink->columns[i].name);
     }
     fputc('\n', sink->file);
+}
+
+void bead_table_row(struct bead_sink *sink, double time)
+{
+    fprintf(sink->file, "%.17g", time);
+    for (size_t i = 0; i < sink->column_count; i++)
+        fprintf(sink->file, ",%.17g", sink->columns[i].value);
+    fputc('\n', sink->file);
+    sink->rows++;
+}
+
+static void sensors_header(struct bead_sink *sink)
+{
+    bead_table_columns(sink, "time_s");
 }
 
 /* A row is written when all chains have come, so that a run that is stopped leaves no half row. */
@@ -145,13 +159,8 @@ static enum bead_error sensors_sample(struct bead_sink *sink, const struct bead_
     for (size_t i = 0; i < sink->column_count; i++)
         if (sink->columns[i].chain == sample->chain)
             sink->columns[i].value = sample->field[BEAD_FIELD_FORCE][sink->columns[i].bead];
-    if (sample->chain + 1 < sink->stage.chain_count)
-        return BEAD_OK;
-    fprintf(sink->file, "%.17g", sample->time);
-    for (size_t i = 0; i < sink->column_count; i++)
-        fprintf(sink->file, ",%.17g", sink->columns[i].value);
-    fputc('\n', sink->file);
-    sink->rows++;
+    if (sample->chain + 1 == sink->stage.chain_count)
+        bead_table_row(sink, sample->time);
     return BEAD_OK;
 }
 

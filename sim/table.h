@@ -45,6 +45,10 @@ struct table {
 /* A text, in quotes where it has a comma, a quote or a line break. */
 void bead_table_text(FILE *file, const char *text);
 
+/* A line of the columns' names behind that of the time, and one of their values. */
+void bead_table_columns(struct bead_sink *sink, const char *time);
+void bead_table_row(struct bead_sink *sink, double time);
+
 /* `show: measures` */
 extern const struct table bead_table_measures;
 /* `show: modes` */

@@ -36,12 +36,7 @@ static void needs(const struct bead_sink *sink, struct bead_needs *needs)
 
 static void header(struct bead_sink *sink)
 {
-    fputs("time", sink->file);
-    for (size_t i = 0; i < sink->column_count; i++) {
-        fputc(',', sink->file);
-        bead_table_text(sink->file, sink->columns[i].name);
-    }
-    fputc('\n', sink->file);
+    bead_table_columns(sink, "time");
 }
 
 static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
@@ -52,13 +47,8 @@ static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *
     bead_chain_mode_energies(sink->stage.chains[sample->chain], sample->field, modes, energy);
     for (size_t k = 0; k < modes; k++)
         sink->columns[sample->chain * modes + k].value = energy[k];
-    if (sample->chain + 1 < sink->stage.chain_count)
-        return BEAD_OK;
-    fprintf(sink->file, "%.17g", sample->time);
-    for (size_t i = 0; i < sink->column_count; i++)
-        fprintf(sink->file, ",%.17g", sink->columns[i].value);
-    fputc('\n', sink->file);
-    sink->rows++;
+    if (sample->chain + 1 == sink->stage.chain_count)
+        bead_table_row(sink, sample->time);
     return BEAD_OK;
 }
 

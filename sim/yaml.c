@@ -164,16 +164,6 @@ static struct bead_node *copy(struct bead_yaml *yaml, const struct bead_node *no
     return made;
 }
 
-static size_t height(const struct bead_node *node)
-{
-    size_t most = 0;
-    for (size_t i = 0; i < node->count; i++) {
-        size_t h = height(node->items[i]);
-        most = h > most ? h : most;
-    }
-    return most + 1;
-}
-
 static enum bead_error take_alias(struct builder *b, const yaml_event_t *event)
 {
     const struct bead_node *target = NULL;
@@ -185,7 +175,7 @@ static enum bead_error take_alias(struct builder *b, const yaml_event_t *event)
         if (b->open[i] == target)
             return wrong(b, event->start_mark, "this alias contains itself");
     }
-    if (b->depth + height(target) > BEAD_YAML_DEPTH)
+    if (b->depth + bead_yaml_height(target) > BEAD_YAML_DEPTH)
         return wrong(b, event->start_mark, "nested too deeply: at most 32 levels are allowed");
     struct bead_node *node = copy(b->yaml, target, place_of(b, event->start_mark));
     return node ? place_node(b, node, event->start_mark) : no_node(b, event->start_mark);

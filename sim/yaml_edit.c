@@ -145,16 +145,6 @@ static enum bead_error follow(const struct edit *e, const char *end, struct bead
     return BEAD_OK;
 }
 
-static size_t depth_of(const struct bead_node *node)
-{
-    size_t most = 0;
-    for (size_t i = 0; i < node->count; i++) {
-        size_t depth = depth_of(node->items[i]);
-        most = depth > most ? depth : most;
-    }
-    return most + 1;
-}
-
 enum bead_error bead_yaml_set(struct bead_yaml *yaml, const char *setting, size_t number, struct bead_message *msg)
 {
     struct edit e = {yaml, setting, number, msg};
@@ -175,7 +165,7 @@ enum bead_error bead_yaml_set(struct bead_yaml *yaml, const char *setting, size_
         return err;
     *slot = value;
     /* The whole keeps within the depth that recursion relies on. */
-    if (depth_of(yaml->root) > BEAD_YAML_DEPTH)
+    if (bead_yaml_height(yaml->root) > BEAD_YAML_DEPTH)
         return wrong(&e, setting, "nested too deeply: at most 32 levels are allowed");
     return BEAD_OK;
 }

@@ -20,5 +20,7 @@ struct bead_yaml {
 
 /* Zeroed memory that lives as long as the document; NULL where there is none. */
 void *bead_yaml_take(struct bead_yaml *yaml, size_t size);
+/* Levels of nodes, 1 of a scalar. */
+size_t bead_yaml_height(const struct bead_node *node);
 
 #endif

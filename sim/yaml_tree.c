@@ -124,3 +124,13 @@ const char *bead_node_show(const struct bead_node *node, char *shown, size_t siz
     strcat(shown, "`");
     return shown;
 }
+
+size_t bead_yaml_height(const struct bead_node *node)
+{
+    size_t most = 0;
+    for (size_t i = 0; i < node->count; i++) {
+        size_t height = bead_yaml_height(node->items[i]);
+        most = height > most ? height : most;
+    }
+    return most + 1;
+}

@@ -6,6 +6,8 @@
  *   bead_file_commit(part, path, msg);     or   bead_file_discard(part);
  *   free(part); free(path);
  *
+ * or, where one function writes it all, bead_file_write(path, fill, context, &bytes, msg).
+ *
  * Messages of IO errors begin with the path. */
 #ifndef BEADREEL_FILE_H
 #define BEADREEL_FILE_H
@@ -28,6 +30,11 @@ BEAD_API BEAD_CHECK enum bead_error bead_file_close(FILE *file, const char *part
 /* The closed file `part` becomes `path`, for good: fsync, rename, fsync of the directory. On failure `part` is removed. Errors: IO.
  */
 BEAD_API BEAD_CHECK enum bead_error bead_file_commit(const char *part, const char *path, struct bead_message *msg);
+/* Fills the opened `file`, named `part` in messages. */
+typedef enum bead_error (*bead_file_fill)(void *context, FILE *file, const char *part, struct bead_message *msg);
+/* All of the above: `path` as `fill` writes it, or not at all. bytes may be NULL. Errors: MEMORY, IO, those of `fill`. */
+BEAD_API BEAD_CHECK enum bead_error bead_file_write(const char *path, bead_file_fill fill, void *context, uint64_t *bytes,
+                                                    struct bead_message *msg);
 /* Remove `part` (NULL, or not there: nothing happens). */
 BEAD_API void bead_file_discard(const char *part);
 /* Bytes in the file, 0 where there is none. */
