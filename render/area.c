@@ -1,39 +1,61 @@
-#include "render/area.h"
+#include "render/area_data.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Rows of sums are beads where the picture has a pixel or more for each, else pixels. */
-struct bead_area {
-    struct bead_area_setup setup;
-    size_t beads, rows;
-    double *sums;    /* [along][rows], integral over time of value - rest, averaged over the row; or the value furthest from 0 in
-                        row and column, NaN where all was at rest */
-    double *covered; /* s, [along] */
-    double *rest;    /* [beads], values of beads that had not moved at the first sample */
-    double *resting; /* [rows], the same in rows */
-    double *before, *now; /* [rows], value - rest (or value) of the last sample and of this */
-    size_t lit_before;    /* rows of `before` that may differ from rest */
-    double time_before;
-    bool started;
-};
+#include "render/area_kernels.h"
+#include "render/large.h"
 
 static double *numbers(size_t count)
 {
     return calloc(count ? count : 1, sizeof(double));
 }
 
-static bool keeps_largest(const struct bead_area *a)
+static struct share share_of(const struct bead_area *a, size_t i)
 {
-    return a->setup.sampling == BEAD_SAMPLING_MAX;
+    if (keeps_largest(a))
+        return (struct share){0, 0, i * a->rows / a->beads, ((i + 1) * a->rows - 1) / a->beads};
+    double cell = (double)a->rows / (double)a->beads; /* of a row, < 1 */
+    size_t row = (size_t)((double)i * cell);
+    row = row < a->rows ? row : a->rows - 1;
+    double beyond = (double)(i + 1) * cell - (double)(row + 1), next = row + 1 < a->rows && beyond > 0 ? beyond : 0;
+    return (struct share){cell - next, next, row, next > 0 ? row + 1 : row};
 }
 
-/* The one further from 0; b where a is NaN. */
-static double further(double a, double b)
+/* Pixels narrower than beads lie in a cell, or across the border of two. In units of 1/pixels of a bead. */
+static void find_levels(struct bead_area *a)
 {
-    return fabs(b) <= fabs(a) ? a : b;
+    size_t pixels = (size_t)a->setup.across;
+    for (size_t p = 0; p < pixels; p++) {
+        size_t from = p * a->beads, to = from + a->beads, bead = from / pixels, border = (bead + 1) * pixels;
+        a->level[p] = (unsigned)(to > border ? a->rows + bead : bead);
+        if (to > border)
+            a->beyond[bead] = (double)(to - border) / (double)a->beads;
+    }
+}
+
+/* False: no memory. */
+static bool allocate(struct bead_area *a)
+{
+    size_t along = (size_t)a->setup.along, across = (size_t)a->setup.across;
+    bool fits = a->rows < SIZE_MAX / sizeof(double) / along;
+    a->sums = fits ? bead_large_take(a->rows * along * sizeof(double)) : NULL;
+    a->covered = numbers(along);
+    a->rest = numbers(a->beads);
+    a->resting = numbers(a->rows);
+    a->before = numbers(a->rows);
+    a->now = numbers(a->rows);
+    a->low = numbers(a->rows);
+    a->high = numbers(a->rows);
+    a->shown = numbers(a->rows);
+    a->shares = a->rows < a->beads ? calloc(a->beads, sizeof *a->shares) : NULL;
+    a->level = a->rows < across ? calloc(across, sizeof *a->level) : NULL;
+    a->beyond = numbers(a->rows);
+    a->levels = numbers(bead_area_levels(a));
+    return a->sums && a->covered && a->rest && a->resting && a->before && a->now && a->low && a->high && a->shown && a->beyond &&
+           a->levels && (a->shares || a->rows == a->beads) && (a->level || a->rows == across);
 }
 
 enum bead_error bead_area_create(const struct bead_area_setup *setup, struct bead_area **area, struct bead_message *msg)
@@ -44,20 +66,19 @@ enum bead_error bead_area_create(const struct bead_area_setup *setup, struct bea
     a->setup = *setup;
     a->beads = setup->beads.last - setup->beads.first + 1;
     a->rows = a->beads < (size_t)setup->across ? a->beads : (size_t)setup->across;
-    bool fits = a->rows < SIZE_MAX / sizeof(double) / (size_t)setup->along;
-    a->sums = fits ? numbers(a->rows * (size_t)setup->along) : NULL;
-    a->covered = numbers((size_t)setup->along);
-    a->rest = numbers(a->beads);
-    a->resting = numbers(a->rows);
-    a->before = numbers(a->rows);
-    a->now = numbers(a->rows);
-    if (!a->sums || !a->covered || !a->rest || !a->resting || !a->before || !a->now) {
+    if (!allocate(a)) {
         bead_area_destroy(a);
         *area = NULL;
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image of %d x %d pixels", setup->along, setup->across);
     }
-    for (size_t i = 0; keeps_largest(a) && i < a->rows * (size_t)setup->along; i++)
-        a->sums[i] = NAN;
+    for (size_t i = 0; a->shares && i < a->beads; i++)
+        a->shares[i] = share_of(a, i);
+    if (a->level)
+        find_levels(a);
+    for (size_t r = 0; r < a->rows; r++) {
+        a->low[r] = INFINITY;
+        a->high[r] = -INFINITY;
+    }
     return BEAD_OK;
 }
 
@@ -71,19 +92,14 @@ void bead_area_destroy(struct bead_area *area)
     free(area->resting);
     free(area->before);
     free(area->now);
+    free(area->low);
+    free(area->high);
+    free(area->shown);
+    free(area->shares);
+    free(area->level);
+    free(area->beyond);
+    free(area->levels);
     free(area);
-}
-
-/* Bead i's share of its row, and of the next where it lies across the border; with more beads than rows. */
-static size_t shares(const struct bead_area *a, size_t i, double *own, double *next)
-{
-    double cell = (double)a->rows / (double)a->beads; /* of a row, < 1 */
-    size_t row = (size_t)((double)i * cell);
-    row = row < a->rows ? row : a->rows - 1;
-    double beyond = (double)(i + 1) * cell - (double)(row + 1);
-    *next = row + 1 < a->rows && beyond > 0 ? beyond : 0;
-    *own = cell - *next;
-    return row;
 }
 
 /* Values furthest from 0 in rows, as far as beads below `count` reach; returns how many rows that touches. A bead counts whole in
@@ -92,39 +108,43 @@ static size_t largest_in_rows(const struct bead_area *a, const double *values, s
 {
     size_t touched = 0;
     for (size_t i = 0; i < a->beads; i++) {
-        size_t from = i * a->rows / a->beads, to = ((i + 1) * a->rows - 1) / a->beads;
-        if (i >= count && from >= touched)
+        const struct share *s = &a->shares[i];
+        if (i >= count && s->row >= touched)
             break;
-        for (size_t row = from; row <= to && (i < count || row < touched); row++) {
-            rows[row] = row < touched ? further(rows[row], i < count ? values[i] : a->rest[i]) : values[i];
+        for (size_t row = s->row; row <= s->last && (i < count || row < touched); row++) {
+            rows[row] = row < touched ? bead_further(rows[row], i < count ? values[i] : a->rest[i]) : values[i];
             touched = row < touched ? touched : row + 1;
         }
     }
     return touched;
 }
 
-/* Means over rows of values - rest, of beads below `count`; returns how many rows that touches. */
-static size_t into_rows(const struct bead_area *a, const double *values, size_t count, double *rows)
+/* Means over rows of values - rest. */
+static size_t means_in_rows(const struct bead_area *a, const double *values, size_t count, double *rows)
 {
-    if (keeps_largest(a))
-        return largest_in_rows(a, values, count, rows);
-    if (a->rows == a->beads) {
-        for (size_t i = 0; i < count; i++)
-            rows[i] = values[i] - a->rest[i];
-        return count;
-    }
-    double own, next;
-    size_t touched = count ? shares(a, count - 1, &own, &next) + 1 : 0;
+    size_t touched = count ? a->shares[count - 1].row + 1 : 0;
     touched += touched > 0 && touched < a->rows;
     memset(rows, 0, touched * sizeof *rows);
     for (size_t i = 0; i < count; i++) {
-        size_t row = shares(a, i, &own, &next);
+        const struct share *s = &a->shares[i];
         double value = values[i] - a->rest[i];
-        rows[row] += own * value;
-        if (next > 0)
-            rows[row + 1] += next * value;
+        rows[s->row] += s->own * value;
+        if (s->next > 0)
+            rows[s->last] += s->next * value;
     }
     return touched;
+}
+
+/* Of beads below `count`; returns how many rows that touches. */
+static size_t into_rows(const struct bead_area *a, const double *values, size_t count, double *rows)
+{
+    if (a->shares)
+        return (keeps_largest(a) ? largest_in_rows : means_in_rows)(a, values, count, rows);
+    if (keeps_largest(a))
+        memcpy(rows, values, count * sizeof *rows);
+    else
+        bead_area_subtract(count, values, a->rest, rows);
+    return count;
 }
 
 static double edge(const struct bead_area *a, int c)
@@ -139,27 +159,35 @@ static int column_of(const struct bead_area *a, double time)
     return place > 1 ? (int)fmin(place, a->setup.along) - 1 : 0; /* or the one before: rounding must not lose a piece */
 }
 
-/* A linear piece is furthest from 0 at one of its ends, here parts of the way from `before` to `now`. */
-static void add_largest(const struct bead_area *a, double *largest, double begin, double end, size_t lit)
+static void clear(const struct bead_area *a, double *sums)
 {
-    for (size_t r = 0; r < lit; r++) {
-        double change = a->now[r] - a->before[r], last = end < 1 ? a->before[r] + end * change : a->now[r];
-        largest[r] = further(largest[r], further(a->before[r] + begin * change, last));
-    }
+    if (!keeps_largest(a))
+        memset(sums, 0, a->rows * sizeof *sums);
+    for (size_t r = 0; keeps_largest(a) && r < a->rows; r++)
+        sums[r] = NAN;
 }
 
 /* The integral of one linear piece over column c: weights of its two ends, the same for all rows. */
 static void add_piece(struct bead_area *a, int c, double from, double to, double time, size_t lit)
 {
-    double length = to - from, span = time - a->time_before;
+    double length = to - from, span = time - a->time_before, *sums = column(a, c);
     double late = length * ((from - a->time_before) + (to - a->time_before)) / (2 * span), early = length - late;
-    double *sums = a->sums + (size_t)c * a->rows;
+    if (!(a->covered[c] > 0))
+        clear(a, sums);
     if (keeps_largest(a))
-        add_largest(a, sums, (from - a->time_before) / span, (to - a->time_before) / span, lit);
+        bead_area_add_largest(lit, (from - a->time_before) / span, (to - a->time_before) / span, a->before, a->now, sums);
     else
-        for (size_t r = 0; r < lit; r++)
-            sums[r] += early * a->before[r] + late * a->now[r];
+        bead_area_add(lit, early, late, a->before, a->now, sums);
     a->covered[c] += length;
+}
+
+/* While the column is at hand. */
+static void finish(struct bead_area *a, int c)
+{
+    if (!(a->covered[c] > 0))
+        return;
+    bead_area_show(a, c, column(a, c));
+    bead_area_spread(a->rows, column(a, c), a->low, a->high);
 }
 
 static size_t larger(size_t a, size_t b)
@@ -171,17 +199,11 @@ static size_t larger(size_t a, size_t b)
 static void remember_rest(struct bead_area *a, const double *values, size_t active)
 {
     for (size_t i = active; i < a->beads; i++) {
-        double own = 1, next = 0;
-        size_t row = a->rows == a->beads ? i : shares(a, i, &own, &next);
+        const struct share s = a->shares ? a->shares[i] : (struct share){1, 0, i, i};
         a->rest[i] = values[i];
-        if (keeps_largest(a)) {
-            for (row = i * a->rows / a->beads; row * a->beads < (i + 1) * a->rows; row++)
-                a->resting[row] = further(a->resting[row], values[i]);
-            continue;
-        }
-        a->resting[row] += own * values[i];
-        if (next > 0)
-            a->resting[row + 1] += next * values[i];
+        for (size_t row = s.row; row <= s.last; row++)
+            a->resting[row] = keeps_largest(a) ? bead_further(a->resting[row], values[i])
+                                               : a->resting[row] + (row == s.row ? s.own : s.next) * values[i];
     }
 }
 
@@ -211,56 +233,12 @@ void bead_area_feed(struct bead_area *area, double time, const double *values, s
                 add_piece(a, c, from, to, time, lit);
         }
     }
+    while (a->done < a->setup.along && edge(a, a->done + 1) <= time)
+        finish(a, a->done++);
     double *spare = a->before;
     a->before = a->now;
     a->now = spare;
     a->lit_before = lit;
     a->time_before = time;
     a->started = true;
-}
-
-static double row_mean(const struct bead_area *a, int c, size_t row)
-{
-    double sum = a->sums[(size_t)c * a->rows + row];
-    if (keeps_largest(a))
-        return isnan(sum) ? a->resting[row] : sum;
-    return a->resting[row] + sum / a->covered[c];
-}
-
-bool bead_area_column(const struct bead_area *area, int c, double *means)
-{
-    const struct bead_area *a = area;
-    size_t pixels = (size_t)a->setup.across;
-    if (!(a->covered[c] > 0))
-        return false;
-    if (a->rows == pixels) {
-        for (size_t p = 0; p < pixels; p++)
-            means[p] = row_mean(a, c, p);
-        return true;
-    }
-    /* Pixels are narrower than beads: one lies in a cell, or across the border of two. In units of 1/pixels of a bead. */
-    for (size_t p = 0; p < pixels; p++) {
-        size_t from = p * a->beads, to = from + a->beads, bead = from / pixels, border = (bead + 1) * pixels;
-        double mean = row_mean(a, c, bead);
-        if (to > border) {
-            double beyond = (double)(to - border) / (double)a->beads;
-            double next = row_mean(a, c, bead + 1);
-            mean = keeps_largest(a) ? further(mean, next) : mean + beyond * (next - mean);
-        }
-        means[p] = mean;
-    }
-    return true;
-}
-
-void bead_area_extremes(const struct bead_area *area, double *low, double *high)
-{
-    *low = INFINITY;
-    *high = -INFINITY;
-    for (int c = 0; c < area->setup.along; c++) {
-        for (size_t row = 0; area->covered[c] > 0 && row < area->rows; row++) {
-            double mean = row_mean(area, c, row);
-            *low = mean < *low ? mean : *low;
-            *high = mean > *high ? mean : *high;
-        }
-    }
 }

@@ -32,6 +32,12 @@ void bead_area_feed(struct bead_area *area, double time, const double *values, s
 /* Means (or values furthest from 0) of the pixels of time column `c` from the chain's first to its last, [across]; false: no sample
  * has touched it. */
 bool bead_area_column(const struct bead_area *area, int c, double *means);
+/* The same without repetition: the different values that pixels of a column can have, [levels], and for each pixel which of them it
+ * has; NULL: pixels are levels. */
+size_t bead_area_levels(const struct bead_area *area);
+const unsigned *bead_area_level(const struct bead_area *area);
+bool bead_area_column_levels(const struct bead_area *area, int c, double *values);
+size_t bead_area_across(const struct bead_area *area);
 /* Least and largest of all pixels touched; low > high where there are none. */
 void bead_area_extremes(const struct bead_area *area, double *low, double *high);
 

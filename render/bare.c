@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "beadreel/colormap.h"
-#include "render/area.h"
+#include "render/area_colours.h"
 #include "render/colour_range.h"
 #include "render/figure.h"
 #include "render/page.h"
@@ -108,19 +108,15 @@ static enum bead_error fill_indices(const struct bead_bare *b, uint8_t *indices,
 {
     struct bead_colour_range range = find_range(b);
     struct bead_colours colours = {&b->map, b->output->scale, range.low, range.high};
-    double *means = malloc((size_t)b->page.height * sizeof *means);
-    if (!means)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image");
+    struct bead_colour_table table;
+    enum bead_error err = BEAD_OK;
+    bead_colour_table_make(&colours, &table);
     for (size_t c = 0; c < b->stage.chain_count; c++) {
-        for (int x = 0; x < b->page.width; x++) {
-            if (!bead_area_column(b->areas[c], x, means))
-                continue;
-            for (int y = b->tops[c]; y < b->tops[c + 1]; y++)
-                indices[(size_t)y * (size_t)b->page.width + (size_t)x] = bead_colours_index(&colours, means[y - b->tops[c]]);
-        }
+        struct bead_area_image image = {indices + (size_t)b->tops[c] * (size_t)b->page.width, 1, b->page.width};
+        for (int x = 0, done; !err && x < b->page.width; x = done + 1) /* past a column that no sample touched */
+            err = bead_area_colour(b->areas[c], &table, x, b->page.width, &image, &done, msg);
     }
-    free(means);
-    return BEAD_OK;
+    return err;
 }
 
 /* What draw_pixels puts into a vector file. */

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/area.h"
+#include "render/area_colours.h"
 #include "render/camera.h"
 #include "render/horizon.h"
 #include "render/raster.h"
@@ -29,6 +29,7 @@ struct bead_view {
     int mark[2];                  /* pixels across that the cursor shows the camera's window at */
     bool drawn, finished;
     uint32_t colour[256]; /* as in frames */
+    struct bead_colour_table table;
 };
 
 static unsigned fields(const struct bead_view_setup *setup)
@@ -39,6 +40,7 @@ static unsigned fields(const struct bead_view_setup *setup)
 void bead_spacetime_recolour(struct bead_view *view, const struct bead_colours *colours)
 {
     view->setup.colours = *colours;
+    bead_colour_table_make(&view->setup.colours, &view->table);
     for (int i = 0; i < 256; i++) {
         const uint8_t *rgb = colours->map->rgb[i];
         view->colour[i] = (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
@@ -129,57 +131,20 @@ static enum bead_error feed(struct bead_view *v, const struct bead_sample *sampl
     return err;
 }
 
-enum { BLOCK = 64 };
-
-/* Colours of one time column into every BLOCK-th byte; a run of equal means is looked up once. */
-static void colour_column(const struct bead_view *v, const double *means, uint8_t *out)
-{
-    uint8_t index = bead_colours_index(&v->setup.colours, means[0]);
-    for (int p = 0; p < v->across; p++) {
-        if (p > 0 && means[p] != means[p - 1])
-            index = bead_colours_index(&v->setup.colours, means[p]);
-        out[p * BLOCK] = index;
-    }
-}
-
-/* A block of columns into their place: beads up, or to the right with time down. */
-static void put_block(struct bead_view *v, const uint8_t *block, int from, int count)
-{
-    size_t width = (size_t)v->plot.width;
-    for (int p = 0; p < v->across; p++) {
-        const uint8_t *line = block + (size_t)p * BLOCK;
-        if (!v->setup.time_down)
-            memcpy(v->indices + (size_t)(v->across - 1 - p) * width + (size_t)from, line, (size_t)count);
-        else
-            for (int c = 0; c < count; c++)
-                v->indices[(size_t)(from + c) * width + (size_t)p] = line[c];
-    }
-}
-
-/* Colours of columns from v->done to `to`; those that no sample has touched lie only at the ends and are passed over. */
+/* Colours of columns from v->done to `to`: beads up, or to the right with time down. Columns that no sample has touched lie only at
+ * the ends and are passed over. */
 static enum bead_error colour_columns(struct bead_view *v, int to, struct bead_message *msg)
 {
-    double *means = malloc((size_t)v->across * sizeof *means);
-    uint8_t *block = malloc((size_t)v->across * BLOCK);
-    enum bead_error err = means && block ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a space-time image");
-    bool touched = true;
-    while (!err && touched && v->done < to) {
-        int count = 0;
-        for (; count < BLOCK && v->done + count < to; count++) {
-            touched = bead_area_column(v->area, v->done + count, means);
-            if (!touched)
-                break;
-            colour_column(v, means, block + count);
-        }
-        put_block(v, block, v->done, count);
-        v->done += count;
-        if (!touched && v->done == v->first) { /* before the first sample */
+    const ptrdiff_t width = v->plot.width;
+    const struct bead_area_image up = {v->indices + (v->across - 1) * width, 1, -width}, down = {v->indices, width, 1};
+    enum bead_error err = BEAD_OK;
+    bool before = true; /* the first sample */
+    while (!err && before && v->done < to) {
+        err = bead_area_colour(v->area, &v->table, v->done, to, v->setup.time_down ? &down : &up, &v->done, msg);
+        before = v->done == v->first && v->done < to;
+        if (before)
             v->first = ++v->done;
-            touched = true;
-        }
     }
-    free(means);
-    free(block);
     return err;
 }
 
