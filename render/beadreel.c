@@ -50,7 +50,7 @@ static const struct command_list lists[] = {
 
 int main(int argc, char **argv)
 {
-    static const char *const canvases[] = {"osmesa", "egl", NULL};
+    static const char *const canvases[] = {"plain", "osmesa", "egl", NULL};
     const struct bead_sink_type *const *const sinks[] = {bead_data_sinks(), bead_render_sinks(), NULL};
     const struct bead_sweep_sink *const *const sweep_sinks[] = {bead_sweep_data_sinks(), bead_sweep_render_sinks(), NULL};
     const struct command_program program = {

@@ -64,7 +64,7 @@ struct bead_view {
     struct bead_mark zoom_mark, old_zoom_mark;
 
     struct bead_canvas *canvas; /* borrowed */
-    struct bead_backdrop backdrop;
+    struct bead_backdrop *backdrop;
     bool drawn;
 };
 

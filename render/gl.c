@@ -4,14 +4,14 @@
 #include <stdlib.h>
 
 #include "beadreel/assets.h"
-#include "beadreel/canvas.h"
 
-enum bead_error bead_gl_load(struct bead_gl *gl, const struct bead_canvas *canvas, struct bead_message *msg)
+enum bead_error bead_gl_load(struct bead_gl *gl, const struct bead_context_type *type, struct bead_context *context,
+                             struct bead_message *msg)
 {
     const char *missing = NULL;
-#define BEAD_GL_LOAD(type, name)                               \
-    gl->name = (type)bead_canvas_function(canvas, "gl" #name); \
-    if (!gl->name)                                             \
+#define BEAD_GL_LOAD(pointer, name)                          \
+    gl->name = (pointer)type->function(context, "gl" #name); \
+    if (!gl->name)                                           \
         missing = "gl" #name;
     BEAD_GL_FUNCTIONS(BEAD_GL_LOAD)
 #undef BEAD_GL_LOAD

@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "beadreel/error.h"
+#include "render/gl_context.h"
 
 #define BEAD_GL_FUNCTIONS(X)                                     \
     X(PFNGLATTACHSHADERPROC, AttachShader)                       \
@@ -64,10 +65,9 @@ struct bead_gl {
 #undef BEAD_GL_MEMBER
 };
 
-struct bead_canvas;
-
-/* Fill `gl` from the canvas's back end. Errors: GRAPHICS. */
-BEAD_CHECK enum bead_error bead_gl_load(struct bead_gl *gl, const struct bead_canvas *canvas, struct bead_message *msg);
+/* Fill `gl` from a context. Errors: GRAPHICS. */
+BEAD_CHECK enum bead_error bead_gl_load(struct bead_gl *gl, const struct bead_context_type *type, struct bead_context *context,
+                                        struct bead_message *msg);
 /* Compile and link shaders/`vertex`.vert and shaders/`fragment`.frag of the assets. Errors: IO, MEMORY, GRAPHICS (with the
  * compiler's words). */
 BEAD_CHECK enum bead_error bead_gl_program(const struct bead_gl *gl, const char *vertex, const char *fragment, GLuint *program,

@@ -386,7 +386,7 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
         err = bead_movie_reserve(s->movie, FRAME_SLOTS, &s->ahead, msg);
     for (int i = 0; !err && !s->ahead && i < FRAME_SLOTS; i++)
         err = bead_frame_create(s->width, s->height, &s->buffer[i], msg);
-    bead_canvas_prepare(); /* while no thread of ours is running */
+    bead_canvas_prepare(s->stage.canvas); /* while no thread of ours is running */
     return err ? err : create_pipes(s, msg);
 }
 

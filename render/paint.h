@@ -1,5 +1,6 @@
-/* Painter: balls and marks into a canvas. All lengths in pixels of the canvas, y downwards; positions need not be whole pixels.
- * Within one rectangle:  bead_paint_begin (backdrop) -> bead_paint_balls, bead_paint_marks, ... -> bead_canvas_read. */
+/* Painter: balls and marks into a rectangle of a frame. Lengths in pixels, y downwards; positions need not be whole pixels.
+ * Each time:  bead_paint_begin (backdrop) -> bead_paint_balls, bead_paint_marks, ... -> bead_paint_end.
+ * assets/shaders has the formulas of what a pixel looks like; every way of painting follows them. */
 #ifndef BEAD_RENDER_PAINT_H
 #define BEAD_RENDER_PAINT_H
 
@@ -7,9 +8,6 @@
 #include <stdint.h>
 
 #include "beadreel/canvas.h"
-#include "render/gl.h"
-
-struct bead_painter;
 
 /* A sphere seen from the front, shown between x = left and x = right (flattened where it touches its neighbours). */
 struct bead_ball {
@@ -27,29 +25,30 @@ enum bead_mark_kind {
 };
 
 struct bead_mark {
-    float box[4]; /* x0, y0, x1, y1 */
+    float box[4]; /* x0, y0, x1, y1; what reaches out of it by more than a pixel is not shown */
     float shape[4];
     float kind; /* enum bead_mark_kind */
     uint8_t rgba[4];
 };
 
-/* What lies behind: a rectangle of a frame, kept in the canvas. Zeroed: none. */
-struct bead_backdrop {
-    GLuint texture, framebuffer;
-};
+/* What lies behind: a rectangle of a frame as it was. */
+struct bead_backdrop;
 
-/* Upload `rect` of `frame`; its corner becomes (0, 0). Frees what was there. Errors: GRAPHICS, IO, MEMORY. */
-BEAD_CHECK enum bead_error bead_backdrop_set(struct bead_canvas *canvas, struct bead_backdrop *backdrop,
-                                             const struct bead_frame *frame, struct bead_rect rect, struct bead_message *msg);
-void bead_backdrop_free(struct bead_canvas *canvas, struct bead_backdrop *backdrop);
+/* Keep rectangle `place` of `frame`; painting goes to that place of a frame, and its corner is (0, 0). Errors: GRAPHICS (it lies
+ * outside), IO, MEMORY. On failure *backdrop is NULL. */
+BEAD_CHECK enum bead_error bead_backdrop_create(struct bead_canvas *canvas, const struct bead_frame *frame, struct bead_rect place,
+                                                struct bead_backdrop **backdrop, struct bead_message *msg);
+/* Before its canvas; NULL is allowed. */
+void bead_backdrop_destroy(struct bead_canvas *canvas, struct bead_backdrop *backdrop);
 
-/* Until the next begin only pixels inside `rect` are touched; they show the backdrop now. Errors: GRAPHICS, IO, MEMORY. */
-BEAD_CHECK enum bead_error bead_paint_begin(struct bead_canvas *canvas, const struct bead_backdrop *backdrop, struct bead_rect rect,
-                                            struct bead_message *msg);
+/* Until the end only pixels inside `rect` of the backdrop are touched, and `frame` must stay; they show the backdrop now. Errors:
+ * GRAPHICS (also where `rect` lies outside of backdrop, canvas or frame), MEMORY; after these there is nothing to end. */
+BEAD_CHECK enum bead_error bead_paint_begin(struct bead_canvas *canvas, const struct bead_backdrop *backdrop,
+                                            struct bead_frame *frame, struct bead_rect rect, struct bead_message *msg);
 /* In order, later ones over earlier ones. */
 void bead_paint_balls(struct bead_canvas *canvas, const struct bead_ball *balls, size_t count);
 void bead_paint_marks(struct bead_canvas *canvas, const struct bead_mark *marks, size_t count);
-
-void bead_painter_destroy(struct bead_painter *painter, const struct bead_gl *gl);
+/* The frame has it all. Errors: GRAPHICS, MEMORY. */
+BEAD_CHECK enum bead_error bead_paint_end(struct bead_canvas *canvas, struct bead_message *msg);
 
 #endif

@@ -44,8 +44,7 @@ static void beads_destroy(struct bead_view *v)
     bead_moving_labels_destroy(v->labels);
     free_drawing(&v->row_drawing);
     free_drawing(&v->lens_drawing);
-    if (v->canvas)
-        bead_backdrop_free(v->canvas, &v->backdrop);
+    bead_backdrop_destroy(v->canvas, v->backdrop);
     free(v);
 }
 
@@ -221,7 +220,7 @@ static void find_changes(const struct bead_view *v, struct spans *spans)
     }
 }
 
-/* Everything of a drawing within `rect` of the area, into canvas and frame. */
+/* Everything of a drawing within `rect` of the area. */
 static enum bead_error paint(struct bead_view *v, const struct bead_drawing *d, const struct bead_mark *behind,
                              struct bead_rect rect, struct bead_frame *frame, struct bead_changes *changes,
                              struct bead_message *msg)
@@ -233,7 +232,7 @@ static enum bead_error paint(struct bead_view *v, const struct bead_drawing *d, 
         first = i < first ? i : first;
         end = i + 1;
     }
-    enum bead_error err = bead_paint_begin(v->canvas, &v->backdrop, rect, msg);
+    enum bead_error err = bead_paint_begin(v->canvas, v->backdrop, frame, rect, msg);
     if (err)
         return err;
     if (behind)
@@ -241,7 +240,7 @@ static enum bead_error paint(struct bead_view *v, const struct bead_drawing *d, 
     if (first < end)
         bead_paint_balls(v->canvas, d->balls + first, end - first);
     bead_paint_marks(v->canvas, d->marks, d->mark_count);
-    err = bead_canvas_read(v->canvas, rect, frame, v->area.x + rect.x, v->area.y + rect.y, msg);
+    err = bead_paint_end(v->canvas, msg);
     if (changes)
         bead_changes_add(changes, (struct bead_rect){v->area.x + rect.x, v->area.y + rect.y, rect.width, rect.height});
     return err;
@@ -311,10 +310,10 @@ static enum bead_error beads_draw(struct bead_view *v, double time, struct bead_
     if (!v->canvas)
         return bead_fail(msg, BEAD_ERROR_GRAPHICS, "beads are drawn on a canvas, and there is none");
     enum bead_error err = BEAD_OK;
-    if (!v->backdrop.framebuffer) {
+    if (!v->backdrop) {
         v->area.width = v->area.width < background->width - v->area.x ? v->area.width : background->width - v->area.x;
         v->row.rect.width = v->row.rect.width < v->area.width ? v->row.rect.width : v->area.width;
-        err = bead_backdrop_set(v->canvas, &v->backdrop, background, v->area, msg);
+        err = bead_backdrop_create(v->canvas, background, v->area, &v->backdrop, msg);
     }
     if (err || v->fed == 0)
         return err;

@@ -215,7 +215,7 @@ static const struct option_row rows[] = {
     {"merge", 0, NULL, "put the parts of a sweep that are named, in any order, together into the file -o", set_merge},
     {"threads", 0, "N", "use N threads (default 0: all cores); the results are the same for any", set_threads},
     {"instructions", 0, "SET", "vector instructions sse2, avx2 or avx512 (default: best); same results", set_instructions},
-    {"canvas", 0, "NAME", "draw beads with osmesa or egl (default: the first that works); same pixels", set_canvas},
+    {"canvas", 0, "NAME", "what paints beads: plain (default), or as a reference Mesa's OpenGL, osmesa or egl", set_canvas},
     {"progress", 0, "HOW", "auto (default), plain, json or none; written to stderr", set_progress},
     {"help", 'h', NULL, "show this and stop", set_help},
     {"version", 'V', NULL, "show the version and stop", set_version},

@@ -13,7 +13,7 @@ _beadreel()
         --list) mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "$lists" -- "$value"); return ;;
         --progress) mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "auto plain json none" -- "$value"); return ;;
         --instructions) mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "sse2 avx2 avx512" -- "$value"); return ;;
-        --canvas) mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "osmesa egl" -- "$value"); return ;;
+        --canvas) mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "plain osmesa egl" -- "$value"); return ;;
         --threads | --set | --only | --configuration | --shard) return ;;
         -o | --output | --info) mapfile -t COMPREPLY < <(compgen -P "$prefix" -f -- "$value"); return ;;
     esac

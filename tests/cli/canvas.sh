@@ -1,5 +1,5 @@
 #!/bin/bash
-# Back ends of the canvas: the same pixels from both, and EGL where OSMesa is missing.
+# Back ends of the canvas: plain needs no library, the others Mesa's; the same files from both of those.
 source "$(dirname "$0")/../shell.bash"
 cat >"$T/scene.yaml" <<'YAML'
 chain:
@@ -13,17 +13,25 @@ outputs:
 YAML
 draw() { mkdir -p "$T/$1" && "$BUILD/beadreel" "$T/scene.yaml" -o "$T/$1" "${@:2}" >"$T/$1.out" 2>"$T/$1.err"; }
 same() { cmp "$T/$1/beads.png" "$T/$2/beads.png" && cmp "$T/$1/beads.mp4" "$T/$2/beads.mp4"; }
-without_osmesa() {
-    mkdir "$T/lib" && echo 'int nothing;' | cc -shared -fPIC -x c - -o "$T/lib/libOSMesa.so.8" &&
-        LD_LIBRARY_PATH=$T/lib draw missing
-}
+# As where they are not installed: what is found in their place is none of them.
+mkdir "$T/lib" && echo 'int nothing;' | cc -shared -fPIC -x c - -o "$T/lib/libOSMesa.so.8" && cp "$T/lib/libOSMesa.so.8" "$T/lib/libEGL.so.1"
+without() { LD_LIBRARY_PATH=$T/lib draw "$@"; }
+there() { "$BUILD/beadreel" "$T/scene.yaml" -o "$T/there" --only beads.png --canvas "$1" >/dev/null 2>&1; }
 
-ok "draws with OSMesa" draw osmesa --canvas osmesa
-ok "draws with EGL" draw egl --canvas egl
-ok "the same files from both" same osmesa egl
-ok "draws where OSMesa is missing" without_osmesa
-ok "the same files from there" same osmesa missing
-ok "but not with --canvas osmesa" fails 1 env LD_LIBRARY_PATH="$T/lib" "$BUILD/beadreel" "$T/scene.yaml" -o "$T" --canvas osmesa
+ok "draws" draw default
+ok "draws with --canvas plain" draw plain --canvas plain
+ok "which is the default" same default plain
+ok "draws where Mesa is missing" without missing
+ok "the same files" same default missing
+for canvas in osmesa egl; do
+    if there $canvas; then
+        ok "draws with --canvas $canvas" draw $canvas --canvas $canvas
+    else
+        skip "draws with --canvas $canvas: it is not installed"
+    fi
+    ok "but not where it is missing" fails 1 env LD_LIBRARY_PATH="$T/lib" "$BUILD/beadreel" "$T/scene.yaml" -o "$T" --canvas $canvas
+done
+if there osmesa && there egl; then ok "the same files from both" same osmesa egl; else skip "the same files from both: one is not installed"; fi
 ok "an unknown canvas is refused" fails 2 "$BUILD/beadreel" "$T/scene.yaml" --canvas etching
 ok "beadsim draws nothing" fails 2 "$BUILD/beadsim" "$T/scene.yaml" --canvas egl
 finish

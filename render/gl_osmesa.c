@@ -2,7 +2,7 @@
 #include <GL/osmesa.h>
 #include <stdlib.h>
 
-#include "render/canvas_driver.h"
+#include "render/gl_context.h"
 #include "render/library.h"
 
 /* The context needs a default framebuffer, which nobody draws into: a canvas has its own. */
@@ -84,8 +84,7 @@ static void *osmesa_function(struct bead_context *c, const char *name)
     return (void *)c->call.GetProcAddress(name);
 }
 
-const struct bead_canvas_driver bead_canvas_osmesa = {
-    .info = {"osmesa", "Mesa's off-screen software renderer (OSMesa, llvmpipe)"},
+const struct bead_context_type bead_context_osmesa = {
     .open = osmesa_open,
     .use = osmesa_use,
     .function = osmesa_function,

@@ -1,10 +1,10 @@
-/* EGL without any surface: the same software renderer as OSMesa's, where that is missing. */
+/* EGL without any surface: the same software renderer as OSMesa's, which Mesa keeps. */
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/canvas_driver.h"
+#include "render/gl_context.h"
 #include "render/library.h"
 
 #define EGL_FUNCTIONS(X)                                                              \
@@ -131,8 +131,7 @@ static void *egl_function(struct bead_context *c, const char *name)
     return (void *)c->call.GetProcAddress(name);
 }
 
-const struct bead_canvas_driver bead_canvas_egl = {
-    .info = {"egl", "EGL without surfaces (Mesa, llvmpipe)"},
+const struct bead_context_type bead_context_egl = {
     .open = egl_open,
     .use = egl_use,
     .function = egl_function,

@@ -1,0 +1,118 @@
+/* Included by pixel_kernels_body.h: assets/shaders/mark.frag, glow.frag and zoom.frag. */
+
+/* Cover of the pixels in `px` of row `py`, before the mark's own opacity. */
+typedef reals mark_cover(const struct bead_mark *m, reals px, float py);
+
+static inline float extent_of(const struct bead_mark *m, int axis)
+{
+    return 0.5f * (m->box[axis + 2] - m->box[axis]);
+}
+
+static inline float middle_of(const struct bead_mark *m, int axis)
+{
+    return 0.5f * (m->box[axis] + m->box[axis + 2]);
+}
+
+/* How much of each pixel lies between a and b along one axis. */
+static inline reals within(reals x, reals a, reals b)
+{
+    return clamp(SMALLER(x + 0.5f, b) - LARGER(x - 0.5f, a));
+}
+
+static inline reals box_cover(const struct bead_mark *m, reals px, float py)
+{
+    return within(px, all(m->box[0]), all(m->box[2])) * within(all(py), all(m->box[1]), all(m->box[3]));
+}
+
+static inline reals hatched_cover(const struct bead_mark *m, reals px, float py)
+{
+    const float period = m->shape[0];
+    reals at = px + py, stripe = at - period * whole_part(at / period);
+    return box_cover(m, px, py) *
+           (0.35f + 0.65f * clamp(0.5f * period - magnitude(stripe - 0.5f * period) - 0.18f * period + 0.5f));
+}
+
+static inline reals ring_cover(const struct bead_mark *m, reals px, float py)
+{
+    reals dx = px - middle_of(m, 0);
+    float dy = py - middle_of(m, 1);
+    return clamp(0.5f * m->shape[1] + 0.5f - magnitude(ROOT_OF(dx * dx + dy * dy) - m->shape[0]));
+}
+
+static inline reals arrow_cover(const struct bead_mark *m, reals px, float py)
+{
+    const float wide = extent_of(m, 0), high = extent_of(m, 1);
+    reals edge = (high * (m->box[2] - px) / (2.0f * wide) - fabsf(py - middle_of(m, 1))) * 2.0f * wide /
+                 sqrtf(4.0f * wide * wide + high * high);
+    return clamp(edge + 0.5f) * within(px, all(m->box[0]), all(m->box[2]));
+}
+
+static inline reals glow_cover(const struct bead_mark *m, reals px, float py)
+{
+    reals dx = (px - middle_of(m, 0)) / extent_of(m, 0);
+    float dy = (py - middle_of(m, 1)) / extent_of(m, 1);
+    reals fall = LARGER(1.0f - (dx * dx + dy * dy), all(0));
+    return fall * fall;
+}
+
+static inline reals zoom_cover(const struct bead_mark *m, reals px, float py)
+{
+    const float height = m->box[3] - m->box[1], down = fminf(1, fmaxf(0, (py - m->box[1]) / height));
+    const float part = down * down * (3.0f - 2.0f * down), slope = 6.0f * down * (1.0f - down) / height;
+    float at[2];
+    reals lines = all(0);
+    for (int side = 0; side < 2; side++) {
+        const float top = m->shape[side], bottom = m->shape[side + 2], lean = (bottom - top) * slope;
+        at[side] = top + part * (bottom - top);
+        lines = LARGER(lines, clamp(1.1f - magnitude(px - at[side]) * (1 / sqrtf(1.0f + lean * lean))));
+    }
+    reals rail = within(all(py), all(m->box[1]), all(m->box[1] + 2)); /* a line of two pixels along the top */
+    reals edges = LARGER(0.6f * lines, rail * within(px, all(m->shape[0]), all(m->shape[1])));
+    return within(all(py), all(m->box[1]), all(m->box[3])) * LARGER(0.13f * within(px, all(at[0]), all(at[1])), edges);
+}
+
+/* How much of its light a mark also hides. */
+static inline __attribute__((always_inline)) void paint_mark(const struct bead_ground *g, const struct bead_mark *m,
+                                                             mark_cover *cover_of, float hiding)
+{
+    float bgra[4];
+    for (int c = 0; c < 4; c++)
+        bgra[c] = (float)m->rgba[c < 3 ? 2 - c : 3] * (1 / 255.0f);
+    /* Pixels whose middles are no more than a pixel outside of the box. */
+    const struct run rows = run_of(m->box[1] - 1, m->box[3] + 1, g->clip.y, g->clip.height);
+    const struct run run = run_of(m->box[0] - 1, m->box[2] + 1, g->clip.x, g->clip.width);
+    for (int y = rows.first; y < rows.end; y++) {
+        for (int x = vector_start(g, run.first); x < run.end; x += LANES) {
+            reals px = middles(x), cover = cover_of(m, px, (float)y + 0.5f) * bgra[3] * within_run(px, run);
+            ints bgr[3];
+            for (int c = 0; c < 3; c++)
+                bgr[c] = level_of(bgra[c] * cover);
+            blend(vector_at(g, x, y), bgr, level_of(cover * hiding), hiding < 1);
+        }
+    }
+}
+
+#define MARK_FUNCTION(kind, hiding)                                                  \
+    static void paint_##kind(const struct bead_ground *g, const struct bead_mark *m) \
+    {                                                                                \
+        paint_mark(g, m, kind##_cover, hiding);                                      \
+    }
+MARK_FUNCTION(box, 1)
+MARK_FUNCTION(hatched, 1)
+MARK_FUNCTION(ring, 1)
+MARK_FUNCTION(arrow, 1)
+MARK_FUNCTION(glow, 0.35f)
+MARK_FUNCTION(zoom, 1)
+#undef MARK_FUNCTION
+
+static void paint_marks(const struct bead_ground *g, const struct bead_mark *marks, size_t count)
+{
+    static void (*const kinds[])(const struct bead_ground *, const struct bead_mark *) = {
+        [BEAD_MARK_BOX] = paint_box,     [BEAD_MARK_HATCHED] = paint_hatched, [BEAD_MARK_RING] = paint_ring,
+        [BEAD_MARK_ARROW] = paint_arrow, [BEAD_MARK_GLOW] = paint_glow,       [BEAD_MARK_ZOOM] = paint_zoom};
+    for (size_t i = 0; i < count; i++) {
+        const float *box = marks[i].box;
+        if (box[2] > box[0] && box[3] > box[1] && isfinite(box[0] + box[1] + box[2] + box[3]))
+            kinds[(int)(marks[i].kind + 0.5f)](g, &marks[i]);
+    }
+}

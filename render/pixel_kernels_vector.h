@@ -1,0 +1,57 @@
+/* Included by pixel_kernels_body.h: vectors of 32-bit numbers, one a pixel, as wide as the instruction set has them, in GCC's and
+ * Clang's vector types. */
+#include <immintrin.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+#if defined __AVX512F__
+#define LANES         16
+#define COUNT         0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
+#define ROOT_OF(x)    ((reals)_mm512_sqrt_ps(x))
+#define LARGER(x, y)  ((reals)_mm512_max_ps(x, y))
+#define SMALLER(x, y) ((reals)_mm512_min_ps(x, y))
+#elif defined __AVX2__
+#define LANES         8
+#define COUNT         0, 1, 2, 3, 4, 5, 6, 7
+#define ROOT_OF(x)    ((reals)_mm256_sqrt_ps(x))
+#define LARGER(x, y)  ((reals)_mm256_max_ps(x, y))
+#define SMALLER(x, y) ((reals)_mm256_min_ps(x, y))
+#else
+#define LANES         4
+#define COUNT         0, 1, 2, 3
+#define ROOT_OF(x)    ((reals)_mm_sqrt_ps(x))
+#define LARGER(x, y)  ((reals)_mm_max_ps(x, y))
+#define SMALLER(x, y) ((reals)_mm_min_ps(x, y))
+#endif
+typedef float reals __attribute__((vector_size(4 * LANES)));
+typedef int32_t ints __attribute__((vector_size(4 * LANES), may_alias));
+/* Two colours of each pixel. */
+typedef uint16_t pairs __attribute__((vector_size(4 * LANES)));
+typedef int16_t signed_pairs __attribute__((vector_size(4 * LANES)));
+
+static inline reals all(float x)
+{
+    return x - (reals){0};
+}
+
+static inline reals clamp(reals x)
+{
+    return SMALLER(LARGER(x, all(0)), all(1));
+}
+
+static inline reals magnitude(reals x)
+{
+    return (reals)((ints)x & INT32_MAX);
+}
+
+/* Of numbers below 2^22 that are not negative. */
+static inline reals whole_part(reals x)
+{
+    return __builtin_convertvector(__builtin_convertvector(x, ints), reals);
+}
+
+/* 0..1 to 0..255, to the nearest and then to the even one: what is added leaves just the integer among the last bits. */
+static inline ints level_of(reals x)
+{
+    return (ints)(x * 255.0f + 12582912.0f) & 255;
+}
