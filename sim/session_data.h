@@ -1,4 +1,4 @@
-/* A session's insides, shared by session.c (opening), session_run.c and session_plan.c. */
+/* A session's insides, shared by session.c (opening) and the other session_*.c. */
 #ifndef BEADREEL_SIM_SESSION_DATA_H
 #define BEADREEL_SIM_SESSION_DATA_H
 
@@ -52,11 +52,42 @@ struct bead_session {
 struct bead_play bead_session_play(const struct bead_session *session, const char *what);
 /* A directory for files, with those on the way; NULL: nothing to do. Errors: IO. */
 BEAD_CHECK enum bead_error bead_session_make_directory(const char *directory, struct bead_message *msg);
-/* Which outputs are there and which are asked for; check --only. */
+BEAD_CHECK enum bead_error bead_session_out_of_memory(struct bead_message *msg);
+/* The fastest chain says how often a picture must look. */
+BEAD_CHECK enum bead_error bead_session_find_resolution(struct bead_session *session, struct bead_message *msg);
+/* The sink of an output, with what it needs and where it goes. */
+BEAD_CHECK enum bead_error bead_session_create_sink(struct bead_session *session, struct bead_made *made, struct bead_message *msg);
+
+/* session_outputs.c. Which outputs are there and which are asked for; check --only. */
 BEAD_CHECK enum bead_error bead_session_list_outputs(struct bead_session *session, struct bead_message *msg);
 bool bead_session_has_extension(const char *const *extensions, const char *path);
 /* Of the stored scene: which output does `-o file` draw again: the one of that name, else the first of that kind. */
 const struct bead_output *bead_session_find_again(const struct bead_scene *scene, const char *file);
+/* That output, number `index` of the source, goes to `-o file` and is the session's only one; `from` names what was read. */
+BEAD_CHECK enum bead_error bead_session_take_again(struct bead_session *session, const char *from, size_t *index,
+                                                   struct bead_message *msg);
+/* NULL: this program does not make it. */
+const struct bead_sink_type *bead_session_find_type(const struct bead_job *job, const struct bead_output *output);
+
+/* What a file's name says about the output wanted: kind "table", more ", show: sensors" or NULL. */
+struct bead_file_kind {
+    const char *extension, *kind, *more;
+};
+/* `[{movie: "a.mp4"}]` for a file of one of the kinds, the last of which is NULL; to be freed. Errors: USAGE, MEMORY. */
+BEAD_CHECK enum bead_error bead_session_outputs_for(const char *file, const struct bead_file_kind *kinds, char **outputs,
+                                                    struct bead_message *msg);
+/* Settings of a scene: `first` (NULL: none; borrowed), the outputs, then the job's. */
+struct bead_settings {
+    const char **all;
+    size_t count;
+    char *outputs;
+};
+BEAD_CHECK enum bead_error bead_session_settings_make(const struct bead_job *job, const char *outputs, const char *first,
+                                                      struct bead_settings *settings, struct bead_message *msg);
+void bead_session_settings_free(struct bead_settings *settings);
+
+/* session_again.c: a trajectory. */
+BEAD_CHECK enum bead_error bead_session_open_trajectory(struct bead_session *session, struct bead_message *msg);
 
 /* session_sweep.c: the scene's sweeps; a sweep's file; one configuration of it as the session's scene; running and planning. */
 BEAD_CHECK enum bead_error bead_session_open_sweep(struct bead_session *session, struct bead_message *msg);

@@ -11,11 +11,6 @@
 #include "sim/session_data.h"
 #include "sim/stepper.h"
 
-static enum bead_error out_of_memory(struct bead_message *msg)
-{
-    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a session");
-}
-
 static const struct bead_sweep_sink *find_sink(const struct bead_job *job, const struct bead_output *output)
 {
     for (const struct bead_sweep_sink *const *const *list = job->sweep_sinks; list && *list; list++) {
@@ -60,60 +55,25 @@ enum bead_error bead_session_open_sweep(struct bead_session *s, struct bead_mess
     return err ? err : bead_sweep_create(s->scene, &s->sweep, msg);
 }
 
-static const char *kind_of(const char *path, const char *const (*kinds)[2])
-{
-    const char *dot = strrchr(path, '.');
-    for (; (*kinds)[0]; kinds++) {
-        if (dot && strcasecmp(dot + 1, (*kinds)[0]) == 0)
-            return (*kinds)[1];
-    }
-    return NULL;
-}
-
-/* "[{movie: \"a.mp4\"}]" of the file's kind; to be freed. */
-static enum bead_error outputs_for(const char *path, const char *const (*kinds)[2], bool single, char **outputs,
-                                   struct bead_message *msg)
-{
-    const char *kind = kind_of(path, kinds);
-    /* The peaks that sweeps measure are those of bead forces. */
-    const char *more = single && kind && strcmp(kind, "table") == 0 ? ", show: bead-peaks" : "";
-    char *quoted = calloc(2 * strlen(path) + 1, 1), *to = quoted;
-    *outputs = NULL;
-    if (!kind) {
-        free(quoted);
-        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: no kind of file that can be made here", path);
-    }
-    for (const char *from = path; quoted && *from; from++) {
-        if (*from == '"' || *from == '\\')
-            *to++ = '\\';
-        *to++ = *from;
-    }
-    int length = quoted ? asprintf(outputs, "[{%s: \"%s\"%s}]", kind, quoted, more) : -1;
-    free(quoted);
-    return length < 0 ? out_of_memory(msg) : BEAD_OK;
-}
-
-static const char *const sheet_kinds[][2] = {{"png", "sheet"}, {"pdf", "sheet"}, {"svg", "sheet"}, {NULL, NULL}};
+static const struct bead_file_kind sheet_kinds[] = {
+    {"png", "sheet", NULL}, {"pdf", "sheet", NULL}, {"svg", "sheet", NULL}, {NULL, NULL, NULL}};
 
 /* Once more, with an output that its scene does not have. */
 static enum bead_error open_with_default(struct bead_session *s, struct bead_message *msg)
 {
-    static const char *const kinds[][2] = {{"png", "plot"}, {"pdf", "plot"}, {"svg", "plot"}, {"csv", "table"}, {NULL, NULL}};
-    char *outputs = NULL, *first = NULL;
-    enum bead_error err = outputs_for(s->job.output, s->job.sheet ? sheet_kinds : kinds, false, &outputs, msg);
-    const char **settings = calloc(s->job.setting_count + 1, sizeof *settings);
-    if (!err && (!settings || asprintf(&first, "outputs=%s", outputs) < 0))
-        err = out_of_memory(msg);
+    static const struct bead_file_kind kinds[] = {
+        {"png", "plot", NULL}, {"pdf", "plot", NULL}, {"svg", "plot", NULL}, {"csv", "table", NULL}, {NULL, NULL, NULL}};
+    struct bead_settings settings = {0};
+    char *outputs = NULL;
+    enum bead_error err = bead_session_outputs_for(s->job.output, s->job.sheet ? sheet_kinds : kinds, &outputs, msg);
+    if (!err)
+        err = bead_session_settings_make(&s->job, outputs, NULL, &settings, msg);
     if (!err) {
-        settings[0] = first;
-        for (size_t i = 0; i < s->job.setting_count; i++)
-            settings[i + 1] = s->job.settings[i];
         bead_sweep_close(s->sweep);
-        err = bead_sweep_open(s->job.input, settings, s->job.setting_count + 1, &s->sweep, msg);
+        err = bead_sweep_open(s->job.input, settings.all, settings.count, &s->sweep, msg);
     }
-    free(first);
+    bead_session_settings_free(&settings);
     free(outputs);
-    free(settings);
     return err;
 }
 
@@ -124,20 +84,11 @@ static enum bead_error open_with_default(struct bead_session *s, struct bead_mes
 static enum bead_error load_sheet(struct bead_session *s, const char *path, const char *outputs, const char *sweep,
                                   struct bead_message *msg)
 {
-    char *first = NULL;
-    const char **settings = calloc(s->job.setting_count + 2, sizeof *settings);
-    size_t count = 0;
-    enum bead_error err = settings && asprintf(&first, "outputs=%s", outputs) >= 0 ? BEAD_OK : out_of_memory(msg);
-    if (!err) {
-        if (sweep)
-            settings[count++] = sweep;
-        settings[count++] = first;
-        for (size_t i = 0; i < s->job.setting_count; i++)
-            settings[count++] = s->job.settings[i];
-        err = bead_scene_load(path, settings, count, &s->scene, msg);
-    }
-    free(first);
-    free(settings);
+    struct bead_settings settings;
+    enum bead_error err = bead_session_settings_make(&s->job, outputs, sweep, &settings, msg);
+    if (!err)
+        err = bead_scene_load(path, settings.all, settings.count, &s->scene, msg);
+    bead_session_settings_free(&settings);
     return err;
 }
 
@@ -149,7 +100,7 @@ enum bead_error bead_session_load_sheet(struct bead_session *s, struct bead_mess
         return bead_fail(msg, BEAD_ERROR_USAGE, "--sheet: say where it goes with -o FILE (png, pdf, svg)");
     if (s->job.parts > 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--sheet: there is no part of a sheet; leave --shard out");
-    enum bead_error err = outputs_for(s->job.output, sheet_kinds, false, &outputs, msg);
+    enum bead_error err = bead_session_outputs_for(s->job.output, sheet_kinds, &outputs, msg);
     if (!err)
         err = bead_scene_find(s->job.input, path, sizeof path, msg);
     if (!err)
@@ -185,16 +136,11 @@ enum bead_error bead_session_open_sweep_file(struct bead_session *s, struct bead
         return err;
     s->sweep_read = true;
     s->source = bead_sweep_scene(s->sweep);
-    const struct bead_output *again = bead_session_find_again(s->source, s->job.output);
-    s->made = calloc(1, sizeof *s->made);
-    if (!s->made || !again)
-        return s->made ? bead_fail(msg, BEAD_ERROR_USAGE, "%s: cannot draw this from a sweep", s->job.output) : out_of_memory(msg);
-    s->made_count = 1;
+    size_t index;
+    err = bead_session_take_again(s, "sweep", &index, msg);
+    if (err)
+        return err;
     struct bead_made *m = s->made;
-    m->changed = *again;
-    m->changed.path = (char *)(uintptr_t)s->job.output; /* read only; borrowed from the job */
-    m->output = &m->changed;
-    m->asked = true;
     m->sweep_type = find_sink(&s->job, m->output);
     if (!m->sweep_type)
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s: this program does not make such files from a sweep", s->job.output);
@@ -257,9 +203,12 @@ static enum bead_error open_configurations(const struct bead_session *s, struct 
 
 enum bead_error bead_session_load_configuration(struct bead_session *s, struct bead_message *msg)
 {
-    static const char *const kinds[][2] = {{"mp4", "movie"},  {"mkv", "movie"},     {"webm", "movie"}, {"gif", "movie"},
-                                           {"apng", "movie"}, {"png", "image"},     {"pdf", "image"},  {"svg", "image"},
-                                           {"csv", "table"},  {"h5", "trajectory"}, {NULL, NULL}};
+    /* The peaks that sweeps measure are those of bead forces. */
+    static const struct bead_file_kind kinds[] = {
+        {"mp4", "movie", NULL},     {"mkv", "movie", NULL},  {"webm", "movie", NULL},
+        {"gif", "movie", NULL},     {"apng", "movie", NULL}, {"png", "image", NULL},
+        {"pdf", "image", NULL},     {"svg", "image", NULL},  {"csv", "table", ", show: bead-peaks"},
+        {"h5", "trajectory", NULL}, {NULL, NULL, NULL}};
     struct bead_sweep *sweep = NULL;
     struct bead_scene *scene = NULL;
     char *outputs = NULL, *text = NULL;
@@ -267,7 +216,7 @@ enum bead_error bead_session_load_configuration(struct bead_session *s, struct b
     if (!s->job.output)
         return bead_fail(msg, BEAD_ERROR_USAGE,
                          "--configuration: say what to make of it with -o FILE (mp4, png, pdf, h5, csv, ...)");
-    enum bead_error err = outputs_for(s->job.output, kinds, true, &outputs, msg);
+    enum bead_error err = bead_session_outputs_for(s->job.output, kinds, &outputs, msg);
     if (!err)
         err = open_configurations(s, &scene, &sweep, msg);
     if (!err)
@@ -348,7 +297,7 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
     char *journal = NULL;
     s->results = calloc(s->made_count + 1, sizeof *s->results);
     if (!s->results)
-        return out_of_memory(msg);
+        return bead_session_out_of_memory(msg);
     for (size_t i = 0; i < s->made_count; i++) {
         if (s->made[i].asked && s->made[i].output->kind == BEAD_OUTPUT_SWEEP && !s->sweep_read)
             results = s->made[i].path;
