@@ -1,0 +1,179 @@
+/* Measures of order and disorder: what dimers and turned cells do to a wave, and how clean it stays. Those marked (x) are exact;
+ * the others were measured with an independent program and converged. */
+#include "measures.h"
+
+/* ---- dimers ---- */
+
+/* N: the peak force of a bead, from a table of bead peaks. */
+static double bead_peak(const char *name, size_t bead)
+{
+    char path[768], line[256];
+    double force = NAN;
+    snprintf(path, sizeof path, "%s/%s", directory, name);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    while (fgets(line, sizeof line, file)) {
+        char *value;
+        if (strtoul(line, &value, 10) == bead && *value == ',')
+            force = strtod(value + 1, NULL);
+    }
+    fclose(file);
+    return force;
+}
+
+/* Light beads of certain masses let the wave pass without loss: the leading bead force is the same hundreds of beads on. */
+static void antiresonance(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *mass;
+        bool loses;
+    } cases[] = {{"0.3428", false}, {"0.1548", false}, {"0.0901", false}, {"0.0615", false}, {"0.25", true}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char scene[1024];
+        snprintf(
+            scene, sizeof scene,
+            UNIT_OF(
+                "  light: {mass: %s kg, radius: 0.5 m, modulus: 1 GPa, poisson: 0}\n") "  striker: {bead: unit, velocity: 1 m/s}\n "
+                                                                                       " beads: [{cell: [light, unit], count: "
+                                                                                       "480}]\n"
+                                                                                       "outputs: [{table: m.csv, show: measures}, "
+                                                                                       "{table: b.csv, show: bead-peaks}]\n",
+            cases[i].mass);
+        measure(scene);
+        double kept = bead_peak("b.csv", 900) / bead_peak("b.csv", 300);
+        if (cases[i].loses ? !(kept < 0.99) : !(kept > 0.9999 && kept < 1.0001))
+            fail_msg("mass %s: %.7f of the force of bead 300 is left at bead 900", cases[i].mass, kept);
+        /* The rate is that of the whole chain, with the first beads. */
+        double rate = value_of("decay rate");
+        assert_true(cases[i].loses ? rate > 1e-5 : fabs(rate) < 2e-6);
+    }
+}
+
+static void reversed_dimers(void **state)
+{
+    enum { DIMERS = 160 };
+    (void)state;
+    /* Defects: how many, how far apart (in dimers; 1: adjacent), the part of the energy that is left. */
+    static const struct {
+        int count, apart;
+        double energy, tolerance;
+    } cases[] = {{1, 1, 0.7985, 1e-3},
+                 {2, 1, 0.836, 6e-4},
+                 {4, 1, 0.826, 6e-4},
+                 {6, 1, 0.820, 1.2e-3},
+                 {8, 1, 0.820, 6e-4},
+                 {2, 14, 0.7985 * 0.7985, 2e-3},
+                 {3, 14, 0.7985 * 0.7985 * 0.7985, 2e-3}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char spins[DIMERS + 1], scene[1024];
+        memset(spins, '1', DIMERS);
+        spins[DIMERS] = '\0';
+        for (int d = 0; d < cases[i].count; d++)
+            spins[70 + d * cases[i].apart] = '0';
+        snprintf(scene, sizeof scene,
+                 "chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{cell: [large-steel, aluminium], count: 160, "
+                 "spins: \"%s\"}]}\n" TABLE,
+                 spins);
+        measure(scene);
+        near("energy past defect", cases[i].energy, cases[i].tolerance);
+        if (i == 0)
+            near("force past defect", 0.87369, 1e-3);
+        near("magnetism", 1 - 2 * cases[i].count / (double)DIMERS, 1e-12);
+    }
+}
+
+static void disorder_decays(void **state)
+{
+    (void)state;
+    measure("chain: {beads: [{cell: [large-steel, aluminium], count: 60, spins: random, magnetism: 0, seed: 3}]}\n" TABLE);
+    double length = value_of("decay length");
+    assert_true(length > 40 && length < 250); /* the mean over many chains is 103 */
+    equal(1 / length, value_of("decay rate"), 1e-12);
+}
+
+/* ---- how clean a wave is ---- */
+
+static double index_of(const char *beads, const char *speed)
+{
+    char scene[1024];
+    snprintf(scene, sizeof scene, "chain: {striker: {bead: large-steel, velocity: %s m/s}, beads: [%s]}\n" TABLE, speed, beads);
+    measure(scene);
+    return value_of("clean index");
+}
+
+/* Also where the scene spells them out, and under strikers that make several pulses. */
+static void ordered_chains_are_clean(void **state)
+{
+    (void)state;
+    static const char *const chains[] = {
+        "{bead: large-steel, count: 100}",
+        "{bead: ptfe, count: 40}",
+        "{bead: aluminium, count: 20}",
+        "{cell: [large-steel, aluminium], count: 128}",
+        "{cell: [large-steel, aluminium], count: 128, spins: down}",
+        "{cell: [aluminium, large-steel], count: 64}",
+        "{cell: [large-steel, aluminium], count: 20}",
+        "{cell: [large-steel, aluminium, ptfe], count: 60}",
+        "{bead: large-steel}, {bead: aluminium}, {cell: [large-steel, aluminium, large-steel, aluminium], count: 30}",
+    };
+    for (size_t i = 0; i < sizeof chains / sizeof *chains; i++)
+        equal(index_of(chains[i], "0.443"), 1, 0.02);
+}
+
+/* Mean over 8 configurations of 64 random dimers, 15 more behind them. */
+static double mean_index(double magnetism)
+{
+    double sum = 0;
+    for (int seed = 0; seed < 8; seed++) {
+        char beads[256];
+        snprintf(beads, sizeof beads,
+                 "{cell: [large-steel, aluminium], count: 64, spins: random, magnetism: %g, seed: %d}, {cell: [large-steel, "
+                 "aluminium], count: 15}",
+                 magnetism, seed);
+        sum += index_of(beads, "0.443") / 8;
+    }
+    return sum;
+}
+
+static void disorder_delocalises(void **state)
+{
+    (void)state;
+    static const double magnetism[] = {1, 0.96875, 0.90625, 0.75, 0.5};
+    double before = 1.1, mean = 0;
+    for (size_t i = 0; i < sizeof magnetism / sizeof *magnetism; i++, before = mean) {
+        mean = mean_index(magnetism[i]);
+        if (!(mean < 0.8 * before) && i > 0)
+            fail_msg("M = %g has a mean index of %.4f, the magnetism before has %.4f", magnetism[i], mean, before);
+    }
+    assert_true(mean > 0 && mean < 0.1);
+}
+
+/* Neither the speed of the striker nor the time that a run goes on behind the front's arrival matter. */
+static void index_has_no_scale(void **state)
+{
+    (void)state;
+    static const char random[] = "{cell: [large-steel, aluminium], count: 40, spins: random, magnetism: 0.6, seed: 4}";
+    double slow = index_of(random, "0.4"), fast = index_of(random, "0.8");
+    assert_true(slow > 0.05 && slow < 0.9);
+    equal(fast / slow, 1, 0.02); /* samples at other times */
+    char scene[1024];
+    snprintf(scene, sizeof scene,
+             "chain: {striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [%s]}\nsimulate: {until: 4 ms}\n" TABLE, random);
+    measure(scene);
+    equal(value_of("clean index") / slow, 1, 0.03);
+    snprintf(scene, sizeof scene,
+             "chain: {striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [%s]}\nsimulate: {until: 0.5 ms}\n" TABLE, random);
+    measure(scene);
+    none("clean index"); /* the front has not arrived */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(antiresonance),        cmocka_unit_test(reversed_dimers),
+        cmocka_unit_test(disorder_decays),      cmocka_unit_test(ordered_chains_are_clean),
+        cmocka_unit_test(disorder_delocalises), cmocka_unit_test(index_has_no_scale),
+    };
+    return cmocka_run_group_tests_name("measures of order", tests, make_directory, remove_directory);
+}
