@@ -118,6 +118,7 @@ extra_kernels_sse2   = -O3 -msse2
 extra_kernels_avx2   = -O3 -mavx2
 extra_kernels_avx512 = -O3 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512
 # Loops over all samples and pixels.
+extra_trajectory_read = -O3
 extra_area_kernels = -O3
 extra_area_colours = -O3
 extra_colour_table = -O3

@@ -81,6 +81,7 @@ void bead_h5_link(struct bead_h5 *h5, hid_t object, hid_t parent, const char *na
 bool bead_h5_has(struct bead_h5 *h5, const char *name); /* path from the root; every step of it is there */
 hid_t bead_h5_open_group(struct bead_h5 *h5, const char *name);
 hid_t bead_h5_open_dataset(struct bead_h5 *h5, const char *name);
+bool bead_h5_has_attribute(struct bead_h5 *h5, const char *name);                                   /* of the file */
 void bead_h5_get_text(struct bead_h5 *h5, hid_t object, const char *name, char *text, size_t size); /* attributes */
 double bead_h5_get_double(struct bead_h5 *h5, hid_t object, const char *name);
 int64_t bead_h5_get_int(struct bead_h5 *h5, hid_t object, const char *name, int64_t low, int64_t high);

@@ -26,6 +26,12 @@ bool bead_h5_has(struct bead_h5 *h5, const char *name)
     return H5Oexists_by_name(h5->file, name, access) > 0;
 }
 
+bool bead_h5_has_attribute(struct bead_h5 *h5, const char *name)
+{
+    BEAD_H5_QUIET;
+    return !h5->error && H5Aexists(h5->file, name) > 0;
+}
+
 static hid_t open_object(struct bead_h5 *h5, const char *name, H5I_type_t kind)
 {
     if (h5->error)
@@ -187,10 +193,25 @@ char *bead_h5_read_text(struct bead_h5 *h5, const char *name, size_t limit)
     return text;
 }
 
+/* Chunks that nothing has packed go from the file straight to where they are wanted, where HDF5 has no cache for them. */
+static hid_t without_cache(struct bead_h5 *h5, const char *name, hid_t dataset)
+{
+    BEAD_H5_AUTO layout = dataset < 0 ? -1 : H5Dget_create_plist(dataset);
+    BEAD_H5_AUTO access = layout < 0 ? -1 : bead_h5_access(H5P_DATASET_ACCESS);
+    if (access < 0 || H5Pget_layout(layout) != H5D_CHUNKED || H5Pget_nfilters(layout) != 0 ||
+        H5Pset_chunk_cache(access, 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT) < 0)
+        return dataset;
+    bead_h5_release(&dataset);
+    dataset = H5Dopen2(h5->file, name, access);
+    if (dataset < 0)
+        bead_h5_fail(h5, true, "%s cannot be opened", name);
+    return dataset;
+}
+
 hid_t bead_h5_open_series(struct bead_h5 *h5, const char *name, size_t columns, size_t components, size_t *rows)
 {
     BEAD_H5_QUIET;
-    hid_t series = bead_h5_open_dataset(h5, name);
+    hid_t series = without_cache(h5, name, bead_h5_open_dataset(h5, name));
     if (series < 0)
         return -1;
     BEAD_H5_AUTO type = H5Dget_type(series);

@@ -5,9 +5,9 @@
 
 #include "beadreel/file.h"
 #include "beadreel/sweep.h"
-#include "beadreel/trajectory.h"
 #include "sim/run_kinds.h"
 #include "sim/session_data.h"
+#include "sim/trajectory_data.h"
 
 /* Pictures take the trajectory's samples when they come at least this often, in units of the spacing that shows every
  * oscillation; then the file draws the same picture again. */
@@ -222,15 +222,17 @@ static enum bead_error open_scene(struct bead_session *s, struct bead_message *m
 /* A trajectory, a sweep's file, or a scene. */
 static enum bead_error open_input(struct bead_session *s, struct bead_message *msg)
 {
-    bool sweep = bead_sweep_is(s->job.input);
     if (s->job.configuration && s->job.sheet)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--sheet shows many configurations, --configuration one: give one of the two");
-    if (sweep && !s->job.configuration)
+    if (s->job.configuration || !bead_trajectory_is(s->job.input))
+        return open_scene(s, msg);
+    enum bead_error err = bead_trajectory_begin(s->job.input, &s->trajectory, msg);
+    if (err)
+        return err;
+    if (!s->trajectory)
         return bead_session_open_sweep_file(s, msg);
-    if (!sweep && !s->job.configuration && bead_trajectory_is(s->job.input))
-        return s->job.sheet ? bead_fail(msg, BEAD_ERROR_USAGE, "--sheet: %s is the trajectory of a single run", s->job.input)
-                            : bead_session_open_trajectory(s, msg);
-    return open_scene(s, msg);
+    return s->job.sheet ? bead_fail(msg, BEAD_ERROR_USAGE, "--sheet: %s is the trajectory of a single run", s->job.input)
+                        : bead_session_open_trajectory(s, msg);
 }
 
 enum bead_error bead_session_open(const struct bead_job *job, struct bead_session **session, struct bead_message *msg)

@@ -2,17 +2,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/trajectory.h"
 #include "sim/session_data.h"
-
-static enum bead_error open_again(struct bead_session *s, const char *const *settings, size_t count, struct bead_message *msg)
-{
-    bead_trajectory_close(s->trajectory);
-    return bead_trajectory_open(s->job.input, settings, count, &s->trajectory, msg);
-}
+#include "sim/trajectory_data.h"
 
 /* The file's scene has no such output: its defaults then, with the user's settings on top. */
-static enum bead_error open_with_default(struct bead_session *s, struct bead_message *msg)
+static enum bead_error settle_with_default(struct bead_session *s, struct bead_message *msg)
 {
     static const struct bead_file_kind kinds[] = {
         {"png", "image", NULL}, {"pdf", "image", NULL},  {"svg", "image", NULL},
@@ -25,7 +19,7 @@ static enum bead_error open_with_default(struct bead_session *s, struct bead_mes
     if (!err)
         err = bead_session_settings_make(&s->job, outputs, NULL, &settings, msg);
     if (!err)
-        err = open_again(s, settings.all, settings.count, msg);
+        err = bead_trajectory_settle(s->trajectory, settings.all, settings.count, msg);
     bead_session_settings_free(&settings);
     free(outputs);
     return err;
@@ -70,12 +64,10 @@ enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead
     if (!s->job.output)
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s is a trajectory: say what to draw with -o FILE (png, pdf, svg, mp4, ...)",
                          s->job.input);
-    /* As stored first: which output is meant decides what the user's settings are about. */
-    enum bead_error err = bead_trajectory_open(s->job.input, NULL, 0, &s->trajectory, msg);
-    if (!err && !bead_session_find_again(bead_trajectory_scene(s->trajectory), s->job.output))
-        err = open_with_default(s, msg);
-    else if (!err && s->job.setting_count > 0)
-        err = open_again(s, s->job.settings, s->job.setting_count, msg);
+    /* Which output of the stored scene is meant decides what the user's settings are about. */
+    enum bead_error err = bead_session_find_again(bead_trajectory_scene(s->trajectory), s->job.output)
+                              ? bead_trajectory_settle(s->trajectory, s->job.settings, s->job.setting_count, msg)
+                              : settle_with_default(s, msg);
     if (err)
         return err;
     s->source = bead_trajectory_scene(s->trajectory);

@@ -1,319 +1,12 @@
-/* Reading trajectories, which are not trusted: everything is checked against the scene that the file stores. */
-#include "beadreel/trajectory.h"
+/* Samples of an open trajectory. */
+#include "sim/trajectory_data.h"
 
 #include <math.h>
-#include <stdio.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/file.h"
 #include "sim/derive.h"
-#include "sim/h5.h"
-#include "sim/trajectory_layout.h"
-
-static const size_t longest_scene = 64 << 20; /* bytes */
-static const size_t most_block_rows = 256;
-static const size_t most_block_bytes = 8 << 20;
-
-/* A stored series and the samples read ahead. */
-struct source {
-    hid_t value; /* -1: not stored */
-    size_t columns;
-    double *block;   /* [block_rows][columns] */
-    size_t first;    /* sample that the block begins with */
-    size_t held;     /* samples in the block */
-    double *scratch; /* one chain, all its beads: 0 where not stored */
-};
-
-struct bead_trajectory {
-    struct bead_h5 h5;
-    char *path;
-    struct bead_scene *scene;
-    struct bead_chain **chains;
-    size_t chain_count;
-    struct bead_chain_rows *rows; /* [chains] */
-    size_t beads, contacts;       /* lengths of the axes */
-    struct bead_span span;
-    struct bead_grid grid;
-    size_t samples;
-    unsigned fields;  /* stored */
-    unsigned derived; /* found from displacements */
-    double *forces;   /* derived: contact forces, then bead forces, of the longest chain */
-    bool complete;
-    double end;
-    struct source sources[BEAD_SERIES_COUNT];
-    size_t block_rows;
-    struct bead_outcome *outcomes; /* [chains] */
-    struct bead_h5_text *methods;  /* [chains] */
-};
-
-bool bead_trajectory_is(const char *path)
-{
-    return bead_h5_is(path);
-}
-
-void bead_trajectory_close(struct bead_trajectory *t)
-{
-    if (!t)
-        return;
-    t->h5.msg = NULL;
-    for (size_t i = 0; i < BEAD_SERIES_COUNT; i++) {
-        bead_h5_close(&t->h5, &t->sources[i].value);
-        free(t->sources[i].block);
-        free(t->sources[i].scratch);
-    }
-    bead_h5_shut(&t->h5);
-    for (size_t c = 0; t->chains && c < t->chain_count; c++)
-        bead_chain_destroy(t->chains[c]);
-    free(t->chains);
-    bead_scene_free(t->scene);
-    free(t->rows);
-    free(t->forces);
-    free(t->outcomes);
-    free(t->methods);
-    free(t->path);
-    free(t);
-}
-
-static enum bead_error no_memory(struct bead_trajectory *t)
-{
-    if (!t->h5.error)
-        t->h5.error = bead_fail(t->h5.msg, BEAD_ERROR_MEMORY, "%s: no memory to read it", t->path);
-    return t->h5.error;
-}
-
-/* Blank-separated names to BEAD_FIELD_BITs. */
-static unsigned parse_fields(struct bead_trajectory *t, char *names)
-{
-    unsigned fields = 0;
-    char *rest = NULL;
-    for (char *name = strtok_r(names, " ", &rest); name; name = strtok_r(NULL, " ", &rest)) {
-        int f = 0;
-        while (f < BEAD_FIELD_COUNT && strcmp(name, bead_field_info(f)->name) != 0)
-            f++;
-        if (f == BEAD_FIELD_COUNT)
-            bead_h5_fail(&t->h5, false, "holds a field of an unknown kind");
-        else
-            fields |= BEAD_FIELD_BIT(f);
-    }
-    return fields;
-}
-
-static enum bead_error read_summary(struct bead_trajectory *t)
-{
-    struct bead_h5 *h5 = &t->h5;
-    char names[256] = "";
-    hid_t group = bead_h5_open_group(h5, BEAD_PROFILE_GROUP);
-    bead_h5_get_int(h5, group, "profile", BEAD_TRAJECTORY_PROFILE, BEAD_TRAJECTORY_PROFILE);
-    t->complete = bead_h5_get_int(h5, group, "complete", 0, 1) == 1;
-    bead_h5_get_text(h5, group, "fields", names, sizeof names);
-    t->fields = parse_fields(t, names);
-    t->grid.start = bead_h5_get_double(h5, group, "start");
-    t->grid.every = bead_h5_get_double(h5, group, "every");
-    t->end = bead_h5_get_double(h5, group, "end");
-    t->span.first = (size_t)bead_h5_get_int(h5, group, "first_bead", 0, INT64_MAX);
-    int64_t last = bead_h5_get_int(h5, group, "last_bead", -1, INT64_MAX);
-    t->span.last = last < 0 ? SIZE_MAX : (size_t)last;
-    bead_h5_close(h5, &group);
-    if (!h5->error &&
-        !(t->grid.start >= 0 && t->grid.start < 1e9 && t->grid.every > 0 && t->grid.every < 1e9 && t->end >= 0 && t->end < 1e9))
-        bead_h5_fail(h5, false, "its times make no sense");
-    if (!h5->error && t->fields == 0)
-        bead_h5_fail(h5, false, "holds no field");
-    return h5->error;
-}
-
-static enum bead_error rebuild(struct bead_trajectory *t, const char *const *settings, size_t setting_count)
-{
-    struct bead_message *msg = t->h5.msg;
-    char *text = bead_h5_read_text(&t->h5, BEAD_PROFILE_GROUP "/scene", longest_scene);
-    if (!text)
-        return t->h5.error;
-    enum bead_error error = bead_scene_parse(t->path, text, strlen(text), settings, setting_count, &t->scene, msg);
-    free(text);
-    if (error)
-        return error;
-    t->chains = calloc(t->scene->chain_count, sizeof *t->chains);
-    t->rows = calloc(t->scene->chain_count, sizeof *t->rows);
-    t->outcomes = calloc(t->scene->chain_count, sizeof *t->outcomes);
-    t->methods = calloc(t->scene->chain_count, sizeof *t->methods);
-    if (!t->chains || !t->rows || !t->outcomes || !t->methods)
-        return no_memory(t);
-    for (; t->chain_count < t->scene->chain_count; t->chain_count++) {
-        error = bead_chain_create(t->scene, t->chain_count, &t->chains[t->chain_count], msg);
-        if (error)
-            return error;
-    }
-    bead_trajectory_rows((const struct bead_chain *const *)t->chains, t->chain_count, t->span, t->rows, &t->beads, &t->contacts);
-    return t->beads > 0 ? BEAD_OK : bead_h5_fail(&t->h5, false, "holds no bead of its scene");
-}
-
-/* The stored beads must be those of the scene: materials may have changed since the run. */
-static enum bead_error check_beads(struct bead_trajectory *t, const char *name, const double *(*values)(const struct bead_chain *))
-{
-    double *stored = t->h5.error ? NULL : calloc(t->beads, sizeof *stored);
-    if (!stored)
-        return no_memory(t);
-    bead_h5_read_doubles(&t->h5, name, stored, t->beads);
-    for (size_t c = 0; !t->h5.error && c < t->chain_count; c++) {
-        const double *wanted = values(t->chains[c]) + t->rows[c].first_bead, *found = stored + t->rows[c].first_row;
-        for (size_t i = 0; i < t->rows[c].beads; i++) {
-            if (fabs(found[i] - wanted[i]) <= 1e-12 * fabs(wanted[i]))
-                continue;
-            bead_h5_fail(&t->h5, false, "%s of bead %zu is %g, but its scene and today's materials give %g", name,
-                         t->rows[c].first_bead + i, found[i], wanted[i]);
-            break;
-        }
-    }
-    free(stored);
-    return t->h5.error;
-}
-
-static enum bead_error open_sources(struct bead_trajectory *t)
-{
-    size_t widest = t->beads > t->contacts ? t->beads : t->contacts, rows;
-    t->samples = SIZE_MAX;
-    for (int id = 0; id < BEAD_SERIES_COUNT; id++) {
-        if (!bead_series[id].stored || !(t->fields & BEAD_FIELD_BIT(bead_series[id].field)))
-            continue;
-        char name[128];
-        snprintf(name, sizeof name, "%s/value", bead_series[id].group);
-        struct source *source = &t->sources[id];
-        source->columns = bead_series[id].of_contacts ? t->contacts : t->beads;
-        if (source->columns == 0)
-            return bead_h5_fail(&t->h5, false, "holds contact forces, but its scene has no contacts there");
-        source->value = bead_h5_open_series(&t->h5, name, source->columns, bead_series[id].components, &rows);
-        if (t->h5.error)
-            return t->h5.error;
-        t->samples = rows < t->samples ? rows : t->samples;
-    }
-    t->block_rows = most_block_bytes / (sizeof(double) * widest);
-    t->block_rows = t->block_rows > most_block_rows ? most_block_rows : t->block_rows < 1 ? 1 : t->block_rows;
-    return BEAD_OK;
-}
-
-/* The times must be those of the grid; datasets of a killed run may differ in length, the shortest counts. */
-static enum bead_error check_times(struct bead_trajectory *t)
-{
-    double times[1024];
-    size_t rows = 0;
-    hid_t series = bead_h5_open_series(&t->h5, "/time", 0, 1, &rows);
-    t->samples = rows < t->samples ? rows : t->samples;
-    if (t->samples > bead_file_bytes(t->path) / sizeof(double))
-        bead_h5_fail(&t->h5, false, "claims %zu samples, more than the file can hold", t->samples);
-    for (size_t first = 0; !t->h5.error && first < t->samples; first += 1024) {
-        size_t count = t->samples - first < 1024 ? t->samples - first : 1024;
-        bead_h5_read_rows(&t->h5, series, first, count, 0, times);
-        for (size_t i = 0; !t->h5.error && i < count; i++)
-            if (!(fabs(times[i] - bead_grid_time(&t->grid, first + i)) <= 1e-6 * t->grid.every))
-                bead_h5_fail(&t->h5, false, "the time of sample %zu is %g s, must be %g s", first + i, times[i],
-                             bead_grid_time(&t->grid, first + i));
-    }
-    bead_h5_close(&t->h5, &series);
-    t->grid.end = t->samples ? bead_grid_time(&t->grid, t->samples - 1) : t->grid.start - t->grid.every;
-    if (!t->h5.error && t->samples && bead_grid_count(&t->grid) != t->samples)
-        bead_h5_fail(&t->h5, false, "its times make no sense");
-    return t->h5.error;
-}
-
-static enum bead_error read_outcomes(struct bead_trajectory *t)
-{
-    size_t n = t->chain_count;
-    bool there = bead_h5_has(&t->h5, BEAD_PROFILE_GROUP "/outcome");
-    double *values = calloc(n, sizeof *values);
-    int64_t *counts = calloc(n, sizeof *counts);
-    for (size_t i = 0; values && i < bead_outcome_column_count; i++) {
-        char name[128];
-        snprintf(name, sizeof name, "%s/outcome/%s", BEAD_PROFILE_GROUP, bead_outcome_columns[i].name);
-        if (there)
-            bead_h5_read_doubles(&t->h5, name, values, n);
-        for (size_t c = 0; c < n; c++) {
-            double value = there ? values[c] : NAN;
-            memcpy((char *)&t->outcomes[c] + bead_outcome_columns[i].offset, &value, sizeof value);
-        }
-    }
-    if (there)
-        bead_h5_read_texts(&t->h5, BEAD_PROFILE_GROUP "/outcome/method", t->methods, n);
-    if (there && counts)
-        bead_h5_read_ints(&t->h5, BEAD_PROFILE_GROUP "/outcome/steps", counts, n);
-    for (size_t c = 0; counts && c < n; c++)
-        t->outcomes[c].steps = (uint64_t)counts[c];
-    if (there && counts)
-        bead_h5_read_ints(&t->h5, BEAD_PROFILE_GROUP "/outcome/evaluations", counts, n);
-    for (size_t c = 0; counts && c < n; c++) {
-        t->outcomes[c].evaluations = (uint64_t)counts[c];
-        t->outcomes[c].method = t->methods[c].text;
-    }
-    bool lacking = !values || !counts;
-    free(values);
-    free(counts);
-    return lacking ? no_memory(t) : t->h5.error;
-}
-
-static enum bead_error load(struct bead_trajectory *t, const char *const *settings, size_t setting_count)
-{
-    enum bead_error error = read_summary(t);
-    if (!error)
-        error = rebuild(t, settings, setting_count);
-    const bool beads = !error && !t->scene->chains[0].equation.name;
-    if (beads)
-        error = check_beads(t, "/particles/chain/mass", bead_chain_mass);
-    if (beads && !error)
-        error = check_beads(t, "/particles/chain/radius", bead_chain_radius);
-    if (!error)
-        error = check_beads(t, "/particles/chain/rest_position", bead_chain_position);
-    if (!error)
-        error = open_sources(t);
-    if (!error)
-        error = check_times(t);
-    return error ? error : read_outcomes(t);
-}
-
-static size_t longest_chain(const struct bead_trajectory *t)
-{
-    size_t longest = 1;
-    for (size_t c = 0; c < t->chain_count; c++)
-        longest = bead_chain_beads(t->chains[c]) > longest ? bead_chain_beads(t->chains[c]) : longest;
-    return longest;
-}
-
-/* Forces follow from the displacements of all beads, unless they depend on velocities too. */
-static unsigned derivable(const struct bead_trajectory *t)
-{
-    const unsigned forces = BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE);
-    bool possible =
-        t->fields & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && t->span.first == 0 && t->span.last >= longest_chain(t) - 1;
-    for (size_t c = 0; c < t->chain_count; c++) {
-        const struct bead_chain_spec *spec = bead_chain_spec(t->chains[c]);
-        possible = possible && !(spec->damping_coefficient > 0) && !spec->equation.name;
-    }
-    return possible ? forces & ~t->fields : 0;
-}
-
-enum bead_error bead_trajectory_open(const char *path, const char *const *settings, size_t setting_count,
-                                     struct bead_trajectory **trajectory, struct bead_message *msg)
-{
-    *trajectory = NULL;
-    struct bead_trajectory *t = calloc(1, sizeof *t);
-    if (!t)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: no memory to read it", path);
-    t->h5.file = -1;
-    for (size_t i = 0; i < BEAD_SERIES_COUNT; i++)
-        t->sources[i].value = -1;
-    enum bead_error error = bead_file_join(NULL, path, &t->path, msg);
-    if (!error) {
-        bead_h5_open(&t->h5, t->path, msg);
-        error = t->h5.error ? t->h5.error : load(t, settings, setting_count);
-    }
-    if (!error)
-        t->derived = derivable(t);
-    t->h5.msg = NULL;
-    if (error)
-        bead_trajectory_close(t);
-    else
-        *trajectory = t;
-    return error;
-}
 
 const struct bead_scene *bead_trajectory_scene(const struct bead_trajectory *t)
 {
@@ -360,20 +53,34 @@ enum bead_error bead_trajectory_outcome(const struct bead_trajectory *t, size_t 
     return BEAD_OK;
 }
 
+/* Of numbers that are not finite all bits of the exponent are set: one more there carries into the sign. */
+static bool all_finite(const double *values, size_t count)
+{
+    const uint64_t exponent = (uint64_t)0x7ff << 52, one = (uint64_t)1 << 52;
+    uint64_t carries = 0, bits;
+    for (size_t i = 0; i < count; i++) {
+        memcpy(&bits, &values[i], sizeof bits);
+        carries |= (bits & exponent) + one;
+    }
+    return !(carries >> 63);
+}
+
 /* Make the block hold sample `index`. */
-static enum bead_error read_ahead(struct bead_trajectory *t, struct source *source, size_t index)
+static enum bead_error read_ahead(struct bead_trajectory *t, struct bead_source *source, size_t index)
 {
     if (source->held && index >= source->first && index - source->first < source->held)
         return BEAD_OK;
     if (!source->block && !(source->block = calloc(t->block_rows * source->columns, sizeof(double))))
-        return no_memory(t);
+        return bead_trajectory_no_memory(t);
     size_t first = index - index % t->block_rows;
     size_t count = t->samples - first < t->block_rows ? t->samples - first : t->block_rows;
     source->held = 0;
     bead_h5_read_rows(&t->h5, source->value, first, count, source->columns, source->block);
-    for (size_t i = 0; !t->h5.error && i < count * source->columns; i++)
-        if (!isfinite(source->block[i]))
-            bead_h5_fail(&t->h5, false, "sample %zu holds a number that is not finite", first + i / source->columns);
+    size_t all = count * source->columns, bad = t->h5.error || all_finite(source->block, all) ? all : 0;
+    while (bad < all && isfinite(source->block[bad]))
+        bad++;
+    if (bad < all)
+        bead_h5_fail(&t->h5, false, "sample %zu holds a number that is not finite", first + bad / source->columns);
     if (t->h5.error)
         return t->h5.error;
     source->first = first;
@@ -384,7 +91,7 @@ static enum bead_error read_ahead(struct bead_trajectory *t, struct source *sour
 /* One chain's values of a sample by bead (or contact) number: lent from the block where all are stored. */
 static const double *values_of(struct bead_trajectory *t, enum bead_series_id id, size_t index, size_t chain)
 {
-    struct source *source = &t->sources[id];
+    struct bead_source *source = &t->sources[id];
     const struct bead_chain_rows *r = &t->rows[chain];
     bool contacts = bead_series[id].of_contacts;
     size_t row = contacts ? r->first_contact_row : r->first_row, first = contacts ? r->first_contact : r->first_bead;
@@ -394,7 +101,7 @@ static const double *values_of(struct bead_trajectory *t, enum bead_series_id id
     if (count == all)
         return values;
     if (!source->scratch) {
-        if (!(source->scratch = calloc(longest_chain(t), sizeof *source->scratch)))
+        if (!(source->scratch = calloc(bead_trajectory_longest(t), sizeof *source->scratch)))
             return NULL;
     }
     if (count)
@@ -404,9 +111,9 @@ static const double *values_of(struct bead_trajectory *t, enum bead_series_id id
 
 static void derive(struct bead_trajectory *t, size_t chain, const double *u, unsigned fields, struct bead_sample *sample)
 {
-    size_t longest = longest_chain(t);
+    size_t longest = bead_trajectory_longest(t);
     if (!t->forces && !(t->forces = calloc(2 * longest, sizeof *t->forces))) {
-        no_memory(t);
+        bead_trajectory_no_memory(t);
         return;
     }
     bead_derive_forces(t->chains[chain], u, t->forces, t->forces + longest);
@@ -435,10 +142,8 @@ enum bead_error bead_trajectory_read(struct bead_trajectory *t, size_t index, si
             continue;
         sample->field[field] = values_of(t, id, index, chain);
         if (!sample->field[field])
-            no_memory(t);
+            bead_trajectory_no_memory(t);
     }
-    if (!t->h5.error && fields & t->derived)
-        derive(t, chain, sample->field[BEAD_FIELD_DISPLACEMENT], fields, sample);
     if (!t->h5.error && fields & t->derived)
         derive(t, chain, sample->field[BEAD_FIELD_DISPLACEMENT], fields, sample);
     t->h5.msg = NULL;

@@ -7,6 +7,7 @@
 
 #include "beadreel/statistics.h"
 #include "beadreel/sweep.h"
+#include "beadreel/trajectory.h"
 #include "scratch.h"
 #include "sweeps.h"
 
@@ -267,6 +268,9 @@ static void files_are_not_trusted(void **state)
     for (size_t i = 0; i < 6; i++)
         assert_memory_equal(peak_of(read, i), peak_of(sweep, i), sizeof(struct bead_sweep_peak));
     bead_sweep_close(read);
+    struct bead_trajectory *trajectory = NULL;
+    assert_int_equal(bead_trajectory_open(path, NULL, 0, &trajectory, &msg), BEAD_ERROR_FORMAT);
+    assert_non_null(strstr(msg.text, "is a sweep's file"));
     /* One thing changed in a good file. */
     static const struct {
         const char *name;

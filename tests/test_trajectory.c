@@ -72,6 +72,28 @@ static void what_is_written_is_read(void **state)
     tear_down(&s, 1);
 }
 
+/* Packed, in other chunks, or in none: the same numbers. */
+static void any_storage_is_read(void **state)
+{
+    (void)state;
+    static const char *const ways[] = {"-f GZIP=1", "-l /particles/chain/bead_force/value:CHUNK=7x5",
+                                       "-l /particles/chain/bead_force/value:CONTI",
+                                       "-l /particles/chain/energy/value:CHUNK=300x13 -f /particles/chain/energy/value:GZIP=9"};
+    struct stand s;
+    set_up(&s, ONE_CHAIN, "trajectory: run.h5, every: 1 us, " ALL_FIELDS, 0.6e-3);
+    deliver(&s, 601);
+    finish(&s);
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        char command[3000], copy[1024];
+        snprintf(copy, sizeof copy, "%s.copy", s.path);
+        snprintf(command, sizeof command, "h5repack %s '%s' '%s'", ways[i], s.path, copy);
+        assert_int_equal(system(command), 0);
+        check_samples(copy, 1, 601, (struct bead_span){0, SIZE_MAX}, all_fields);
+        unlink(copy);
+    }
+    tear_down(&s, 1);
+}
+
 static void chains_and_spans(void **state)
 {
     (void)state;
@@ -330,6 +352,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_written_is_read),
+        cmocka_unit_test(any_storage_is_read),
         cmocka_unit_test(chains_and_spans),
         cmocka_unit_test(nothing_more_than_asked),
         cmocka_unit_test(killed_runs_open_at_the_last_flush),

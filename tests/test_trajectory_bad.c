@@ -1,6 +1,8 @@
 /* Files that are not trajectories, or no longer: one clear line, no crash, nothing believed. */
 #include "trajectory_support.h"
 
+#include <sys/stat.h>
+
 #include <errno.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -109,6 +111,30 @@ static void foreign_files(void **state)
     H5Fclose(empty);
     assert_true(bead_trajectory_is(b->copy));
     assert_int_equal(refused(b->copy, "not a trajectory of this program"), BEAD_ERROR_FORMAT);
+}
+
+/* HDF5 files may begin with a block of somebody else's; what is no file at all is not waited for. */
+static void signatures(void **state)
+{
+    struct bad *b = *state;
+    for (hsize_t block = 512; block <= 1 << 14; block *= 2) {
+        hid_t creation = H5Pcreate(H5P_FILE_CREATE);
+        assert_true(H5Pset_userblock(creation, block) >= 0);
+        assert_true(H5Fclose(H5Fcreate(b->copy, H5F_ACC_TRUNC, creation, H5P_DEFAULT)) >= 0);
+        H5Pclose(creation);
+        assert_true(bead_trajectory_is(b->copy));
+        assert_int_equal(refused(b->copy, "not a trajectory of this program"), BEAD_ERROR_FORMAT);
+    }
+    static const char cut[] = "\211HDF\r\n\032";
+    FILE *file = fopen(b->copy, "wb");
+    assert_non_null(file);
+    fputs(cut, file);
+    fclose(file);
+    assert_false(bead_trajectory_is(b->copy));
+    assert_false(bead_trajectory_is(b->s.directory));
+    unlink(b->copy);
+    assert_int_equal(mkfifo(b->copy, 0600), 0);
+    assert_false(bead_trajectory_is(b->copy));
 }
 
 /* ---- one thing changed in a good file ---- */
@@ -433,6 +459,7 @@ int main(void)
         BAD(cut_off_anywhere),
         BAD(bytes_changed),
         BAD(foreign_files),
+        BAD(signatures),
         BAD(one_thing_wrong),
         BAD(numbers_are_checked_when_read),
         BAD(the_shortest_series_counts),
