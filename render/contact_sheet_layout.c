@@ -179,9 +179,11 @@ static enum bead_error make_images(struct contact_sheet *s, double left, double 
 
 static enum bead_error no_room(const struct contact_sheet *s, struct bead_message *msg)
 {
-    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: size: %d x %d pixels have no room for %zu row%s of %zu picture%s",
-                     bead_sweep_scene(s->sweep)->file, s->output->place.line, s->output->place.column, s->page.width,
-                     s->page.height, s->row_count, s->row_count == 1 ? "" : "s", s->columns, s->columns == 1 ? "" : "s");
+    char size[BEAD_SIZE_WORDS];
+    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: size: %s have no room for %zu row%s of %zu picture%s",
+                     bead_sweep_scene(s->sweep)->file, s->output->place.line, s->output->place.column,
+                     bead_page_size(&s->page, size), s->row_count, s->row_count == 1 ? "" : "s", s->columns,
+                     s->columns == 1 ? "" : "s");
 }
 
 /* Most configurations of one magnetism. */

@@ -170,12 +170,12 @@ static double fixed_width(const struct bead_figure *f, const struct plan *plan)
 static enum bead_error too_small(const struct bead_figure *f, struct bead_message *msg)
 {
     const struct bead_output *output = f->output;
-    return bead_fail(
-        msg, BEAD_ERROR_SCENE,
-        "%s:%zu:%zu: size: %d x %d pixels leave no room for %zu plots and their labels; a larger picture, fewer views or "
-        "`axes: false` do",
-        f->stage.scene->file, output->place.line, output->place.column, f->page.width, f->page.height,
-        f->cell_count * f->view_count);
+    char size[BEAD_SIZE_WORDS];
+    return bead_fail(msg, BEAD_ERROR_SCENE,
+                     "%s:%zu:%zu: size: %s leave no room for %zu plots and their labels; a larger picture, fewer views or "
+                     "`axes: false` do",
+                     f->stage.scene->file, output->place.line, output->place.column, bead_page_size(&f->page, size),
+                     f->cell_count * f->view_count);
 }
 
 static double share_of(const struct bead_figure *f, size_t view)

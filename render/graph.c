@@ -39,7 +39,7 @@ static enum bead_error draw(void *context, cairo_t *cr, struct bead_message *msg
 enum bead_error bead_graph_write(const struct bead_graph *graph, bool titled, const struct bead_output *output,
                                  const struct bead_scene *scene, const char *path, uint64_t *bytes, struct bead_message *msg)
 {
-    char title[2048] = "";
+    char title[2048] = "", size[BEAD_SIZE_WORDS];
     struct bead_graph whole = *graph;
     if (titled)
         bead_markup_quote(scene->title, title, sizeof title);
@@ -49,6 +49,7 @@ enum bead_error bead_graph_write(const struct bead_graph *graph, bool titled, co
     enum bead_error err = bead_page_find(output, scene->file, &job.page, msg);
     if (err)
         return err;
+    whole.size = bead_page_size(&job.page, size);
     bead_page_look(&job.page, output, &job.look);
     return bead_page_write(&job.page, output, scene, &(struct bead_drawing){draw, NULL, &job}, path, bytes, msg);
 }

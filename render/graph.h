@@ -60,6 +60,7 @@ struct bead_panel {
 };
 
 struct bead_graph {
+    const char *size;                /* for messages: that of the whole, "86 x 64 mm"; NULL: not said */
     const char *title, *caption;     /* above and below all panels; NULL: none; the caption is wrapped */
     const struct bead_panel *panels; /* row by row */
     size_t panel_count, columns;     /* columns 0: chosen */

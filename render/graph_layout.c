@@ -12,6 +12,7 @@ static const double title_gap = 0.7, caption_gap = 0.5, legend_gap = 0.7, head_g
                     between_rows = 0.8;
 /* Legends beside the panels of pages that are wider than high by this take at most a part of the width, others where it is worth
  * it. */
+static const double most_below = 0.5; /* of the height */
 static const double usual_legend = 0.3, widest_legend = 0.5, wide_page = 1.5;
 /* Panels are this much wider than high if they can. */
 static const double wanted_shape = 1.45;
@@ -215,6 +216,8 @@ static void measure_outside(struct graph_layout *l)
 {
     double em = l->look->label, width = l->width - 2 * l->frame.margin, height = l->height - 2 * l->frame.margin - 4 * em;
     l->legend_right = false;
+    l->legend.shrunk = 0;
+    l->legend.cut = false;
     l->legend.box = (struct graph_box){0};
     if (l->legend.count == 0)
         return;
@@ -225,7 +228,7 @@ static void measure_outside(struct graph_layout *l)
     else if (fits_beside(l, widest_legend, height))
         l->legend_right = (width - l->legend.box.width) * height > width * (height - below);
     if (!l->legend_right)
-        graph_legend_measure(&l->legend, l->look, width, 0);
+        graph_legend_fit(&l->legend, l->look, width, most_below * height);
 }
 
 /* ---- plots ---- */
@@ -333,8 +336,9 @@ static enum bead_error divide(struct graph_layout *l, struct bead_message *msg)
     width = floor(width / (double)l->columns);
     height = floor(height / (double)l->rows);
     if (!(width >= smallest_plot) || !(height >= smallest_plot))
-        return bead_fail(msg, BEAD_ERROR_SCENE, "size: %.0f x %.0f pixels leave no room for %zu plot%s and the words around",
-                         l->width, l->height, l->graph->panel_count, l->graph->panel_count == 1 ? "" : "s");
+        return bead_fail(msg, BEAD_ERROR_SCENE, "size: %s leave%s no room for %zu plot%s and the words around",
+                         l->graph->size ? l->graph->size : "this", l->graph->size ? "" : "s", l->graph->panel_count,
+                         l->graph->panel_count == 1 ? "" : "s");
     for (size_t p = 0; p < l->graph->panel_count; p++) {
         struct graph_cell *cell = &l->cells[p];
         double x = room.x + ceil(l->left[0]), y = room.y + ceil(l->top[0]);

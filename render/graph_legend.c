@@ -8,23 +8,39 @@ static const double sample_length = 1.8, sample_gap = 0.5, between_columns = 1.3
 /* Places tried inside a panel, across and down. */
 enum { ACROSS = 17, DOWN = 13 };
 
-static double sample_width(const struct bead_look *look)
+/* Sizes of type to try where legends take too much. */
+static const double smaller[] = {1, 0.87, 0.75};
+enum { SIZES = sizeof smaller / sizeof *smaller };
+
+static double type_of(const struct graph_legend *legend, const struct bead_look *look)
 {
-    return (sample_length + sample_gap) * look->label;
+    return (legend->shrunk > 0 ? legend->shrunk : 1) * look->label;
+}
+
+static double sample_width(double em)
+{
+    return (sample_length + sample_gap) * em;
+}
+
+static struct bead_text_style style_of(const struct graph_legend *legend, const struct bead_look *look)
+{
+    struct bead_text_style style = graph_text(look);
+    style.size *= type_of(legend, look) / look->label;
+    return style;
 }
 
 /* Returns the height of the highest entry. */
 static double measure_entries(struct graph_legend *legend, const struct bead_look *look, double width)
 {
-    double em = look->label, highest = least_row * em, limit = fmax(width - sample_width(look), narrowest_words * em);
-    struct bead_text_style style = graph_text(look);
+    double em = type_of(legend, look), highest = least_row * em, limit = fmax(width - sample_width(em), narrowest_words * em);
+    struct bead_text_style style = style_of(legend, look);
     legend->wrap = 0;
     for (size_t i = 0; i < legend->count; i++) {
         struct graph_entry *entry = &legend->entries[i];
         bead_text_size(NULL, &style, entry->markup, &entry->width, &entry->height);
         if (entry->width > limit) {
-            legend->wrap = limit;
-            bead_text_size_lines(NULL, &style, limit, entry->markup, &entry->width, &entry->height);
+            legend->wrap = legend->cut ? -limit : limit;
+            bead_text_size_lines(NULL, &style, legend->wrap, entry->markup, &entry->width, &entry->height);
         }
         highest = fmax(highest, entry->height);
     }
@@ -35,14 +51,14 @@ static double measure_entries(struct graph_legend *legend, const struct bead_loo
 static double put_entries(struct graph_legend *legend, const struct bead_look *look, size_t columns, double row)
 {
     size_t rows = (legend->count + columns - 1) / columns;
-    double x = 0, widest = 0, gap = between_columns * look->label;
+    double em = type_of(legend, look), x = 0, widest = 0, gap = between_columns * em;
     for (size_t i = 0; i < legend->count; i++) {
         struct graph_entry *entry = &legend->entries[i];
         if (i > 0 && i % rows == 0) {
             x += ceil(widest) + gap;
             widest = 0;
         }
-        widest = fmax(widest, sample_width(look) + entry->width);
+        widest = fmax(widest, sample_width(em) + entry->width);
         entry->x = x;
         entry->y = ((double)(i % rows) + 0.5) * row;
     }
@@ -57,6 +73,36 @@ void graph_legend_measure(struct graph_legend *legend, const struct bead_look *l
     size_t most = columns > 0 ? columns : legend->count;
     while (most > 0 && put_entries(legend, look, most, row) > width && columns == 0 && most > 1)
         most--;
+}
+
+/* In columns of equal width, words cut to them. */
+static void cut_to_fit(struct graph_legend *legend, const struct bead_look *look, double width, double height)
+{
+    double em = type_of(legend, look), row = ceil(least_row * em), gap = between_columns * em;
+    size_t rows = (size_t)fmax(1, floor(height / row)), columns = (legend->count + rows - 1) / rows;
+    legend->cut = true;
+    for (; columns > 1 && (width - (double)(columns - 1) * gap) / (double)columns < sample_width(em) + narrowest_words * em;
+         columns--)
+        ;
+    row = measure_entries(legend, look, floor((width - (double)(columns - 1) * gap) / (double)columns));
+    (void)put_entries(legend, look, columns, row);
+}
+
+void graph_legend_fit(struct graph_legend *legend, const struct bead_look *look, double width, double height)
+{
+    legend->cut = false;
+    for (size_t i = 0; i < SIZES; i++) {
+        legend->shrunk = smaller[i];
+        graph_legend_measure(legend, look, width, 0);
+        if (legend->box.height <= height)
+            return;
+    }
+    for (size_t i = 0; i < SIZES; i++) {
+        legend->shrunk = smaller[i];
+        cut_to_fit(legend, look, width, height);
+        if (legend->columns == 1 || i + 1 == SIZES)
+            return;
+    }
 }
 
 /* Corners first, then along the borders, then the middle: less is better. */
@@ -95,7 +141,7 @@ bool graph_legend_place(struct graph_legend *legend, const struct bead_look *loo
         double penalty = 0.1 * (double)(columns - 1); /* one below the other where that is as good */
         graph_legend_measure(&tried, look, 0.9 * width, columns);
         double limit = least - penalty;
-        if (tried.wrap > 0 || tried.columns != columns || !try_columns(&tried, look, mask, &limit))
+        if (tried.wrap != 0 || tried.columns != columns || !try_columns(&tried, look, mask, &limit))
             continue;
         least = limit + penalty;
         best = tried;
@@ -110,9 +156,9 @@ bool graph_legend_place(struct graph_legend *legend, const struct bead_look *loo
     return true;
 }
 
-static void draw_sample(const struct graph_entry *entry, const struct bead_look *look, cairo_t *cr, double x, double y)
+static void draw_sample(const struct graph_entry *entry, const struct bead_look *look, double em, cairo_t *cr, double x, double y)
 {
-    double length = sample_length * look->label;
+    double length = sample_length * em;
     bool line = entry->ruler || entry->series->mark != BEAD_MARK_POINTS;
     if (entry->ruler)
         graph_ruler_style(cr, look);
@@ -131,12 +177,13 @@ static void draw_sample(const struct graph_entry *entry, const struct bead_look 
 
 void graph_legend_draw(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr)
 {
-    struct bead_text_style style = graph_text(look);
+    struct bead_text_style style = style_of(legend, look);
+    double em = type_of(legend, look);
     style.down = BEAD_ALIGN_START;
     for (size_t i = 0; i < legend->count && legend->box.width > 0; i++) {
         const struct graph_entry *entry = &legend->entries[i];
         double x = legend->box.x + entry->x, y = legend->box.y + entry->y;
-        draw_sample(entry, look, cr, x, y);
-        bead_text_draw_lines(cr, &style, legend->wrap, x + sample_width(look), y - entry->height / 2, entry->markup);
+        draw_sample(entry, look, em, cr, x, y);
+        bead_text_draw_lines(cr, &style, legend->wrap, x + sample_width(em), y - entry->height / 2, entry->markup);
     }
 }

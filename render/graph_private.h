@@ -28,7 +28,9 @@ struct graph_entry {
 struct graph_legend {
     struct graph_entry *entries;
     size_t count, columns;
-    double wrap;          /* > 0: of the words */
+    double shrunk;        /* size of its type in units of the label's; 0: the label's */
+    bool cut;             /* words too long are cut, not wrapped */
+    double wrap;          /* > 0: of the words; < 0: where they are cut */
     struct graph_box box; /* width 0: not placed */
 };
 
@@ -102,6 +104,8 @@ bool graph_words_place(struct graph_cell *cell, const struct bead_look *look, st
 
 /* Size the legend for a width, in this many columns; 0: as many as have room. */
 void graph_legend_measure(struct graph_legend *legend, const struct bead_look *look, double width, size_t columns);
+/* The same for a width and, if at all possible, a height: in smaller type and with long words cut, if need be. */
+void graph_legend_fit(struct graph_legend *legend, const struct bead_look *look, double width, double height);
 /* Into free room of a panel. False: there is none. */
 bool graph_legend_place(struct graph_legend *legend, const struct bead_look *look, struct graph_mask *mask);
 void graph_legend_draw(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr);

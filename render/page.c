@@ -32,8 +32,16 @@ enum bead_error bead_page_find(const struct bead_output *output, const char *fil
     bool screen = output->style == BEAD_STYLE_SLIDE || output->style == BEAD_STYLE_MOVIE;
     bool paper = output->style == BEAD_STYLE_PAPER || (length && !screen);
     double dpi = length || paper ? output->dpi : vector ? screen_dpi : 0;
-    *page = (struct bead_page){(int)size[0], (int)size[1], dpi, paper, vector};
+    *page = (struct bead_page){(int)size[0], (int)size[1], dpi, paper, vector, length};
     return BEAD_OK;
+}
+
+const char *bead_page_size(const struct bead_page *page, char words[BEAD_SIZE_WORDS])
+{
+    double unit = page->length && page->dpi > 0 ? page->dpi / (1e3 * inch) : 1;
+    snprintf(words, BEAD_SIZE_WORDS, "%.5g x %.5g %s", round(10 * page->width / unit) / 10, round(10 * page->height / unit) / 10,
+             page->length ? "mm" : "pixels");
+    return words;
 }
 
 void bead_page_look(const struct bead_page *page, const struct bead_output *output, struct bead_look *look)

@@ -179,6 +179,16 @@ static bool draw_caption(const struct bead_drafting *d, struct bead_box *area)
     return room;
 }
 
+static enum bead_error no_room(const struct bead_output *output, const struct bead_stage *stage, struct bead_message *msg)
+{
+    struct bead_page page;
+    char size[BEAD_SIZE_WORDS];
+    enum bead_error err = bead_page_find(output, stage->scene->file, &page, msg);
+    return err ? err
+               : bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: size: %s leave no room for the drawing and its labels",
+                           stage->scene->file, output->place.line, output->place.column, bead_page_size(&page, size));
+}
+
 enum bead_error bead_schematic_draw(const struct bead_output *output, const struct bead_stage *stage, struct bead_sketch *sketch,
                                     double width, double height, struct bead_message *msg)
 {
@@ -197,10 +207,7 @@ enum bead_error bead_schematic_draw(const struct bead_output *output, const stru
     }
     if (sketch->failed)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a drawing");
-    if (!room || bead_sketch_crowded(sketch, width, height))
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: size: %.0f x %.0f pixels leave no room for the drawing and its labels",
-                         stage->scene->file, output->place.line, output->place.column, width, height);
-    return BEAD_OK;
+    return room && !bead_sketch_crowded(sketch, width, height) ? BEAD_OK : no_room(output, stage, msg);
 }
 
 struct paper {

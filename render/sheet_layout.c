@@ -229,10 +229,11 @@ static enum bead_error divide(struct bead_sheet *s, struct bead_message *msg)
         for (size_t c = 0; c < columns; c++)
             wide -= sheet_at(s, r, c)->insets.left + sheet_at(s, r, c)->insets.right;
         double width = floor(wide / (double)columns);
+        char words[BEAD_SIZE_WORDS];
         if (width < smallest || height < smallest)
-            return bead_fail(msg, BEAD_ERROR_SCENE,
-                             "%s:%zu:%zu: size: %d x %d pixels leave no room for %zu panels and their labels", s->stage.scene->file,
-                             s->output->place.line, s->output->place.column, s->page.width, s->page.height, s->count);
+            return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: size: %s leave no room for %zu panels and their labels",
+                             s->stage.scene->file, s->output->place.line, s->output->place.column, bead_page_size(&s->page, words),
+                             s->count);
         for (size_t c = 0; c < columns; c++) {
             struct sheet_panel *panel = sheet_at(s, r, c);
             const struct bead_insets *in = &panel->insets;

@@ -45,6 +45,11 @@ static PangoLayout *make_layout(cairo_t *cr, const struct bead_text_style *style
     pango_font_description_set_weight(font, style->bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
     pango_layout_set_font_description(layout, font);
     pango_font_description_free(font);
+    if (wrap < 0) {
+        pango_layout_set_width(layout, (int)ceil(-wrap * PANGO_SCALE));
+        pango_layout_set_ellipsize(layout, PANGO_ELLIPSIZE_MIDDLE);
+        pango_layout_set_single_paragraph_mode(layout, TRUE);
+    }
     if (wrap > 0) {
         static const PangoAlignment alignments[] = {
             [BEAD_ALIGN_START] = PANGO_ALIGN_LEFT, [BEAD_ALIGN_MIDDLE] = PANGO_ALIGN_CENTER, [BEAD_ALIGN_END] = PANGO_ALIGN_RIGHT};

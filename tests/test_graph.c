@@ -223,6 +223,40 @@ static void test_legends_without_room_go_outside(void **state)
     graph_layout_free(&layout);
 }
 
+/* Names of any length on small pages: smaller, cut in the end, and plots keep half of the page. */
+static void test_long_names_leave_room_for_plots(void **state)
+{
+    (void)state;
+    static const char *const name = "an arrangement of steel and aluminium beads with every second dimer turned round, as it was "
+                                    "delivered by the workshop in spring, ";
+    static const double sizes[][2] = {{86, 85}, {86, 60}, {86, 40}, {60, 45}, {178, 60}};
+    static struct data d;
+    char labels[CURVES][256], what[64];
+    make_data(&d);
+    for (size_t length = 20; length <= strlen(name); length += 18) {
+        for (size_t k = 0; k < CURVES; k++) {
+            for (int i = 0; i < N; i++)
+                d.y[k][i] = (i + (int)k) % 2 ? 1 : 0;
+            snprintf(labels[k], sizeof labels[k], "%.*s, *M* = 0.%zu", (int)length, name, k);
+            d.series[k].label = labels[k];
+        }
+        for (size_t s = 0; s < sizeof sizes / sizeof sizes[0]; s++) {
+            struct bead_look look;
+            int width = (int)round(sizes[s][0] * 300 / 25.4), height = (int)round(sizes[s][1] * 300 / 25.4);
+            bead_look_paper(&look, 300);
+            struct bead_panel panel = make_panel(&d, CURVES);
+            struct bead_graph graph = {.panels = &panel, .panel_count = 1};
+            snprintf(what, sizeof what, "names of %zu characters on %g x %g mm", length, sizes[s][0], sizes[s][1]);
+            assert_readable(&graph, &look, width, height, what);
+            struct graph_layout layout = lay_out(&graph, &look, width, height);
+            if (layout.cells[0].plot.height < 0.2 * height || layout.cells[0].plot.width < 0.3 * width)
+                fail_msg("%s: the plot has only %d x %d of %d x %d pixels", what, layout.cells[0].plot.width,
+                         layout.cells[0].plot.height, width, height);
+            graph_layout_free(&layout);
+        }
+    }
+}
+
 /* ---- axes ---- */
 
 static void test_shared_axes_are_shared(void **state)
@@ -357,10 +391,15 @@ static void test_markup(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_shared_axes_are_shared),          cmocka_unit_test(test_ranges_that_make_no_sense),
-        cmocka_unit_test(test_bad_ranges_and_sizes_are_errors), cmocka_unit_test(test_words_never_collide),
-        cmocka_unit_test(test_words_of_odd_axes_never_collide), cmocka_unit_test(test_headings_have_room),
-        cmocka_unit_test(test_legends_without_room_go_outside), cmocka_unit_test(test_markup),
+        cmocka_unit_test(test_shared_axes_are_shared),
+        cmocka_unit_test(test_ranges_that_make_no_sense),
+        cmocka_unit_test(test_bad_ranges_and_sizes_are_errors),
+        cmocka_unit_test(test_words_never_collide),
+        cmocka_unit_test(test_words_of_odd_axes_never_collide),
+        cmocka_unit_test(test_headings_have_room),
+        cmocka_unit_test(test_legends_without_room_go_outside),
+        cmocka_unit_test(test_long_names_leave_room_for_plots),
+        cmocka_unit_test(test_markup),
     };
     return cmocka_run_group_tests_name("graphs", tests, NULL, NULL);
 }

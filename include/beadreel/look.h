@@ -50,7 +50,8 @@ struct bead_text_style {
 BEAD_API void bead_text_draw(cairo_t *cr, const struct bead_text_style *style, double x, double y, const char *markup);
 /* Size of its logical box, before turning. */
 BEAD_API void bead_text_size(cairo_t *cr, const struct bead_text_style *style, const char *markup, double *width, double *height);
-/* The same in lines no wider than `wrap` px, aligned as `across` says; wrap 0: one line. */
+/* The same in lines no wider than `wrap` px, aligned as `across` says; wrap 0: one line; < 0: one line no
+ * wider than -wrap px, with an ellipsis in the middle where it is longer. */
 BEAD_API void bead_text_draw_lines(cairo_t *cr, const struct bead_text_style *style, double wrap, double x, double y,
                                    const char *markup);
 BEAD_API void bead_text_size_lines(cairo_t *cr, const struct bead_text_style *style, double wrap, const char *markup, double *width,
