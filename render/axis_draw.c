@@ -128,10 +128,11 @@ static bool words_fit(const struct drawing *d, const struct bead_text_style *sty
 static bool fit_title(const struct drawing *d, const char *title, struct bead_text_style *style, double *wrap, char *markup,
                       size_t size)
 {
-    char name[2048];
+    char name[2048], symbols[512];
     double full = style->size, width, height, room = d->side == BEAD_SIDE_BOTTOM ? d->plot.width : d->plot.height;
     const char *unit = d->axis->unit;
-    bead_markup(title, name, sizeof name);
+    bead_markup_symbols(title, symbols, sizeof symbols);
+    bead_markup(symbols, name, sizeof name);
     snprintf(markup, size, *unit ? "%s (%s)" : "%s", name, unit);
     bead_text_size(d->cr, style, markup, &width, &height);
     style->size = full * fmin(1, fmax(little_smaller, 0.99 * room / width)); /* widths are not quite in proportion */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "render/figure_private.h"
+#include "render/movie_words.h"
 #include "render/trust_words.h"
 #include "render/units.h"
 
@@ -193,12 +194,12 @@ static void moment_words(const struct bead_figure *f, char *markup, size_t size)
     if (!f->stills)
         return;
     time_words(f->at, bead_chain_time_unit(f->stage.chains[0]), time, sizeof time);
-    snprintf(markup, size, "<span face=\"%s\"><i>t</i></span> = %s", f->page.paper ? "STIX" : f->look.family, time);
+    snprintf(markup, size, "<span face=\"STIX\"><i>t</i></span> = %s", time);
     for (size_t v = 0; v < f->view_count; v++) {
         const struct bead_tile *panel = &f->cells[0].panel[v];
         if (panel->type->kind != BEAD_VIEW_BEADS)
             continue;
-        bead_quantity(panel->setup.magnify, "", 2, magnify, sizeof magnify);
+        bead_round_number(panel->setup.magnify, magnify, sizeof magnify);
         size_t used = strlen(markup);
         snprintf(markup + used, size - used, "  \u00b7  displacements \u00d7 %s", magnify);
         break;

@@ -146,3 +146,45 @@ void bead_markup_quote(const char *text, char *out, size_t size)
     if (size > 0)
         out[used] = '\0';
 }
+
+static bool is_letter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+static bool stands_alone(const char *text, const char *at)
+{
+    char before = at > text ? at[-1] : ' ', after = at[1];
+    bool joined = is_letter(before) || is_letter(after) || (before >= '0' && before <= '9') || (before && strchr("*_^{\\", before));
+    return is_letter(*at) && !joined && (*at != 'a' || after != ' ');
+}
+
+/* Bytes of the lowered letters and digits (U+2080 to U+209C) at the beginning. */
+static size_t lowered(const char *text)
+{
+    size_t length = 0;
+    while ((unsigned char)text[length] == 0xe2 && (unsigned char)text[length + 1] == 0x82 &&
+           (unsigned char)text[length + 2] >= 0x80 && (unsigned char)text[length + 2] <= 0x9c)
+        length += 3;
+    return length;
+}
+
+void bead_markup_symbols(const char *text, char *out, size_t size)
+{
+    size_t used = 0;
+    for (const char *at = text; *at && size > 0;) {
+        bool symbol = stands_alone(text, at);
+        size_t length = symbol ? 1 + lowered(at + 1) : character(at);
+        if (used + length + (symbol ? 2 : 0) >= size)
+            break;
+        if (symbol)
+            out[used++] = '*';
+        memcpy(out + used, at, length);
+        used += length;
+        if (symbol)
+            out[used++] = '*';
+        at += length;
+    }
+    if (size > 0)
+        out[used] = '\0';
+}

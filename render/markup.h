@@ -11,5 +11,8 @@ size_t bead_markup_size(const char *text);
 void bead_markup(const char *text, char *out, size_t size);
 /* Plain text to text that bead_markup shows as it is: names with a `_` in them. Cut between characters where it is too long. */
 void bead_markup_quote(const char *text, char *out, size_t size);
+/* Letters that stand alone are symbols of quantities: "x" to "*x*", "u uₓ = 0" to "*u* *uₓ* = 0"; the article a stays. What is in
+ * italics, lowered or raised already stays too. Cut between characters where it is too long. */
+void bead_markup_symbols(const char *text, char *out, size_t size);
 
 #endif

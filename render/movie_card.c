@@ -125,7 +125,10 @@ void bead_card_draw(cairo_t *cr, const struct bead_look *look, const struct bead
     double below = card.y + room + look->title;
     draw_chains(&card, facts, room);
     card.y = below;
-    for (size_t i = 0; i < count; i++)
-        draw_plain(&card, words[i], small, false, look->faint);
+    for (size_t i = 0; i < count; i++) {
+        char markup[LONGEST];
+        bead_markup(words[i], markup, sizeof markup);
+        draw_line(&card, markup, small, false, look->faint);
+    }
     cairo_restore(cr);
 }

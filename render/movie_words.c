@@ -2,7 +2,10 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "render/markup.h"
 
 #define THIN_SPACE   "\u2009"
 #define FIGURE_SPACE "\u2007"
@@ -39,8 +42,10 @@ void bead_clock_text(const struct bead_clock *clock, double time, const struct b
         strcat(padded, FIGURE_SPACE);
     strcat(padded, number);
     hex(look->faint, faint);
-    snprintf(out, size, "<span font_features=\"tnum=1\"><span foreground=\"%s\"><i>t</i> =</span> %s" THIN_SPACE "%s</span>", faint,
-             padded, clock->sign);
+    snprintf(out, size,
+             "<span font_features=\"tnum=1\"><span foreground=\"%s\"><span face=\"STIX\"><i>t</i></span> =</span> %s" THIN_SPACE
+             "%s</span>",
+             faint, padded, clock->sign);
 }
 
 struct bead_text_style bead_clock_style(const struct bead_look *look)
@@ -52,8 +57,39 @@ struct bead_text_style bead_clock_style(const struct bead_look *look)
                                     .down = BEAD_ALIGN_MIDDLE};
 }
 
+static void add_text(char *out, size_t size, const char *text)
+{
+    size_t used = strlen(out);
+    snprintf(out + used, size - used, "%s", text);
+}
+
+/* "10⁹", "2.5·10⁶" */
+static void power_of_ten(double mantissa, int exponent, char *out, size_t size)
+{
+    static const char *const raised[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                         "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+    char digits[16];
+    out[0] = '\0';
+    if (mantissa != 1)
+        snprintf(out, size, "%.2g\u00b7", mantissa);
+    add_text(out, size, exponent < 0 ? "10\u207b" : "10");
+    snprintf(digits, sizeof digits, "%d", abs(exponent));
+    for (const char *d = digits; *d; d++)
+        add_text(out, size, raised[*d - '0']);
+}
+
 void bead_round_number(double x, char *out, size_t size)
 {
+    int exponent = x > 0 && isfinite(x) ? (int)floor(log10(x)) : 0;
+    double mantissa = round(10 * x / pow(10, exponent)) / 10;
+    if (mantissa >= 10) {
+        mantissa /= 10;
+        exponent++;
+    }
+    if (exponent >= 5 || exponent <= -4) {
+        power_of_ten(mantissa, exponent, out, size);
+        return;
+    }
     if (x < 10) {
         snprintf(out, size, "%.2g", x);
         return;
@@ -70,12 +106,6 @@ void bead_round_number(double x, char *out, size_t size)
         }
     }
     *at = '\0';
-}
-
-static void add_text(char *out, size_t size, const char *text)
-{
-    size_t used = strlen(out);
-    snprintf(out + used, size - used, "%s", text);
 }
 
 /* "large-steel:aluminium" for the longest cell of a chain. */
@@ -105,11 +135,12 @@ void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size)
     bool same_beads = true, same_speed = true;
     out[0] = '\0';
     if (bead_chain_spec(facts->chains[0])->equation.name) {
-        bead_chain_describe(facts->chains[0], out, size);
+        bead_chain_describe(facts->chains[0], name, sizeof name);
         for (size_t c = 1; c < facts->chain_count; c++) { /* of one equation only */
             bead_chain_describe(facts->chains[c], other, sizeof other);
-            out[0] = strcmp(out, other) == 0 ? out[0] : '\0';
+            name[0] = strcmp(name, other) == 0 ? name[0] : '\0';
         }
+        bead_markup_symbols(name, out, size);
         return;
     }
     name_beads(facts->chains[0], name, sizeof name);
@@ -120,7 +151,7 @@ void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size)
         same_speed = same_speed && bead_chain_spec(facts->chains[c])->striker_velocity == velocity;
     }
     if (same_beads)
-        add_text(out, size, name);
+        bead_markup_quote(name, out, size);
     if (!same_speed)
         return;
     if (fabs(velocity) >= 0.01 && fabs(velocity) < 1) /* as the field writes it */
@@ -154,10 +185,10 @@ static size_t gather(const struct bead_facts *facts, char text[MOST_FACTS][256])
 
 static void join(char text[MOST_FACTS][256], size_t count, char *out, size_t size)
 {
-    char markup[600];
+    char markup[1024];
     out[0] = '\0';
     for (size_t i = 0; i < count; i++) {
-        bead_text_escape(text[i], markup, sizeof markup);
+        bead_markup(text[i], markup, sizeof markup);
         add_text(out, size, i ? "   \u00b7   " : "");
         add_text(out, size, markup);
     }

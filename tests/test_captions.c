@@ -13,6 +13,7 @@
 
 #include "beadreel/look.h"
 #include "render/captions.h"
+#include "render/movie_words.h"
 #include "tests/decode.h"
 #include "tests/pictures.h"
 
@@ -73,6 +74,29 @@ static void long_captions_take_two_lines(void **state)
     assert_int_equal(bead_captions_lines(&output, &look, 4000), 1);
     output.caption_count = 0;
     assert_int_equal(bead_captions_lines(&output, &look, 1280), 0);
+}
+
+static void large_numbers_are_powers_of_ten(void **state)
+{
+    (void)state;
+    static const struct {
+        double number;
+        const char *text;
+    } cases[] = {{3571, "3\u2009600"},
+                 {60, "60"},
+                 {2.04, "2"},
+                 {94999, "95\u2009000"},
+                 {99999, "10\u2075"},
+                 {1e9, "10\u2079"},
+                 {2.46e6, "2.5\u00b710\u2076"},
+                 {1e12, "10\u00b9\u00b2"},
+                 {0.01, "0.01"},
+                 {3e-5, "3\u00b710\u207b\u2075"}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[64];
+        bead_round_number(cases[i].number, text, sizeof text);
+        assert_string_equal(text, cases[i].text);
+    }
 }
 
 /* ---- movies ---- */
@@ -190,9 +214,13 @@ static void posters_are_covers(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(captions_come_and_go),         cmocka_unit_test(long_captions_stay_longer),
-        cmocka_unit_test(long_captions_take_two_lines), cmocka_unit_test(cards_come_first_and_take_their_time),
-        cmocka_unit_test(posters_are_frames),           cmocka_unit_test(posters_are_covers),
+        cmocka_unit_test(captions_come_and_go),
+        cmocka_unit_test(long_captions_stay_longer),
+        cmocka_unit_test(long_captions_take_two_lines),
+        cmocka_unit_test(large_numbers_are_powers_of_ten),
+        cmocka_unit_test(cards_come_first_and_take_their_time),
+        cmocka_unit_test(posters_are_frames),
+        cmocka_unit_test(posters_are_covers),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

@@ -384,6 +384,8 @@ static void test_markup(void **state)
     bead_markup_quote("a_b^c*d*\\{e}", quoted, sizeof quoted);
     bead_markup(quoted, out, sizeof out);
     assert_string_equal(out, "a_b^c*d*\\{e}");
+    bead_markup_symbols("u\u209c + 6 u u\u2093 of a mode at x; *M*, F_m here", out, sizeof out);
+    assert_string_equal(out, "*u\u209c* + 6 *u* *u\u2093* of a mode at *x*; *M*, *F*_m here");
     bead_markup("*long*", small, sizeof small); /* no room: as it stands, cut */
     assert_string_equal(small, "*lo");
 }
