@@ -183,7 +183,11 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
         err = out_of_memory(msg);
     struct bead_panel *shown = &plot->shown[index];
     shown->x = (struct bead_graph_axis){.title = "magnetism *M*", .unit = "", .low = -0.02, .high = 1.02};
-    shown->y = (struct bead_graph_axis){.title = "peak force *F*/*F*(*M* = 1)", .unit = "", .low = 0, .high = NAN, .zero = true};
+    shown->y = (struct bead_graph_axis){.title = "peak force *F*/*F*(*M* = 1)",
+                                        .unit = "",
+                                        .low = isnan(plot->output->range[0]) ? 0 : plot->output->range[0],
+                                        .high = plot->output->range[1],
+                                        .zero = isnan(plot->output->range[0])};
     return err;
 }
 
@@ -271,8 +275,8 @@ static enum bead_error fill_decay(struct plot *plot, size_t place, struct bead_m
     shown->x = (struct bead_graph_axis){.title = "bead", .unit = "1", .low = NAN, .high = NAN};
     shown->y = (struct bead_graph_axis){.title = energy ? "energy of the front *E*/*E*(*M* = 1)" : "peak force *F*/*F*(*M* = 1)",
                                         .unit = "",
-                                        .low = NAN,
-                                        .high = NAN,
+                                        .low = plot->output->range[0],
+                                        .high = plot->output->range[1],
                                         .scale = BEAD_SCALE_LOG};
     return err;
 }

@@ -17,6 +17,7 @@ BEAD_OUTPUT_READER(bead_output_read_fields);
 BEAD_OUTPUT_READER(bead_output_read_beads);
 BEAD_OUTPUT_READER(bead_output_read_size);
 BEAD_OUTPUT_READER(bead_output_read_range);
+BEAD_OUTPUT_READER(bead_output_read_sweep_range);
 BEAD_OUTPUT_READER(bead_output_read_views);
 BEAD_OUTPUT_READER(bead_output_read_chain);
 BEAD_OUTPUT_READER(bead_output_read_panels);

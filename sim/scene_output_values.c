@@ -186,12 +186,12 @@ BEAD_OUTPUT_READER(bead_output_read_size)
     return BEAD_OK;
 }
 
-BEAD_OUTPUT_READER(bead_output_read_range)
+/* [low, high] in `unit`; "": plain numbers. */
+static enum bead_error read_range(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                  const char *unit, struct bead_output *output)
 {
-    struct bead_output *output = settings;
-    const char *unit =
-        bead_scene_plain(reader->scene) || output->normalise != BEAD_NORMALISE_NONE ? "" : bead_field_info(output->field)->unit;
     const struct bead_option number = {.unit = *unit ? unit : NULL, .word = option->word, .word_value = option->word_value};
+    const char *space = *unit ? " " : "";
     char shown[64];
     if (at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, option->word) == 0) {
         output->range[0] = output->range[1] = NAN;
@@ -206,9 +206,21 @@ BEAD_OUTPUT_READER(bead_output_read_range)
             return err;
     }
     if (output->range[0] >= output->range[1])
-        return bead_wrong(reader, at, "is [%g, %g] %s; the first must be below the second", output->range[0], output->range[1],
-                          unit);
+        return bead_wrong(reader, at, "is [%g, %g]%s%s; the first must be below the second", output->range[0], output->range[1],
+                          space, unit);
     if (output->scale == BEAD_SCALE_LOG && output->range[0] <= 0)
-        return bead_wrong(reader, at, "begins at %g %s; must be above 0 with `scale: log`", output->range[0], unit);
+        return bead_wrong(reader, at, "begins at %g%s%s; must be above 0 with `scale: log`", output->range[0], space, unit);
     return BEAD_OK;
+}
+
+BEAD_OUTPUT_READER(bead_output_read_range)
+{
+    struct bead_output *output = settings;
+    bool plain = bead_scene_plain(reader->scene) || output->normalise != BEAD_NORMALISE_NONE;
+    return read_range(reader, at, option, plain ? "" : bead_field_info(output->field)->unit, output);
+}
+
+BEAD_OUTPUT_READER(bead_output_read_sweep_range)
+{
+    return read_range(reader, at, option, "", settings);
 }

@@ -65,6 +65,9 @@ enum bead_error bead_output_check_sweep_shown(const struct bead_reader *reader, 
         return BEAD_OK;
     if (output->kind == BEAD_OUTPUT_SHEET)
         return check_magnetism(reader, at, output);
+    struct bead_at range = bead_at_key(at, "range");
+    if (output->kind == BEAD_OUTPUT_PLOT && output->sweep_show == BEAD_SWEEP_DECAY && output->range[0] <= 0)
+        return bead_wrong(reader, &range, "begins at %g; must be above 0: the axes of decay are logarithmic", output->range[0]);
     for (size_t i = 0; i < reader->scene->sweep_count; i++) {
         const struct bead_sweep_spec *sweep = &reader->scene->sweeps[i];
         if (output->sweep_show == BEAD_SWEEP_DECAY && !sweep->measures.decay)

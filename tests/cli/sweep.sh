@@ -93,6 +93,17 @@ ok "parts of a scene without sweep" fails 2 "$beadsim" clean-vs-delocalised --sh
 # Drawn again.
 ok "a table again" exits 0 "$beadsim" "$T/whole/sweep.h5" -o "$T/again.csv"
 ok "... is the same" same "$T/whole/force.csv" "$T/again.csv"
+# Axis of forces as asked: its ends are labelled, nothing beyond.
+ranged() {
+    "$beadreel" "$T/whole/sweep.h5" -o "$T/ranged.pdf" --set 'outputs.force.png.range=[0.25, 0.75]' >/dev/null || return 1
+    pdftotext "$T/ranged.pdf" - | grep -xE '[01]\.[0-9]+' | sort -u >"$T/labels"
+    grep -qx 0.3 "$T/labels" && grep -qx 0.7 "$T/labels" && ! grep -qxE '0\.1|0\.9' "$T/labels" || { cat "$T/labels"; return 1; }
+}
+if command -v pdftotext >/dev/null; then
+    ok "a plot of a range" ranged
+else
+    skip "pdftotext is not installed: the range of plots"
+fi
 ok "a plot again" exits 0 "$beadreel" "$T/whole/sweep.h5" -o "$T/again.png" --set 'outputs.force.png.size=[640, 400]'
 ok "a setting that would change the physics" fails 2 "$beadreel" "$T/whole/sweep.h5" -o "$T/x.png" --set sweep.seed=1
 ok "without -o" fails 2 "$beadreel" "$T/whole/sweep.h5"
