@@ -1,5 +1,5 @@
 /* Contact sheets of sweeps: small space-time images of many configurations, rows by magnetism, with one range of colours.
- * contact_sheet.c (life), contact_sheet_layout.c (which and where), contact_sheet_draw.c. */
+ * contact_sheet.c (life), contact_sheet_layout.c (which and where), contact_sheet_words.c, contact_sheet_draw.c. */
 #ifndef BEADREEL_RENDER_CONTACT_SHEET_H
 #define BEADREEL_RENDER_CONTACT_SHEET_H
 
@@ -56,7 +56,12 @@ BEAD_CHECK enum bead_error contact_sheet_arrange(struct contact_sheet *sheet, st
 BEAD_CHECK enum bead_error contact_sheet_draw(void *sheet, cairo_t *cr, struct bead_message *msg);
 /* Title and how to read the sheet into sheet->intro; returns the height, px; cr NULL: measures only. */
 double contact_sheet_intro(const struct contact_sheet *sheet, cairo_t *cr, double width);
-/* Name of a row and of an image: markup. */
+/* Name of a row: markup. */
 void contact_sheet_row_name(const struct contact_sheet *sheet, const struct contact_row *row, char *text, size_t size);
+/* Of a cell: 1 up, 0 reversed, -1 none. */
+struct bead_rgb contact_sheet_spin_colour(const struct contact_sheet *sheet, int spin);
+/* From a to b. */
+struct bead_rgb contact_sheet_mix(struct bead_rgb a, struct bead_rgb b, double part);
+void contact_sheet_fill(cairo_t *cr, struct bead_rgb colour, double x, double y, double width, double height);
 
 #endif

@@ -6,91 +6,7 @@
 #include "render/contact_sheet.h"
 #include "render/markup.h"
 
-/* Curves' colours that tell the spins apart: up is quiet, reversed stands out. */
-enum { REVERSED = 1 };
-static const double up_part = 0.45; /* of ink in the colour of cells that are up */
-
-static void set_source(cairo_t *cr, struct bead_rgb colour)
-{
-    cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
-}
-
-static struct bead_rgb mix(struct bead_rgb a, struct bead_rgb b, double part)
-{
-    return (struct bead_rgb){a.r + part * (b.r - a.r), a.g + part * (b.g - a.g), a.b + part * (b.b - a.b)};
-}
-
-static struct bead_rgb spin_colour(const struct contact_sheet *s, int spin)
-{
-    return spin == 1   ? mix(s->look.background, s->look.faint, up_part)
-           : spin == 0 ? bead_look_curve(&s->look, REVERSED)
-                       : mix(s->look.background, s->look.faint, 0.15);
-}
-
-static void fill(cairo_t *cr, struct bead_rgb colour, double x, double y, double width, double height)
-{
-    set_source(cr, colour);
-    cairo_rectangle(cr, x, y, width, height);
-    cairo_fill(cr);
-}
-
 /* ---- words ---- */
-
-static void draw_square(const struct contact_sheet *s, cairo_t *cr, int spin, double x, double middle)
-{
-    double side = 0.75 * s->look.tick;
-    fill(cr, spin_colour(s, spin), x, middle - side / 2, side, side);
-}
-
-/* "[] cell as written  [] reversed"; returns the height. */
-static double draw_key(const struct contact_sheet *s, cairo_t *cr, double x, double y)
-{
-    static const char *const words[] = {"cell as written", "reversed cell"};
-    double width, height = 0;
-    for (int i = 0; i < 2; i++) {
-        const struct bead_text_style style = {
-            .family = s->look.family, .size = s->look.tick, .colour = s->look.ink, .down = BEAD_ALIGN_MIDDLE};
-        bead_text_size(NULL, &style, words[i], &width, &height);
-        if (cr) {
-            draw_square(s, cr, 1 - i, x, y + height / 2);
-            bead_text_draw(cr, &style, x + 1.1 * s->look.tick, y + height / 2, words[i]);
-        }
-        x += width + 2.8 * s->look.tick;
-    }
-    return height;
-}
-
-static double draw_lines(cairo_t *cr, const struct bead_text_style *style, double width, double x, double y, const char *markup)
-{
-    double wide, high;
-    bead_text_size_lines(NULL, style, width, markup, &wide, &high);
-    if (cr)
-        bead_text_draw_lines(cr, style, width, x, y, markup);
-    return high;
-}
-
-double contact_sheet_intro(const struct contact_sheet *s, cairo_t *cr, double width)
-{
-    const struct bead_look *look = &s->look;
-    const struct bead_text_style title = {.family = look->family, .size = look->title, .colour = look->ink, .bold = true},
-                                 line = {.family = look->family, .size = look->tick, .colour = look->faint};
-    const char *own = bead_sweep_scene(s->sweep)->title;
-    char text[2048], end[64];
-    double y = s->intro.y, start = y;
-    if (*own) {
-        bead_text_escape(own, text, sizeof text);
-        y += draw_lines(cr, &title, width, s->intro.x, y, text) + 0.4 * look->gap;
-    }
-    bead_quantity(s->end > 0 ? s->end : 1.234e-3, "s", 3, end, sizeof end);
-    y += draw_key(s, cr, s->intro.x, y) + 0.5 * look->gap;
-    snprintf(text, sizeof text,
-             "Pictures: %s from left to right, time from 0 to %s downwards. Numbers: configuration; <i>F</i>, peak force%s; "
-             "<i>P</i>, beads that share the energy as the front arrives; <i>C</i> and the line under the picture, clean index: 1 "
-             "clean, 0 delocalised.",
-             s->of_contacts ? "contacts" : "beads", end, s->behind ? " behind the random cells" : "");
-    y += draw_lines(cr, &line, width, s->intro.x, y, text);
-    return y - start;
-}
 
 static void draw_row_names(const struct contact_sheet *s, cairo_t *cr)
 {
@@ -131,9 +47,10 @@ static void draw_words(const struct contact_sheet *s, cairo_t *cr, size_t index)
     const double small = s->small, meter = fmax(1, round(0.16 * small));
     char left[320], right[160], force[64], name[160] = "";
     double y = image->words.y + round(0.3 * small);
-    fill(cr, mix(s->look.background, s->look.faint, 0.25), image->words.x, y, image->words.width, meter);
+    contact_sheet_fill(cr, contact_sheet_mix(s->look.background, s->look.faint, 0.25), image->words.x, y, image->words.width,
+                       meter);
     if (found->order > 0)
-        fill(cr, s->look.accent, image->words.x, y, fmax(1, found->order * image->words.width), meter);
+        contact_sheet_fill(cr, s->look.accent, image->words.x, y, fmax(1, found->order * image->words.width), meter);
     if (s->several)
         bead_text_escape(bead_sweep_panel(s->sweep, image->panel)->name, name, sizeof name);
     snprintf(left, sizeof left, "<b>%s%s%zu</b>", name, *name ? ":" : "#", image->index);
@@ -157,13 +74,14 @@ static void draw_spins(const struct contact_sheet *s, cairo_t *cr, const struct 
 {
     const struct bead_rect *box = &image->spins;
     const double step = (double)box->width / (double)image->beads;
-    fill(cr, spin_colour(s, -1), box->x, box->y, box->width, box->height);
+    contact_sheet_fill(cr, contact_sheet_spin_colour(s, -1), box->x, box->y, box->width, box->height);
     for (size_t j = 0; j < image->beads;) {
         size_t next = j + 1;
         while (next < image->beads && image->spin[next] == image->spin[j])
             next++;
         if (image->spin[j] >= 0)
-            fill(cr, spin_colour(s, image->spin[j]), box->x + (double)j * step, box->y, (double)(next - j) * step, box->height);
+            contact_sheet_fill(cr, contact_sheet_spin_colour(s, image->spin[j]), box->x + (double)j * step, box->y,
+                               (double)(next - j) * step, box->height);
         j = next;
     }
 }
@@ -199,7 +117,7 @@ enum bead_error contact_sheet_draw(void *context, cairo_t *cr, struct bead_messa
     const struct contact_sheet *s = context;
     const struct bead_field_info *field = bead_field_info(s->output->field);
     enum bead_error err = BEAD_OK;
-    set_source(cr, s->look.background);
+    cairo_set_source_rgb(cr, s->look.background.r, s->look.background.g, s->look.background.b);
     cairo_paint(cr);
     contact_sheet_intro(s, cr, s->intro.width);
     draw_row_names(s, cr);

@@ -115,17 +115,6 @@ static enum bead_error choose(struct contact_sheet *s, size_t room, struct bead_
 
 /* ---- places ---- */
 
-void contact_sheet_row_name(const struct contact_sheet *s, const struct contact_row *row, char *text, size_t size)
-{
-    char name[256] = "";
-    if (s->several)
-        bead_text_escape(bead_sweep_panel(s->sweep, row->panel)->name, name, sizeof name);
-    if (isnan(row->magnetism))
-        snprintf(text, size, "%s", name);
-    else
-        snprintf(text, size, "%s%s<i>M</i> = %.3g", name, *name ? "\n" : "", row->magnetism);
-}
-
 static double find_label_width(const struct contact_sheet *s)
 {
     double most = 0, width, height;

@@ -17,7 +17,6 @@ static const double usual_legend = 0.3, widest_legend = 0.5, wide_page = 1.5;
 /* Panels are this much wider than high if they can. */
 static const double wanted_shape = 1.45;
 static const int smallest_plot = 24; /* px */
-static const double title_size = 1.2 /* of the look's */;
 
 static char *to_markup(const char *text)
 {
@@ -31,11 +30,6 @@ static char *to_markup(const char *text)
 static bool has(const char *text)
 {
     return text && *text;
-}
-
-double graph_title_size(const struct bead_look *look)
-{
-    return title_size * look->title;
 }
 
 /* ---- words ---- */

@@ -1,5 +1,6 @@
 /* What the parts of a graph share: graph.c (entry, files), graph_range.c (axes), graph_layout.c (where things go), graph_mask.c and
- * graph_words.c (words at rulers), graph_legend.c, graph_draw.c, graph_curve.c (curves and points). Lengths in px. */
+ * graph_words.c (words at rulers), graph_legend.c, graph_draw.c, graph_panel.c
+ * (inside of the axes), graph_curve.c (curves and points). Lengths in px. */
 #ifndef BEADREEL_RENDER_GRAPH_PRIVATE_H
 #define BEADREEL_RENDER_GRAPH_PRIVATE_H
 

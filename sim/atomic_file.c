@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -135,4 +136,28 @@ enum bead_error bead_file_write(const char *path, bead_file_fill fill, void *con
         *bytes = bead_file_bytes(path);
     free(part);
     return err;
+}
+
+enum bead_error bead_file_make_directory(const char *directory, struct bead_message *msg)
+{
+    char path[4096];
+    if (!directory || !*directory)
+        return BEAD_OK;
+    if (snprintf(path, sizeof path, "%s", directory) >= (int)sizeof path)
+        return bead_fail(msg, BEAD_ERROR_IO, "%.100s...: path too long", directory);
+    for (char *slash = path + 1;; slash++) {
+        if (*slash != '/' && *slash != '\0')
+            continue;
+        char end = *slash;
+        *slash = '\0';
+        if (mkdir(path, 0777) != 0 && errno != EEXIST)
+            return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot make the directory: %s", path, strerror(errno));
+        *slash = end;
+        if (end == '\0')
+            break;
+    }
+    struct stat found;
+    if (stat(directory, &found) != 0 || !S_ISDIR(found.st_mode))
+        return bead_fail(msg, BEAD_ERROR_IO, "%s: is not a directory", directory);
+    return BEAD_OK;
 }

@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <hdf5_hl.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -274,6 +275,24 @@ void bead_h5_set_int(struct bead_h5 *h5, hid_t object, const char *name, int64_t
     BEAD_H5_AUTO attribute = H5Aopen(object, name, H5P_DEFAULT);
     if (attribute < 0 || H5Awrite(attribute, H5T_NATIVE_INT64, &value) < 0)
         bead_h5_fail(h5, true, "cannot write the attribute %s", name);
+}
+
+void bead_h5_make_scale(struct bead_h5 *h5, hid_t dataset, const char *name)
+{
+    if (h5->error)
+        return;
+    BEAD_H5_QUIET;
+    if (H5DSset_scale(dataset, name) < 0)
+        bead_h5_fail(h5, true, "cannot make a scale of %s", name);
+}
+
+void bead_h5_attach(struct bead_h5 *h5, hid_t dataset, unsigned axis, hid_t scale)
+{
+    if (h5->error)
+        return;
+    BEAD_H5_QUIET;
+    if (H5DSattach_scale(dataset, scale, axis) < 0)
+        bead_h5_fail(h5, true, "cannot attach a scale");
 }
 
 static void write_once(struct bead_h5 *h5, hid_t parent, const char *name, const char *units, hid_t scale, hid_t type, hid_t memory,

@@ -1,7 +1,5 @@
-/* Growing datasets and their dimension scales: see h5.h. */
+/* Growing datasets: see h5.h. */
 #include "sim/h5_private.h"
-
-#include <hdf5_hl.h>
 
 /* Wide rows are cut into chunks of this many columns, so that no chunk nears HDF5's limit of 4 GB. */
 static const hsize_t widest_chunk = 1 << 20;
@@ -67,24 +65,6 @@ void bead_h5_write_rows(struct bead_h5 *h5, hid_t series, hid_t memory_type, siz
     if (file_space < 0 || memory_space < 0 || H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, NULL, count, NULL) < 0 ||
         H5Dwrite(series, memory_type, memory_space, file_space, H5P_DEFAULT, values) < 0)
         bead_h5_fail(h5, true, "cannot write samples");
-}
-
-void bead_h5_make_scale(struct bead_h5 *h5, hid_t dataset, const char *name)
-{
-    if (h5->error)
-        return;
-    BEAD_H5_QUIET;
-    if (H5DSset_scale(dataset, name) < 0)
-        bead_h5_fail(h5, true, "cannot make a scale of %s", name);
-}
-
-void bead_h5_attach(struct bead_h5 *h5, hid_t dataset, unsigned axis, hid_t scale)
-{
-    if (h5->error)
-        return;
-    BEAD_H5_QUIET;
-    if (H5DSattach_scale(dataset, scale, axis) < 0)
-        bead_h5_fail(h5, true, "cannot attach a scale");
 }
 
 void bead_h5_link(struct bead_h5 *h5, hid_t object, hid_t parent, const char *name)

@@ -41,6 +41,12 @@ struct bead_reader {
     struct bead_message *msg;
 };
 
+/* Are the scene's numbers without units: those of equations? */
+static inline bool bead_scene_plain(const struct bead_scene *scene)
+{
+    return scene->chain_count > 0 && scene->chains[0].equation.name;
+}
+
 enum { BEAD_OPEN_LOW = 1, BEAD_OPEN_HIGH = 2 }; /* the limit itself is not allowed */
 
 struct bead_option {

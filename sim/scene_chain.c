@@ -206,3 +206,14 @@ enum bead_error bead_scene_read_chain(struct bead_reader *reader, const struct b
         return bead_wrong(reader, &tilt, "needs a wall that holds the lower end: give `wall`");
     return BEAD_OK;
 }
+
+bool bead_scene_has_sensors(const struct bead_scene *scene)
+{
+    for (size_t c = 0; c < scene->chain_count; c++) {
+        for (size_t s = 0; s < scene->chains[c].segment_count; s++) {
+            if (scene->chains[c].segments[s].sensor)
+                return true;
+        }
+    }
+    return false;
+}

@@ -373,8 +373,3 @@ size_t bead_scene_last_bead(const struct bead_scene *scene, size_t chain)
         return bead_scene_count_beads(spec);
     return bead_equation_find(spec->equation.name)->points(&spec->equation, scene->simulate.accuracy) - 1;
 }
-
-bool bead_scene_plain(const struct bead_scene *scene)
-{
-    return scene->chain_count > 0 && scene->chains[0].equation.name;
-}

@@ -11,17 +11,6 @@
 
 static const char *const kinds[] = {"trajectory", "image", "movie", "plot", "table", "sweep", "sheet"};
 
-bool bead_scene_has_sensors(const struct bead_scene *scene)
-{
-    for (size_t c = 0; c < scene->chain_count; c++) {
-        for (size_t s = 0; s < scene->chains[c].segment_count; s++) {
-            if (scene->chains[c].segments[s].sensor)
-                return true;
-        }
-    }
-    return false;
-}
-
 static bool is_vector(const char *path)
 {
     const char *dot = strrchr(path, '.');

@@ -33,8 +33,6 @@ BEAD_CHECK enum bead_error bead_scene_read_chain(struct bead_reader *reader, con
 /* The same of a chain with the key `equation`. */
 BEAD_CHECK enum bead_error bead_scene_read_equation(struct bead_reader *reader, const struct bead_at *at,
                                                     struct bead_chain_spec *chain);
-/* Are the scene's numbers without units: those of equations? */
-bool bead_scene_plain(const struct bead_scene *scene);
 BEAD_CHECK enum bead_error bead_scene_read_simulate(struct bead_reader *reader, const struct bead_at *at);
 BEAD_CHECK enum bead_error bead_scene_read_outputs(struct bead_reader *reader, const struct bead_at *at);
 

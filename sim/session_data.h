@@ -48,15 +48,18 @@ struct bead_session {
     size_t result_count;
 };
 
+/* session_sinks.c */
 /* A play with the session's chains and settings, no consumers. */
 struct bead_play bead_session_play(const struct bead_session *session, const char *what);
-/* A directory for files, with those on the way; NULL: nothing to do. Errors: IO. */
-BEAD_CHECK enum bead_error bead_session_make_directory(const char *directory, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_session_out_of_memory(struct bead_message *msg);
 /* The fastest chain says how often a picture must look. */
 BEAD_CHECK enum bead_error bead_session_find_resolution(struct bead_session *session, struct bead_message *msg);
 /* The sink of an output, with what it needs and where it goes. */
 BEAD_CHECK enum bead_error bead_session_create_sink(struct bead_session *session, struct bead_made *made, struct bead_message *msg);
+/* Those of all outputs that are asked for. */
+BEAD_CHECK enum bead_error bead_session_create_sinks(struct bead_session *session, struct bead_message *msg);
+/* Does this output need to know the end of the run before it starts? */
+bool bead_output_needs_end(const struct bead_output *output);
 
 /* session_outputs.c. Which outputs are there and which are asked for; check --only. */
 BEAD_CHECK enum bead_error bead_session_list_outputs(struct bead_session *session, struct bead_message *msg);
@@ -96,8 +99,5 @@ BEAD_CHECK enum bead_error bead_session_load_sheet(struct bead_session *session,
 BEAD_CHECK enum bead_error bead_session_load_configuration(struct bead_session *session, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_session_run_sweep(struct bead_session *session, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_session_plan_sweep(const struct bead_session *session, FILE *out, struct bead_message *msg);
-
-/* Does this output need to know the end of the run before it starts? */
-bool bead_output_needs_end(const struct bead_output *output);
 
 #endif

@@ -1,37 +1,11 @@
 /* Sessions, second half: scouting, the pass itself, and the end of every sink. */
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "beadreel/file.h"
 #include "sim/session_data.h"
-
-enum bead_error bead_session_make_directory(const char *directory, struct bead_message *msg)
-{
-    char path[4096];
-    if (!directory || !*directory)
-        return BEAD_OK;
-    if (snprintf(path, sizeof path, "%s", directory) >= (int)sizeof path)
-        return bead_fail(msg, BEAD_ERROR_IO, "%.100s...: path too long", directory);
-    for (char *slash = path + 1;; slash++) {
-        if (*slash != '/' && *slash != '\0')
-            continue;
-        char end = *slash;
-        *slash = '\0';
-        if (mkdir(path, 0777) != 0 && errno != EEXIST)
-            return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot make the directory: %s", path, strerror(errno));
-        *slash = end;
-        if (end == '\0')
-            break;
-    }
-    struct stat found;
-    if (stat(directory, &found) != 0 || !S_ISDIR(found.st_mode))
-        return bead_fail(msg, BEAD_ERROR_IO, "%s: is not a directory", directory);
-    return BEAD_OK;
-}
 
 static enum bead_error play(struct bead_session *s, struct bead_play *p, struct bead_passed *passed, struct bead_message *msg)
 {
@@ -136,7 +110,7 @@ static enum bead_error end(struct bead_session *s, struct bead_message *msg)
 
 static enum bead_error run(struct bead_session *s, struct bead_consumer *consumers, struct bead_message *msg)
 {
-    enum bead_error err = s->trajectory ? BEAD_OK : bead_session_make_directory(s->job.output, msg);
+    enum bead_error err = s->trajectory ? BEAD_OK : bead_file_make_directory(s->job.output, msg);
     if (!err)
         err = scout(s, consumers, msg);
     s->scout_steps = s->counts.steps;

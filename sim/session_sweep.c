@@ -302,7 +302,7 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
         if (s->made[i].asked && s->made[i].output->kind == BEAD_OUTPUT_SWEEP && !s->sweep_read)
             results = s->made[i].path;
     }
-    enum bead_error err = s->sweep_read ? BEAD_OK : bead_session_make_directory(s->job.output, msg);
+    enum bead_error err = s->sweep_read ? BEAD_OK : bead_file_make_directory(s->job.output, msg);
     if (!err && results)
         err = bead_file_part_name(results, &journal, msg);
     if (!err && !s->sweep_read && needs_results(s))

@@ -11,25 +11,11 @@
 #include "beadreel/trajectory.h"
 #include "sim/chain_data.h"
 #include "sim/data_sinks.h"
-#include "sim/equation.h"
 #include "sim/sink_grid.h"
 
 static const size_t most_chunk_rows = 256;
 static const size_t most_chunk_bytes = 8 << 20;
 static const double flush_every = 1; /* s */
-
-bool bead_trajectory_wants(const struct bead_sink *sink, enum bead_series_id id)
-{
-    const struct bead_equation *equation = sink->stage.chains[0]->equation;
-    if (!(sink->fields & BEAD_FIELD_BIT(bead_series[id].field)))
-        return false;
-    if (id == BEAD_SERIES_POSITION) /* an unknown that is called displacement need not move anything along the chain */
-        return !equation || equation->beads;
-    /* A net force needs both contacts; a trajectory that is drawn again may hold bead forces only. */
-    if (id == BEAD_SERIES_NET_FORCE && sink->stage.native.every > 0)
-        return (sink->fields & BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE)) != 0;
-    return true;
-}
 
 static void trajectory_destroy(struct bead_sink *sink)
 {

@@ -37,6 +37,8 @@ BEAD_API BEAD_CHECK enum bead_error bead_file_write(const char *path, bead_file_
                                                     struct bead_message *msg);
 /* Remove `part` (NULL, or not there: nothing happens). */
 BEAD_API void bead_file_discard(const char *part);
+/* A directory for files, with those on the way; NULL or "": nothing to do. Errors: IO. */
+BEAD_API BEAD_CHECK enum bead_error bead_file_make_directory(const char *directory, struct bead_message *msg);
 /* Bytes in the file, 0 where there is none. */
 BEAD_API uint64_t bead_file_bytes(const char *path);
 
