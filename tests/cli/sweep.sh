@@ -95,7 +95,7 @@ ok "a table again" exits 0 "$beadsim" "$T/whole/sweep.h5" -o "$T/again.csv"
 ok "... is the same" same "$T/whole/force.csv" "$T/again.csv"
 # Axis of forces as asked: its ends are labelled, nothing beyond.
 ranged() {
-    "$beadreel" "$T/whole/sweep.h5" -o "$T/ranged.pdf" --set 'outputs.force.png.range=[0.25, 0.75]' >/dev/null || return 1
+    "$beadreel" "$T/whole/sweep.h5" -o "$T/ranged.pdf" --set outputs.0.range='[0.25, 0.75]' >/dev/null || return 1
     pdftotext "$T/ranged.pdf" - | grep -xE '[01]\.[0-9]+' | sort -u >"$T/labels"
     grep -qx 0.3 "$T/labels" && grep -qx 0.7 "$T/labels" && ! grep -qxE '0\.1|0\.9' "$T/labels" || { cat "$T/labels"; return 1; }
 }
