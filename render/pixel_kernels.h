@@ -22,6 +22,8 @@ struct bead_pixel_kernels {
     /* In order, later ones over earlier ones. What is not finite, or no larger than nothing, is not shown. */
     void (*balls)(const struct bead_ground *ground, const struct bead_ball *balls, size_t count);
     void (*marks)(const struct bead_ground *ground, const struct bead_mark *marks, size_t count);
+    /* Two rows of a frame (B G R X), one of chroma; `width` a multiple of 16, `y` and `bgrx` at multiples of 16 bytes. */
+    void (*yuv420)(const uint8_t *const bgrx[2], uint8_t *const y[2], uint8_t *u, uint8_t *v, int width);
 };
 
 /* sse2, avx2 or avx512, or the best (NULL). NULL: there is none of that name, or not on this machine. */

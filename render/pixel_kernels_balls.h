@@ -16,11 +16,11 @@ static inline reals along(const float direction[3], reals nx, float ny, reals nz
 
 /* Squares of the distances from the middle to premultiplied levels; cover NULL: all of it. */
 static inline __attribute__((always_inline)) void shade(const struct sphere *s, reals dx, float dy, reals square,
-                                                        const reals *cover, ints bgr[3])
+                                                        const reals *cover, words bgr[3])
 {
     reals nx = dx * s->curvature, nz = ROOT_OF(LARGER(1.0f - square * s->curvature * s->curvature, all(0)));
     float ny = dy * s->curvature;
-    reals shine = along(halfway, nx, ny, nz);
+    reals shine = LARGER(along(halfway, nx, ny, nz), all(0.1f)); /* less would not be seen, but be slow: its power underflows */
     for (int i = 0; i < 5; i++)
         shine *= shine;
     reals lit = 0.34f + 0.74f * along(light, nx, ny, nz), gloss = 0.30f * shine;
@@ -30,45 +30,76 @@ static inline __attribute__((always_inline)) void shade(const struct sphere *s, 
     }
 }
 
-static inline void paint_inside(const struct sphere *s, int x, float dy, ints *pixels)
+static inline __attribute__((always_inline)) void paint_inside(const struct sphere *s, int x, float dy, words_anywhere *pixels)
 {
-    ints bgr[3];
+    const uint32_t opaque = 0xff000000 - LEVEL_ZERO - (LEVEL_ZERO << 8); /* all that is not levels, subtracted at once */
+    words bgr[3];
     reals dx = middles(x) - s->x;
     shade(s, dx, dy, dx * dx + dy * dy, NULL, bgr);
-    *pixels = bgr[0] | bgr[1] << 8 | bgr[2] << 16 | (int32_t)0xff000000;
+    *pixels = bgr[0] + (bgr[1] << 8) + (bgr[2] << 16) + opaque;
 }
 
-static inline void paint_edge(const struct sphere *s, int x, float dy, struct run run, ints *pixels)
+static inline __attribute__((always_inline)) void paint_edge(const struct sphere *s, int x, float dy, struct run run,
+                                                             words_anywhere *pixels)
 {
-    ints bgr[3];
+    words bgr[3];
     reals px = middles(x), dx = px - s->x, square = dx * dx + dy * dy;
     reals cover = clamp(s->r - ROOT_OF(square) + 0.5f) * clamp(px - s->left + 0.5f) * clamp(s->right - px + 0.5f);
-    cover *= within_run(px, run);
+    cover = keep_run(cover, px, run);
     shade(s, dx, dy, square, &cover, bgr);
     blend(pixels, bgr, level_of(cover), false);
 }
 
-/* Half the chord of a circle at a distance from its middle. */
-static inline float half_chord(float r, float distance)
+/* Of some rows: the pixels that are covered, and those that are covered wholly beyond doubt, as that they are painted in another
+ * way must not show. */
+enum { ROWS = 64 };
+struct chords {
+    struct run_lanes {
+        ints first, end;
+    } some[ROWS / LANES], all[ROWS / LANES];
+};
+
+/* Half the chords of a circle at distances from its middle. */
+static inline reals half_chords(float r, reals distance)
 {
-    return r > fabsf(distance) ? sqrtf((r - distance) * (r + distance)) : 0;
+    return ROOT_OF(LARGER((r - distance) * (r + distance), all(0)));
 }
 
-static void paint_row(const struct bead_ground *g, const struct sphere *s, int y)
+static inline struct run_lanes runs_of(reals from, reals to, const struct bead_rect *clip)
 {
-    const float dy = (float)y + 0.5f - s->y, reach = half_chord(s->r + 0.5f, dy);
-    /* Fully covered beyond doubt; that what lies there is painted either way must not show. */
-    const float safe = 0.5f + 0.02f + 4e-6f * s->r, sure = half_chord(s->r - safe, dy);
-    struct run run = run_of(fmaxf(s->x - reach, s->left - 0.5f), fminf(s->x + reach, s->right + 0.5f), g->clip.x, g->clip.width);
-    float from = fmaxf(s->x - sure, s->left + safe), to = fminf(s->x + sure, s->right - safe);
-    if (run.end <= run.first)
-        return;
-    for (int x = vector_start(g, run.first); x < run.end; x += LANES) {
-        ints *pixels = vector_at(g, x, y);
-        if (x >= run.first && x + LANES <= run.end && (float)x + 0.5f > from && (float)(x + LANES) - 0.5f < to)
-            paint_inside(s, x, dy, pixels);
-        else
-            paint_edge(s, x, dy, run, pixels);
+    const reals low = all((float)clip->x), high = low + (float)clip->width;
+    return (struct run_lanes){ceiling(SMALLER(LARGER(from - 0.5f, low), high)), ceiling(SMALLER(LARGER(to - 0.5f, low), high))};
+}
+
+static void find_chords(const struct bead_ground *g, const struct sphere *s, struct run rows, struct chords *chords)
+{
+    const float safe = 0.5f + 0.02f + 4e-6f * s->r;
+    for (int i = 0; i < rows.end - rows.first; i += LANES) {
+        const reals dy = middles(rows.first + i) - s->y, reach = half_chords(s->r + 0.5f, dy);
+        const reals sure = half_chords(s->r > safe ? s->r - safe : 0, dy);
+        chords->some[i / LANES] =
+            runs_of(LARGER(s->x - reach, all(s->left - 0.5f)), SMALLER(s->x + reach, all(s->right + 0.5f)), &g->clip);
+        chords->all[i / LANES] =
+            runs_of(LARGER(s->x - sure, all(s->left + safe)), SMALLER(s->x + sure, all(s->right - safe)), &g->clip);
+    }
+}
+
+static void paint_rows(const struct bead_ground *g, const struct sphere *s, struct run rows)
+{
+    const int last = last_start(g);
+    struct chords chords;
+    find_chords(g, s, rows, &chords);
+    for (int y = rows.first; y < rows.end; y++) {
+        const int row = y - rows.first;
+        const struct run_lanes *some = &chords.some[row / LANES], *sure = &chords.all[row / LANES];
+        const int end = some->end[row % LANES], from = sure->first[row % LANES], to = sure->end[row % LANES] - LANES;
+        const float dy = (float)y + 0.5f - s->y;
+        for (int x = some->first[row % LANES]; x < end; x += LANES) {
+            if (x >= from && x <= to)
+                paint_inside(s, x, dy, pixels_at(g, x, y));
+            else
+                paint_edge(s, x < last ? x : last, dy, (struct run){x, end}, pixels_at(g, x < last ? x : last, y));
+        }
     }
 }
 
@@ -76,18 +107,13 @@ static void paint_balls(const struct bead_ground *g, const struct bead_ball *bal
 {
     for (size_t i = 0; i < count; i++) {
         const struct bead_ball *b = &balls[i];
-        if (!(b->r > 0) || !isfinite(b->x + b->y + b->r))
+        if (!(b->r > 0) || !isfinite(b->x + b->y + b->r + b->left + b->right))
             continue;
-        const struct sphere s = {
-            b->x,
-            b->y,
-            b->r,
-            1 / b->r,
-            b->left,
-            b->right,
-            {(float)b->rgba[2] * (1 / 255.0f), (float)b->rgba[1] * (1 / 255.0f), (float)b->rgba[0] * (1 / 255.0f)}};
-        struct run rows = run_of(b->y - b->r - 0.5f, b->y + b->r + 0.5f, g->clip.y, g->clip.height);
-        for (int y = rows.first; y < rows.end; y++)
-            paint_row(g, &s, y);
+        struct sphere s = {.x = b->x, .y = b->y, .r = b->r, .curvature = 1 / b->r, .left = b->left, .right = b->right};
+        for (int c = 0; c < 3; c++)
+            s.bgr[c] = (float)b->rgba[2 - c] * (1 / 255.0f);
+        const struct run rows = run_of(b->y - b->r - 0.5f, b->y + b->r + 0.5f, g->clip.y, g->clip.height);
+        for (int y = rows.first; y < rows.end; y += ROWS)
+            paint_rows(g, &s, (struct run){y, y + ROWS < rows.end ? y + ROWS : rows.end});
     }
 }

@@ -81,13 +81,15 @@ static inline __attribute__((always_inline)) void paint_mark(const struct bead_g
     /* Pixels whose middles are no more than a pixel outside of the box. */
     const struct run rows = run_of(m->box[1] - 1, m->box[3] + 1, g->clip.y, g->clip.height);
     const struct run run = run_of(m->box[0] - 1, m->box[2] + 1, g->clip.x, g->clip.width);
+    const int last = last_start(g);
     for (int y = rows.first; y < rows.end; y++) {
-        for (int x = vector_start(g, run.first); x < run.end; x += LANES) {
-            reals px = middles(x), cover = cover_of(m, px, (float)y + 0.5f) * bgra[3] * within_run(px, run);
-            ints bgr[3];
+        for (int x = run.first; x < run.end; x += LANES) {
+            const int at = x < last ? x : last;
+            reals px = middles(at), cover = keep_run(cover_of(m, px, (float)y + 0.5f) * bgra[3], px, (struct run){x, run.end});
+            words bgr[3];
             for (int c = 0; c < 3; c++)
                 bgr[c] = level_of(bgra[c] * cover);
-            blend(vector_at(g, x, y), bgr, level_of(cover * hiding), hiding < 1);
+            blend(pixels_at(g, at, y), bgr, level_of(cover * hiding), hiding < 1);
         }
     }
 }

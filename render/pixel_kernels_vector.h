@@ -24,7 +24,9 @@
 #define SMALLER(x, y) ((reals)_mm_min_ps(x, y))
 #endif
 typedef float reals __attribute__((vector_size(4 * LANES)));
-typedef int32_t ints __attribute__((vector_size(4 * LANES), may_alias));
+typedef int32_t ints __attribute__((vector_size(4 * LANES)));
+typedef uint32_t words __attribute__((vector_size(4 * LANES)));
+typedef uint32_t words_anywhere __attribute__((vector_size(4 * LANES), aligned(4), may_alias));
 /* Two colours of each pixel. */
 typedef uint16_t pairs __attribute__((vector_size(4 * LANES)));
 typedef int16_t signed_pairs __attribute__((vector_size(4 * LANES)));
@@ -44,14 +46,28 @@ static inline reals magnitude(reals x)
     return (reals)((ints)x & INT32_MAX);
 }
 
-/* Of numbers below 2^22 that are not negative. */
+/* Both of numbers below 2^22 that are not negative. */
 static inline reals whole_part(reals x)
 {
     return __builtin_convertvector(__builtin_convertvector(x, ints), reals);
 }
 
-/* 0..1 to 0..255, to the nearest and then to the even one: what is added leaves just the integer among the last bits. */
-static inline ints level_of(reals x)
+static inline ints ceiling(reals x)
 {
-    return (ints)(x * 255.0f + 12582912.0f) & 255;
+    ints whole = __builtin_convertvector(x, ints);
+    return whole - (x > __builtin_convertvector(whole, reals));
+}
+
+/* 0..1 to 0..255, to the nearest and then to the even one: what is added leaves the integer among the last bits of the sum, above
+ * LEVEL_ZERO. */
+#define LEVEL_ZERO 0x4b400000u
+static inline words level_of(reals x)
+{
+    return (words)(x * 255.0f + 12582912.0f);
+}
+
+/* Levels as two colours of each pixel. */
+static inline pairs pair_of(words low, words high)
+{
+    return (pairs)(low + (high << 16) - LEVEL_ZERO);
 }

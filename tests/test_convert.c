@@ -12,6 +12,7 @@
 #include "render/convert.h"
 #include "render/palette.h"
 #include "render/palette_cut.h"
+#include "render/pixel_kernels.h"
 
 static uint32_t random_bits(uint32_t *seed)
 {
@@ -85,6 +86,38 @@ static void bt709_is_exact(void **state)
     assert_true(worst < 0.53);
     av_frame_free(&picture);
     bead_frame_free(&frame);
+}
+
+/* Of all levels, also beside the block that is converted. */
+static void instruction_sets_give_the_same_bytes(void **state)
+{
+    enum { PIXELS = 80, BYTES = 96 };
+    static const char *const names[] = {"sse2", "avx2", "avx512"};
+    (void)state;
+    _Alignas(64) uint8_t first[4][BYTES], bytes[4][BYTES];
+    uint32_t seed = 5;
+    for (int turn = 0; turn < 200; turn++) {
+        struct bead_frame frame = random_frame(PIXELS, 2, random_bits(&seed));
+        if (turn % 3 == 0) { /* the ends of the range */
+            for (size_t i = 0; i < 2 * frame.stride; i++)
+                frame.pixels[i] = random_bits(&seed) & 1 ? 255 : 0;
+        }
+        const uint8_t *const rows[2] = {frame.pixels, frame.pixels + frame.stride};
+        for (int i = 0; i < 3; i++) {
+            const struct bead_pixel_kernels *kernels = bead_pixel_kernels_find(names[i]);
+            if (!kernels)
+                continue; /* this machine has none */
+            memset(bytes, 77, sizeof bytes);
+            uint8_t *const y[2] = {bytes[0], bytes[1]};
+            kernels->yuv420(rows, y, bytes[2], bytes[3], PIXELS);
+            for (int line = 0; line < 4; line++)
+                assert_int_equal(bytes[line][line < 2 ? PIXELS : PIXELS / 2], 77);
+            if (i == 0)
+                memcpy(first, bytes, sizeof bytes);
+            assert_memory_equal(first, bytes, sizeof bytes);
+        }
+        bead_frame_free(&frame);
+    }
 }
 
 static void fill(struct bead_frame *frame, uint32_t rgb)
@@ -297,6 +330,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bt709_is_exact),
+        cmocka_unit_test(instruction_sets_give_the_same_bytes),
         cmocka_unit_test(bt709_has_the_levels_of_the_standard),
         cmocka_unit_test(changed_rectangles_are_enough),
         cmocka_unit_test(rectangles_are_clipped),
