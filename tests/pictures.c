@@ -233,3 +233,13 @@ struct png_file read_png(const char *path)
     fclose(in);
     return file;
 }
+
+void assert_border_white(const struct png_file *png, const char *what)
+{
+    for (int i = 0; i < png->width * png->height; i++) {
+        int x = i % png->width, y = i / png->width;
+        bool border = x == 0 || y == 0 || x == png->width - 1 || y == png->height - 1;
+        if (border && (png->rgb[3 * i] != 255 || png->rgb[3 * i + 1] != 255 || png->rgb[3 * i + 2] != 255))
+            fail_msg("%s: pixel %d, %d of the border is drawn on", what, x, y);
+    }
+}

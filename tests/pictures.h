@@ -47,5 +47,7 @@ struct png_file {
     uint8_t *rgb; /* to be freed */
 };
 struct png_file read_png(const char *path);
+/* Nothing is drawn on the outermost pixels of `what`. */
+void assert_border_white(const struct png_file *png, const char *what);
 
 #endif

@@ -120,6 +120,17 @@ static void smooth_chains_are_as_asked(void **state)
     }
 }
 
+/* Peaks that had come are within `accuracy` of the exact ones; 0: these are the exact ones. */
+static void compare_peaks(size_t contacts, const struct bead_peak *peaks, double accuracy, struct bead_peak *exact)
+{
+    for (size_t k = 0; k < contacts; k++) {
+        if (accuracy == 0)
+            exact[k] = peaks[k];
+        else if (!exact[k].open)
+            assert_below(fabs(peaks[k].value / exact[k].value - 1), accuracy);
+    }
+}
+
 /* The same for chains that no reference exists for, against a run of their own with a step 20 times shorter than the default's. */
 static void accuracy_holds_for_other_chains(void **state)
 {
@@ -148,12 +159,7 @@ static void accuracy_holds_for_other_chains(void **state)
                 run_until(run, bead_run_time(run) + 1e-9);
             struct bead_outcome outcome;
             bead_run_finish(run, bead_run_arrival(run), &outcome);
-            for (size_t k = 0; k < built.chain->contacts; k++) {
-                if (a == 0)
-                    exact[k] = outcome.contact_peaks[k];
-                else if (!exact[k].open)
-                    assert_below(fabs(outcome.contact_peaks[k].value / exact[k].value - 1), asked[a - 1]);
-            }
+            compare_peaks(built.chain->contacts, outcome.contact_peaks, a == 0 ? 0 : asked[a - 1], exact);
             bead_run_destroy(run);
             release(&built);
         }
@@ -182,12 +188,7 @@ static void accuracy_holds_with_damping(void **state)
             run_until(run, 0.6e-3);
             struct bead_outcome outcome;
             bead_run_finish(run, 0.6e-3, &outcome);
-            for (size_t k = 0; k < built.chain->contacts; k++) {
-                if (a == 0)
-                    exact[k] = outcome.contact_peaks[k];
-                else if (!exact[k].open)
-                    assert_below(fabs(outcome.contact_peaks[k].value / exact[k].value - 1), asked[a - 1]);
-            }
+            compare_peaks(built.chain->contacts, outcome.contact_peaks, a == 0 ? 0 : asked[a - 1], exact);
             bead_run_destroy(run);
             release(&built);
         }

@@ -4,7 +4,7 @@
 #include <stdatomic.h>
 #include <unistd.h>
 
-#include "beadreel/session.h"
+#include "sessions.h"
 #include "sim/crew.h"
 
 static const int threads[] = {1, 2, 5};
@@ -67,21 +67,10 @@ static const char scene[] = "chains:\n" CHAIN(1) CHAIN(2) CHAIN(3) CHAIN(4) CHAI
 /* A number that all bits of all chains' states at all steps go into. */
 static uint64_t hash_of(const char *directory, int count)
 {
-    static const struct bead_sink_type *const *lists[2];
-    lists[0] = bead_data_sinks();
     char path[512];
     snprintf(path, sizeof path, "%s/scene.yaml", directory);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(scene, file);
-    fclose(file);
-    struct bead_job job = {.input = path, .output = directory, .sinks = lists, .hash = true, .threads = count};
-    struct bead_message msg = {""};
-    struct bead_session *session = NULL;
-    if (bead_session_open(&job, &session, &msg) || bead_session_run(session, &msg))
-        fail_msg("%s", msg.text);
-    uint64_t hash = bead_session_counts(session)->state_hash;
-    bead_session_close(session);
+    write_text(path, scene);
+    uint64_t hash = play_counts((struct bead_job){.input = path, .output = directory, .threads = count}).state_hash;
     unlink(path);
     snprintf(path, sizeof path, "%s/peaks.csv", directory);
     assert_int_equal(unlink(path), 0);

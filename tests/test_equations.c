@@ -3,12 +3,11 @@
 #include "support.h"
 
 #include "scratch.h"
+#include "sessions.h"
 
 #include <sys/stat.h>
 
 #include "beadreel/look.h"
-#include "beadreel/render.h"
-#include "beadreel/session.h"
 #include "beadreel/trajectory.h"
 
 #define STRING "{name: string, equation: fput, points: 31, start: {mode: 1}}"
@@ -30,29 +29,12 @@ static int empty_directory(void **state)
     return remove_directory(state);
 }
 
-static struct bead_session *play_job(struct bead_job job)
-{
-    static const struct bead_sink_type *const *lists[3];
-    struct bead_message msg = {""};
-    struct bead_session *session = NULL;
-    lists[0] = bead_data_sinks();
-    lists[1] = bead_render_sinks();
-    job.sinks = lists;
-    job.hash = true;
-    if (bead_session_open(&job, &session, &msg) || bead_session_run(session, &msg))
-        fail_msg("%s", msg.text);
-    return session;
-}
-
 static struct bead_counts play(const char *text, const char *part, int threads)
 {
     char scene[512], out[512];
     write_scene(text, scene);
     path_of(part, "", out);
-    struct bead_session *session = play_job((struct bead_job){.input = scene, .output = out, .threads = threads});
-    struct bead_counts counts = *bead_session_counts(session);
-    bead_session_close(session);
-    return counts;
+    return play_counts((struct bead_job){.input = scene, .output = out, .threads = threads});
 }
 
 static char *contents(const char *part, const char *name, size_t *length)
@@ -128,7 +110,7 @@ static void trajectories_draw_the_same_again(void **state)
         mkdir(out, 0777);
         for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
             path_of("b", names[i], out);
-            bead_session_close(play_job((struct bead_job){.input = run, .output = out}));
+            bead_session_close(play_session((struct bead_job){.input = run, .output = out}));
             assert_same_file(names[i]);
         }
     }

@@ -12,11 +12,10 @@
 #include <cmocka.h>
 
 #include "beadreel/look.h"
-#include "beadreel/render.h"
-#include "beadreel/session.h"
 #include "render/area.h"
 #include "render/page.h"
 #include "render/sinks.h"
+#include "sessions.h"
 #include "tests/pictures.h"
 
 /* ---- presets ---- */
@@ -232,25 +231,11 @@ static void test_peaks_below_a_logarithmic_axis_are_marked(void **state)
 
 static void run_scene(const char *text)
 {
-    char scene[512];
-    struct bead_message msg = {""};
-    struct bead_session *session;
-    struct bead_job job;
-    const struct bead_sink_type *const *const sinks[] = {bead_render_sinks(), NULL};
-    char output[512];
+    char scene[512], output[512];
     in_directory("scene.yaml", scene, sizeof scene);
     in_directory("", output, sizeof output);
-    FILE *file = fopen(scene, "w");
-    assert_non_null(file);
-    assert_true(fputs(text, file) >= 0);
-    assert_int_equal(fclose(file), 0);
-    bead_job_default(&job);
-    job.input = scene;
-    job.output = output;
-    job.sinks = sinks;
-    if (bead_session_open(&job, &session, &msg) || bead_session_run(session, &msg))
-        fail_msg("%s", msg.text);
-    bead_session_close(session);
+    write_text(scene, text);
+    play_counts((struct bead_job){.input = scene, .output = output});
 }
 
 /* Several chains: one name that is too long for its place is cut, and takes nothing from the other names. */
@@ -295,12 +280,7 @@ static void test_peaks_are_not_cut(void **state)
         char output[256];
         snprintf(output, sizeof output, "plot: peaks.png, show: peaks, %s", settings[s]);
         struct png_file png = draw_peaks(output, values, 3);
-        for (int i = 0; i < png.width * png.height; i++) {
-            int x = i % png.width, y = i / png.width;
-            bool border = x == 0 || y == 0 || x == png.width - 1 || y == png.height - 1;
-            if (border && (png.rgb[3 * i] != 255 || png.rgb[3 * i + 1] != 255 || png.rgb[3 * i + 2] != 255))
-                fail_msg("%s: pixel %d, %d of the border is drawn on", output, x, y);
-        }
+        assert_border_white(&png, output);
         free(png.rgb);
     }
 }

@@ -17,11 +17,9 @@
 #include <unistd.h>
 
 #include "beadreel/picture.h"
-#include "beadreel/render.h"
-#include "beadreel/session.h"
-#include "beadreel/sweep.h"
 #include "decode.h"
 #include "pictures.h"
+#include "sessions.h"
 
 /* Of all pixels, at most `share` may differ by more than `levels` of 255 in some colour. */
 static const struct grade {
@@ -142,16 +140,10 @@ static struct raster from_movie(const char *path)
 
 static struct raster make_picture(const char *scene)
 {
-    const struct bead_sink_type *const *lists[] = {bead_data_sinks(), bead_render_sinks(), NULL};
     char directory[512];
-    in_directory("", directory, sizeof directory);
-    const struct bead_sweep_sink *const *sweep_lists[] = {bead_sweep_data_sinks(), bead_sweep_render_sinks(), NULL};
-    struct bead_job job = {.input = scene, .output = directory, .sinks = lists, .sweep_sinks = sweep_lists};
-    struct bead_session *session = NULL;
-    struct bead_message msg = {""};
     const struct bead_result *results;
-    if (bead_session_open(&job, &session, &msg) || bead_session_run(session, &msg))
-        fail_msg("%s", msg.text);
+    in_directory("", directory, sizeof directory);
+    struct bead_session *session = play_session((struct bead_job){.input = scene, .output = directory});
     assert_int_equal(bead_session_results(session, &results), 1);
     struct raster r = strstr(results[0].path, ".mkv") ? from_movie(results[0].path) : from_png(results[0].path);
     assert_int_equal(unlink(results[0].path), 0);

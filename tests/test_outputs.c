@@ -2,13 +2,12 @@
 #include "support.h"
 
 #include "scratch.h"
+#include "sessions.h"
 
 #include <dirent.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "beadreel/render.h"
-#include "beadreel/session.h"
 #include "beadreel/trajectory.h"
 
 static void path_of(const char *part, const char *name, char path[512])
@@ -47,27 +46,13 @@ static size_t files_in(const char *part, const char *ending)
     return count;
 }
 
-static struct bead_counts play_job(struct bead_job job)
-{
-    const struct bead_sink_type *const *lists[] = {bead_data_sinks(), bead_render_sinks(), NULL};
-    struct bead_message msg = {""};
-    struct bead_session *session = NULL;
-    job.sinks = lists;
-    job.hash = true;
-    if (bead_session_open(&job, &session, &msg) || bead_session_run(session, &msg))
-        fail_msg("%s", msg.text);
-    struct bead_counts counts = *bead_session_counts(session);
-    bead_session_close(session);
-    return counts;
-}
-
 /* Run a scene text into directory/part. */
 static struct bead_counts play(const char *text, const char *part, int threads)
 {
     char scene[512], out[512];
     write_scene(text, scene);
     path_of(part, "", out);
-    return play_job((struct bead_job){.input = scene, .output = out, .threads = threads});
+    return play_counts((struct bead_job){.input = scene, .output = out, .threads = threads});
 }
 
 static char *contents(const char *path, size_t *length)
@@ -197,7 +182,7 @@ static void a_trajectory_draws_the_same_again(void **state)
     mkdir(made, 0777);
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         path_of("c", names[i], out);
-        play_job((struct bead_job){.input = run, .output = out});
+        play_counts((struct bead_job){.input = run, .output = out});
         assert_same_file("a", "c", names[i]);
     }
 }
@@ -214,7 +199,7 @@ static void a_trajectory_alone_can_be_drawn(void **state)
     for (size_t i = 0; i < sizeof made / sizeof *made; i++) {
         size_t length;
         path_of("a", made[i], out);
-        play_job((struct bead_job){.input = run, .output = out, .settings = settings, .setting_count = 1});
+        play_counts((struct bead_job){.input = run, .output = out, .settings = settings, .setting_count = 1});
         free(contents(out, &length));
         assert_true(length > 1000);
     }

@@ -14,11 +14,10 @@
 #include <unistd.h>
 
 #include "beadreel/canvas.h"
-#include "beadreel/render.h"
-#include "beadreel/session.h"
 #include "pictures.h"
 #include "render/paint.h"
 #include "render/pixel_kernels.h"
+#include "sessions.h"
 
 enum { WIDTH = 701, HEIGHT = 203, BALLS = 60, MARKS = 24 };
 
@@ -258,15 +257,10 @@ enum { PICTURES = 4 };
 
 static void make_pictures(const char *path, const char *canvas, struct png_file pictures[PICTURES])
 {
-    const struct bead_sink_type *const *lists[] = {bead_data_sinks(), bead_render_sinks(), NULL};
     char directory[512];
-    in_directory("", directory, sizeof directory);
-    struct bead_job job = {.input = path, .output = directory, .sinks = lists, .canvas = canvas};
-    struct bead_session *session = NULL;
-    struct bead_message msg = {""};
     const struct bead_result *results;
-    require(bead_session_open(&job, &session, &msg), &msg);
-    require(bead_session_run(session, &msg), &msg);
+    in_directory("", directory, sizeof directory);
+    struct bead_session *session = play_session((struct bead_job){.input = path, .output = directory, .canvas = canvas});
     assert_int_equal(bead_session_results(session, &results), PICTURES);
     for (size_t i = 0; i < PICTURES; i++) {
         pictures[i] = read_png(results[i].path);

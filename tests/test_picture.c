@@ -452,12 +452,7 @@ static void test_nothing_is_cut(void **state)
             struct built built = build_chain(output);
             draw_output(&built, pulse_down_the_chain);
             struct png_file png = read_png(path);
-            for (int i = 0; i < png.width * png.height; i++) {
-                int x = i % png.width, y = i / png.width;
-                bool border = x == 0 || y == 0 || x == png.width - 1 || y == png.height - 1;
-                if (border && (png.rgb[3 * i] != 255 || png.rgb[3 * i + 1] != 255 || png.rgb[3 * i + 2] != 255))
-                    fail_msg("%s: pixel %d, %d of the border is drawn on", output, x, y);
-            }
+            assert_border_white(&png, output);
             free(png.rgb);
             release_chain(&built);
         }

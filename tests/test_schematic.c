@@ -13,9 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/render.h"
-#include "beadreel/session.h"
 #include "render/schematic.h"
+#include "sessions.h"
 #include "tests/scenes.h"
 
 /* ---- drawings of many scenes ---- */
@@ -409,25 +408,11 @@ static void setup_shows_the_beads(void **state)
 
 static struct bead_counts play(const char *scene)
 {
-    static const struct bead_sink_type *const *lists[3];
-    char path[512];
-    struct bead_message msg = {""};
-    struct bead_session *session = NULL;
-    lists[0] = bead_data_sinks();
-    lists[1] = bead_render_sinks();
-    char folder[512];
+    char path[512], folder[512];
     in_directory("scene.yaml", path, sizeof path);
     in_directory("", folder, sizeof folder);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(scene, file);
-    fclose(file);
-    struct bead_job job = {.input = path, .output = folder, .sinks = lists};
-    if (bead_session_open(&job, &session, &msg) || bead_session_run(session, &msg))
-        fail_msg("%s", msg.text);
-    struct bead_counts counts = *bead_session_counts(session);
-    bead_session_close(session);
-    return counts;
+    write_text(path, scene);
+    return play_counts((struct bead_job){.input = path, .output = folder});
 }
 
 static void nothing_is_computed(void **state)

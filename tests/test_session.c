@@ -6,8 +6,8 @@
 
 #include <sys/stat.h>
 
-#include "beadreel/session.h"
 #include "beadreel/trajectory.h"
+#include "sessions.h"
 
 static bool is_there(const char *name)
 {
@@ -24,17 +24,10 @@ static struct bead_counts play(const char *text, struct bead_job job)
     lists[0] = bead_data_sinks();
     char path[512];
     write_scene(text, path);
-    struct bead_message msg = {""};
-    struct bead_session *session = NULL;
     job.input = path;
     job.output = directory;
     job.sinks = lists;
-    job.hash = true;
-    if (bead_session_open(&job, &session, &msg) || bead_session_run(session, &msg))
-        fail_msg("%s", msg.text);
-    struct bead_counts counts = *bead_session_counts(session);
-    bead_session_close(session);
-    return counts;
+    return play_counts(job);
 }
 
 #define CHAIN  "chain: {beads: [{cell: [large-steel, aluminium], count: 34}], wall: brass}\n"

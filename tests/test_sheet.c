@@ -10,12 +10,11 @@
 
 #include <cmocka.h>
 
-#include "beadreel/render.h"
-#include "beadreel/session.h"
 #include "pictures.h"
 #include "render/figure_private.h"
 #include "render/sheet_private.h"
 #include "render/view_beads.h"
+#include "sessions.h"
 
 static struct bead_sheet *make_sheet(struct built *built, const char *settings)
 {
@@ -178,17 +177,7 @@ static void test_stills_mark_their_moment(void **state)
 
 static void run_job(const char *input, const char *output)
 {
-    const struct bead_sink_type *const *const lists[] = {bead_data_sinks(), bead_render_sinks(), NULL};
-    struct bead_job job;
-    struct bead_session *session;
-    struct bead_message msg = {""};
-    bead_job_default(&job);
-    job.input = input;
-    job.output = output;
-    job.sinks = lists;
-    if (bead_session_open(&job, &session, &msg) || bead_session_run(session, &msg))
-        fail_msg("%s", msg.text);
-    bead_session_close(session);
+    play_counts((struct bead_job){.input = input, .output = output});
 }
 
 static void test_trajectories_draw_the_same(void **state)
@@ -205,10 +194,7 @@ static void test_trajectories_draw_the_same(void **state)
     char path[512], from[512], again[512], directory[512];
     in_directory("", directory, sizeof directory);
     in_directory("scene.yaml", path, sizeof path);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(scene, file);
-    fclose(file);
+    write_text(path, scene);
     run_job(path, directory);
     in_directory("p.png", path, sizeof path);
     struct png_file first = read_png(path);
