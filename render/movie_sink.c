@@ -15,12 +15,12 @@
 #include "render/movie_frame.h"
 #include "render/movie_poster.h"
 #include "render/movie_private.h"
+#include "render/movie_times.h"
 #include "render/sinks.h"
 
 /* Frames between drawing and encoding; bytes of samples between the run and drawing. */
 enum { FRAME_SLOTS = 4, LEAST_SAMPLES = 2, MOST_SAMPLES = 256 };
 static const size_t sample_bytes = 32u << 20;
-static const double most_frames = 1e7, most_samples = 1e9;
 
 /* A sample on its way to the drawing thread; its numbers follow behind it, field by field. */
 struct snapshot {
@@ -43,9 +43,7 @@ struct bead_sink {
     uint64_t poster_bytes;
     char why[96];
     int width, height;
-    double time[2], step; /* s: first and last frame of the motion, and between frames */
-    size_t card, frames;  /* those of the card; all */
-    struct bead_grid grid;
+    struct bead_movie_times times;
     unsigned fields, twin;
     size_t last_bead; /* of the longest chain, as far as asked for */
 
@@ -59,8 +57,9 @@ struct bead_sink {
     uint64_t bytes;
 
     /* The drawing thread's. */
-    size_t drawn; /* frames */
-    double seen;  /* s: time that all chains have reached */
+    size_t drawn;  /* frames */
+    size_t filled; /* buffers, with frames that differ from those before; each holds every fourth */
+    double seen;   /* s: time that all chains have reached */
     bool seen_any;
 };
 
@@ -96,55 +95,13 @@ static enum bead_error choose_size(struct bead_sink *s, struct bead_message *msg
     return BEAD_OK;
 }
 
-static enum bead_error choose_times(struct bead_sink *s, struct bead_message *msg)
-{
-    const struct bead_output *o = s->output;
-    s->time[0] = isnan(o->time[0]) ? fmax(0, s->stage.native.every > 0 ? s->stage.native.start : 0) : o->time[0];
-    s->time[1] = isnan(o->time[1]) ? s->stage.end : fmin(o->time[1], s->stage.end);
-    double frames = round(o->duration * o->fps);
-    if (!(s->time[1] > s->time[0]) || !isfinite(s->time[1]))
-        return wrong(s, "time: a movie needs some time to show, within the run", msg);
-    if (!(frames >= 2 && frames <= most_frames))
-        return wrong(s, "duration: a movie has 2 to 10 million frames (duration times fps)", msg);
-    s->card = o->card.lasting > 0 ? (size_t)fmax(1, round(o->card.lasting * o->fps)) : 0;
-    s->frames = s->card + (size_t)frames;
-    s->step = (s->time[1] - s->time[0]) / (frames - 1);
-    return BEAD_OK;
-}
-
-static double frame_time(const struct bead_sink *s, size_t frame)
-{
-    if (frame < s->card)
-        return s->time[0];
-    return frame + 1 == s->frames ? s->time[1] : s->time[0] + (double)(frame - s->card) * s->step;
-}
-
-/* Samples at the frames, or k times as often where views average over time; or those that there are, and frames in between blend
- * two. */
-static enum bead_error choose_grid(struct bead_sink *s, struct bead_message *msg)
-{
-    const struct bead_grid *native = &s->stage.native;
-    if (native->every > 0) {
-        double first = fmax(0, floor((s->time[0] - native->start) / native->every + 1e-6));
-        double beyond = ceil((s->time[1] - native->start) / native->every - 1e-6);
-        s->grid = (struct bead_grid){native->start + first * native->every, native->every,
-                                     fmin(native->end, native->start + beyond * native->every)};
-    } else {
-        double finer =
-            bead_composer_averages(s->output) && s->stage.resolution > 0 ? ceil(s->step / s->stage.resolution - 1e-9) : 1;
-        s->grid = (struct bead_grid){s->time[0], s->step / fmax(1, finer), s->time[1]};
-    }
-    double samples = (s->grid.end - s->grid.start) / s->grid.every;
-    if (!(samples <= most_samples))
-        return wrong(s, "duration: a movie of so much motion needs too many samples; show less time", msg);
-    return bead_grid_count(&s->grid) > 0 ? BEAD_OK : wrong(s, "time: there are no samples from then", msg);
-}
-
 static void describe(struct bead_sink *s)
 {
-    char every[48];
-    bead_quantity(s->step, "s", 3, every, sizeof every);
-    snprintf(s->why, sizeof s->why, "%zu frames of %d x %d pixels, every %s", s->frames, s->width, s->height, every);
+    char every[48], drawn[48] = "";
+    bead_quantity(s->times.step, "s", 3, every, sizeof every);
+    if (s->times.group > 1)
+        snprintf(drawn, sizeof drawn, " (%zu of them drawn)", bead_movie_pictures(&s->times));
+    snprintf(s->why, sizeof s->why, "%zu frames%s of %d x %d pixels, every %s", s->times.frames, drawn, s->width, s->height, every);
 }
 
 static void movie_destroy(struct bead_sink *s)
@@ -170,11 +127,9 @@ static enum bead_error prepare(struct bead_sink *s, struct bead_message *msg)
     if (!err)
         err = choose_size(s, msg);
     if (!err)
-        err = choose_times(s, msg);
+        err = bead_movie_times_choose(s->output, &s->stage, &s->times, msg);
     if (!err)
-        err = bead_captions_check(s->output, s->stage.scene, s->time[1], bead_chain_time_unit(s->stage.chains[0]), msg);
-    if (!err)
-        err = choose_grid(s, msg);
+        err = bead_captions_check(s->output, s->stage.scene, s->times.time[1], bead_chain_time_unit(s->stage.chains[0]), msg);
     if (!err && s->output->poster && s->output->poster[0])
         err = bead_file_join(s->stage.directory, s->output->poster, &s->poster_path, msg);
     if (!err)
@@ -217,11 +172,11 @@ static void movie_needs(const struct bead_sink *s, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){.fields = s->fields,
                                  .beads = {s->output->beads.first, s->last_bead},
-                                 .grid = s->grid,
+                                 .grid = s->times.grid,
                                  .range = isnan(s->output->range[0]) || isnan(s->output->range[1]),
                                  .range_field = s->output->field,
                                  .twin = s->twin,
-                                 .until = s->time[1],
+                                 .until = s->times.time[1],
                                  .why = s->why};
 }
 
@@ -264,8 +219,13 @@ static enum bead_error send_frame(struct bead_sink *s, const struct bead_changes
     enum bead_error err = BEAD_OK;
     if (!parcel) /* the encoder tells why when it is finished */
         return bead_fail(msg, BEAD_ERROR_CODEC, "%s: encoding has failed", s->output->path);
-    parcel->buffer = s->drawn % FRAME_SLOTS;
     parcel->changes = *changes;
+    if (changes->count == 0 && s->filled > 0) { /* what the encoder has already */
+        parcel->buffer = (s->filled - 1) % FRAME_SLOTS;
+        bead_pipe_submit(s->encoding);
+        return BEAD_OK;
+    }
+    parcel->buffer = s->filled++ % FRAME_SLOTS;
     for (int b = 0; b < FRAME_SLOTS; b++) {
         for (size_t i = 0; i < changes->count; i++)
             bead_changes_add(&s->missing[b], changes->rect[i]);
@@ -283,8 +243,8 @@ static enum bead_error send_frame(struct bead_sink *s, const struct bead_changes
 
 static enum bead_error draw_frame(struct bead_sink *s, struct bead_changes *changes, struct bead_message *msg)
 {
-    double time = frame_time(s, s->drawn);
-    if (s->drawn < s->card)
+    double time = bead_movie_time(&s->times, s->drawn);
+    if (s->drawn < s->times.card)
         return bead_composer_card(s->composer, changes, msg);
     enum bead_error err = bead_composer_draw(s->composer, time, changes, msg);
     return !err && s->poster ? bead_poster_offer(s->poster, s->composer, time, msg) : err;
@@ -293,9 +253,9 @@ static enum bead_error draw_frame(struct bead_sink *s, struct bead_changes *chan
 /* Frames up to `until`. */
 static enum bead_error draw_frames(struct bead_sink *s, double until, struct bead_message *msg)
 {
-    while (s->drawn < s->frames && frame_time(s, s->drawn) <= until) {
+    while (s->drawn < s->times.frames && bead_movie_time(&s->times, s->drawn) <= until) {
         struct bead_changes changes = {0};
-        enum bead_error err = draw_frame(s, &changes, msg);
+        enum bead_error err = bead_movie_draws(&s->times, s->drawn) ? draw_frame(s, &changes, msg) : BEAD_OK;
         if (!err)
             err = send_frame(s, &changes, msg);
         if (err)
@@ -330,7 +290,7 @@ static enum bead_error take_snapshot(struct bead_sink *s, struct snapshot *snaps
         return err;
     s->seen = snapshot->time;
     s->seen_any = true;
-    return draw_frames(s, snapshot->time + 1e-6 * s->grid.every, msg);
+    return draw_frames(s, snapshot->time + 1e-6 * s->times.grid.every, msg);
 }
 
 /* Drawing thread. */
@@ -344,7 +304,7 @@ static enum bead_error draw(void *context, void *slot, int last, struct bead_mes
     /* The last sample stands for what is left of the interval after it; a run that was stopped earlier ends the movie. */
     enum bead_error err = BEAD_OK;
     if (last == BEAD_PIPE_DONE && s->seen_any)
-        err = draw_frames(s, s->seen + s->grid.every, msg);
+        err = draw_frames(s, s->seen + s->times.grid.every, msg);
     bead_composer_close(s->composer);
     return err;
 }
@@ -368,8 +328,8 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
                                         .title = s->stage.scene->title,
                                         .width = s->width,
                                         .height = s->height,
-                                        .time = {s->time[0], s->time[1]},
-                                        .step = s->step,
+                                        .time = {s->times.time[0], s->times.time[1]},
+                                        .step = s->times.step,
                                         .scene = s->stage.scene,
                                         .twin = s->stage.twin,
                                         .canvas = s->stage.canvas};
@@ -379,7 +339,7 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
     enum bead_error err = bead_composer_create(&setup, &s->composer, msg);
     struct bead_movie_settings settings = settings_of(s);
     if (!err && s->poster_path)
-        err = bead_poster_create(s->output, s->stage.scene, s->poster_path, s->step, &s->poster, msg);
+        err = bead_poster_create(s->output, s->stage.scene, s->poster_path, s->times.step, &s->poster, msg);
     if (!err)
         err = bead_movie_open(s->path, &settings, &s->movie, msg);
     if (!err)

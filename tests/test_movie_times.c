@@ -1,0 +1,114 @@
+/* Which frames of a movie are drawn: all of them, but in drafts. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "beadreel/render.h"
+#include "beadreel/session.h"
+#include "decode.h"
+#include "render/movie_times.h"
+#include "scratch.h"
+
+static void pictures_are_counted(void **state)
+{
+    (void)state;
+    for (size_t card = 0; card < 4; card++) {
+        for (size_t group = 1; group < 6; group++) {
+            for (size_t motion = 2; motion < 40; motion++) {
+                const struct bead_movie_times times = {
+                    .time = {1, 2}, .step = 1 / (double)(motion - 1), .card = card, .frames = card + motion, .group = group};
+                size_t drawn = 0, longest = 0, last = 0;
+                for (size_t i = 0; i < times.frames; i++) {
+                    if (!bead_movie_draws(&times, i))
+                        continue;
+                    drawn++;
+                    longest = i - last > longest ? i - last : longest;
+                    last = i;
+                }
+                assert_true(bead_movie_draws(&times, 0) && bead_movie_draws(&times, card) && last == times.frames - 1);
+                assert_int_equal(drawn, bead_movie_pictures(&times));
+                assert_true(longest <= (group > 1 ? group : 1));
+                assert_true(bead_movie_time(&times, card) == 1 && bead_movie_time(&times, last) == 2);
+            }
+        }
+    }
+}
+
+/* The same film; animated PNG has the same pixels at all qualities. */
+static void film(const char *quality, const char *fps, struct decoded *movie)
+{
+    const struct bead_sink_type *const *const sinks[] = {bead_data_sinks(), bead_render_sinks(), NULL};
+    char scene[512], text[600], path[512];
+    snprintf(text, sizeof text,
+             "chain: {beads: [{bead: large-steel, count: 9}], striker: {bead: large-steel, velocity: 0.4 m/s}}\n"
+             "simulate: {until: 0.3 ms}\n"
+             "outputs: [{movie: film.apng, size: [320, 180], quality: %s, fps: %s, duration: 0.5 s}]\n",
+             quality, fps);
+    write_scene(text, scene);
+    struct bead_session *session;
+    struct bead_message msg = {""};
+    struct bead_job job;
+    bead_job_default(&job);
+    job.input = scene;
+    job.output = directory;
+    job.sinks = sinks;
+    enum bead_error err = bead_session_open(&job, &session, &msg);
+    if (!err)
+        err = bead_session_run(session, &msg);
+    bead_session_close(session);
+    if (err)
+        fail_msg("%s", msg.text);
+    snprintf(path, sizeof path, "%s/film.apng", directory);
+    decode(path, movie);
+}
+
+static void assert_same(const AVFrame *a, const AVFrame *b)
+{
+    for (int y = 0; y < a->height; y++)
+        assert_memory_equal(a->data[0] + (ptrdiff_t)y * a->linesize[0], b->data[0] + (ptrdiff_t)y * b->linesize[0],
+                            3 * (size_t)a->width);
+}
+
+/* At 60 frames a second every second picture, and the last; at 30 all of them; the same pixels at the same times. */
+static void drafts_show_pictures_for_longer(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        double fps;
+        size_t frames, drawn, group;
+    } rates[] = {{"60", 60, 30, 16, 2}, {"30", 30, 15, 15, 1}, {"24", 24, 12, 12, 1}, {"75", 75, 38, 14, 3}};
+    for (size_t r = 0; r < sizeof rates / sizeof rates[0]; r++) {
+        static struct decoded all, draft;
+        film("standard", rates[r].name, &all);
+        film("draft", rates[r].name, &draft);
+        assert_int_equal(all.count, rates[r].frames);
+        assert_int_equal(draft.count, rates[r].drawn);
+        for (size_t i = 0; i < draft.count; i++) {
+            size_t frame = (size_t)(draft.time[i] * rates[r].fps + 0.5);
+            assert_true(fabs(draft.time[i] - (double)frame / rates[r].fps) < 1e-3);
+            assert_true(i == 0 || draft.time[i] - draft.time[i - 1] < ((double)rates[r].group + 0.5) / rates[r].fps);
+            assert_same(draft.frame[i], all.frame[frame]);
+        }
+        assert_true(fabs(draft.duration - all.duration) < 1e-3);
+        decoded_free(&all);
+        decoded_free(&draft);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pictures_are_counted),
+        cmocka_unit_test(drafts_show_pictures_for_longer),
+    };
+    return cmocka_run_group_tests_name("movie_times", tests, make_directory, remove_directory);
+}
