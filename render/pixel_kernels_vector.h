@@ -24,6 +24,7 @@
 #define SMALLER(x, y) ((reals)_mm_min_ps(x, y))
 #endif
 typedef float reals __attribute__((vector_size(4 * LANES)));
+typedef float reals_anywhere __attribute__((vector_size(4 * LANES), aligned(4), may_alias));
 typedef int32_t ints __attribute__((vector_size(4 * LANES)));
 typedef uint32_t words __attribute__((vector_size(4 * LANES)));
 typedef uint32_t words_anywhere __attribute__((vector_size(4 * LANES), aligned(4), may_alias));

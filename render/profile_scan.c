@@ -3,8 +3,10 @@
 #include <math.h>
 #include <string.h>
 
-/* Columns are cut into this many slices for soft edges of steep parts. */
-enum { SLICES = 4, MOST_TAPS = 64 };
+#include "render/pixel_kernels.h"
+
+/* Columns are cut into slices for soft edges of steep parts; of a pen's half width this many at most. */
+enum { SLICES = BEAD_SLICES, MOST_TAPS = 64 };
 
 /* Lowest and highest y of the curve in a slice; empty where the curve does not reach. */
 struct extent {
@@ -103,87 +105,93 @@ static struct extent stroke(const struct extent *around, const struct pen *pen)
     return e;
 }
 
-static inline float covered(float y, float low, float high)
+static void keep(struct bead_extents *extents, int slice, int x, const struct extent *e)
 {
-    return most(0, least(1, least(y + 1, high) - most(y, low)));
+    extents->low[slice][x] = e->low;
+    extents->high[slice][x] = e->high;
 }
 
-/* One column's slices: line, and the middle of the curve, from which the area reaches to the base. */
-struct column {
-    struct extent line[SLICES], area[SLICES];
-    int from, to; /* rows that are not plain background or plain area */
-};
-
-static struct column make_column(const struct bead_curve *c, const struct extent *curve, const struct pen *pen, int height)
+/* Line and area of a column; returns the rows that they reach into. */
+static struct extent make_column(const struct bead_curve *c, const struct extent *curve, const struct pen *pen,
+                                 struct bead_columns *k, int x)
 {
-    struct column k;
     struct extent rows = nothing;
     for (int s = 0; s < SLICES; s++) {
-        k.line[s] = stroke(curve + s, pen);
-        k.area[s] = nothing;
-        if (curve[s].low > curve[s].high) {
-            if (k.line[s].low <= k.line[s].high) { /* the round end of the line */
-                widen(&rows, k.line[s].low);
-                widen(&rows, k.line[s].high);
-            }
-            continue;
+        struct extent line = stroke(curve + s, pen), area = nothing;
+        if (curve[s].low <= curve[s].high) { /* else nothing or the round end of the line */
+            float middle = 0.5f * (curve[s].low + curve[s].high);
+            area = (struct extent){least(middle, c->base), most(middle, c->base)};
+            widen(&rows, c->base);
         }
-        float middle = 0.5f * (curve[s].low + curve[s].high);
-        k.area[s] = (struct extent){least(middle, c->base), most(middle, c->base)};
-        widen(&rows, k.line[s].low);
-        widen(&rows, k.line[s].high);
-        widen(&rows, c->base);
+        rows.low = least(rows.low, line.low);
+        rows.high = most(rows.high, line.high);
+        keep(&k->line, s, x, &line);
+        keep(&k->area, s, x, &area);
     }
-    rows.low = most(0, least(rows.low, (float)height));
-    rows.high = most(0, least(rows.high, (float)height));
-    k.from = (int)floorf(rows.low);
-    k.to = rows.low > rows.high ? k.from : (int)ceilf(rows.high);
-    return k;
+    return rows;
 }
 
-static inline uint8_t mix(uint8_t behind, float colour, float alpha)
+static void set_rows(struct bead_columns *k, int group, const struct extent *rows, int height)
 {
-    return (uint8_t)((float)behind + alpha * (colour - (float)behind) + 0.5f);
+    const float low = most(0, least(rows->low, (float)height)), high = most(0, least(rows->high, (float)height));
+    k->from[group] = (int)floorf(low);
+    k->to[group] = low > high ? k->from[group] : (int)ceilf(high);
 }
 
-/* Line and area are averages over the slices. */
-static void paint_column(const struct bead_curve *c, const struct column *k, uint8_t *pixel, size_t stride)
+static void set_colours(const struct bead_curve *c, struct bead_columns *k)
 {
-    const float over[3] = {255 * (float)c->line.b, 255 * (float)c->line.g, 255 * (float)c->line.r};
-    const float under[3] = {255 * (float)c->area.b, 255 * (float)c->area.g, 255 * (float)c->area.r};
-    for (int y = k->from; y < k->to; y++) {
-        float line = 0, area = 0;
-        for (int s = 0; s < SLICES; s++) {
-            line += covered((float)y, k->line[s].low, k->line[s].high);
-            area += covered((float)y, k->area[s].low, k->area[s].high);
-        }
-        uint8_t *p = pixel + (size_t)y * stride;
-        for (int i = 0; i < 3; i++)
-            p[i] = mix(mix(p[i], under[i], (float)c->area_alpha * area / SLICES), over[i], line / SLICES);
+    const double line[3] = {c->line.b, c->line.g, c->line.r}, area[3] = {c->area.b, c->area.g, c->area.r};
+    for (int i = 0; i < 3; i++) {
+        k->over[i] = 255 * (float)line[i];
+        k->under[i] = 255 * (float)area[i];
     }
+    k->area_alpha = (float)c->area_alpha;
 }
 
 /* Slices are computed for a block of columns and the pen's reach on both sides. */
-enum { BLOCK = 64, ROOM = (BLOCK * SLICES + 2 * MOST_TAPS) };
+enum { BLOCK = BEAD_COLUMNS, GROUP = BEAD_COLUMN_GROUP, ROOM = (BLOCK * SLICES + 2 * MOST_TAPS) };
+
+/* Columns from..to of the BLOCK from `begin` on. */
+static void make_columns(const struct bead_curve *curve, const struct pen *pen, int begin, int from, int to, int height,
+                         struct bead_columns *k)
+{
+    struct extent around[ROOM], rows = nothing;
+    const int first = begin * SLICES - MOST_TAPS;
+    const int low = (from - begin) * SLICES + MOST_TAPS - pen->taps, high = (to - begin) * SLICES + MOST_TAPS + pen->taps;
+    size_t segment = find_segment(curve, (float)(first + low) / SLICES);
+    for (int i = low; i < high; i++)
+        around[i] = slice(curve, &segment, (float)(first + i) / SLICES, (float)(first + i + 1) / SLICES);
+    for (int x = 0; x < BLOCK; x++) {
+        struct extent own = nothing;
+        if (begin + x >= from && begin + x < to)
+            own = make_column(curve, around + x * SLICES + MOST_TAPS, pen, k, x);
+        for (int s = 0; s < SLICES && !(begin + x >= from && begin + x < to); s++) {
+            keep(&k->line, s, x, &nothing);
+            keep(&k->area, s, x, &nothing);
+        }
+        rows = (struct extent){least(rows.low, own.low), most(rows.high, own.high)};
+        if (x % GROUP == GROUP - 1) {
+            set_rows(k, x / GROUP, &rows, height);
+            rows = nothing;
+        }
+    }
+}
 
 void bead_curve_draw(const struct bead_curve *curve, struct bead_rect rect, int from, int to, struct bead_frame *frame,
                      const struct bead_frame *background)
 {
-    struct extent around[ROOM];
+    const struct bead_pixel_kernels *kernels = bead_pixel_kernels_find(NULL);
+    struct bead_columns columns;
     struct pen pen;
     if (curve->count < 2)
         return;
     bead_frame_copy(frame, background, (struct bead_rect){rect.x + from, rect.y, to - from, rect.height});
     make_pen(curve, &pen);
-    for (int block = from; block < to; block += BLOCK) {
-        int end = block + BLOCK < to ? block + BLOCK : to;
-        int first = block * SLICES - MOST_TAPS, count = (end - block) * SLICES + 2 * MOST_TAPS;
-        size_t segment = find_segment(curve, (float)first / SLICES);
-        for (int i = MOST_TAPS - pen.taps; i < count - MOST_TAPS + pen.taps; i++)
-            around[i] = slice(curve, &segment, (float)(first + i) / SLICES, (float)(first + i + 1) / SLICES);
-        for (int x = block; x < end; x++) {
-            struct column column = make_column(curve, around + (x - block) * SLICES + MOST_TAPS, &pen, rect.height);
-            paint_column(curve, &column, frame->pixels + (size_t)rect.y * frame->stride + 4 * (size_t)(rect.x + x), frame->stride);
-        }
+    set_colours(curve, &columns);
+    const int offset = (rect.x + from) % GROUP; /* vectors do not reach into another row */
+    for (int begin = from - offset; begin < to; begin += BLOCK) {
+        make_columns(curve, &pen, begin, begin < from ? from : begin, begin + BLOCK < to ? begin + BLOCK : to, rect.height,
+                     &columns);
+        kernels->curve(&columns, frame->pixels + (size_t)rect.y * frame->stride + 4 * (ptrdiff_t)(rect.x + begin), frame->stride);
     }
 }
