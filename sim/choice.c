@@ -15,6 +15,17 @@ static const double low_accuracy = 1e-3;
  * is reached. */
 static const double smooth_theta = 1, smooth_order = 8, smooth_cap = 2.2, far_from_opening = 0.1;
 
+/* Errors add up on the way along a chain, and grow behind the front where it is disordered: with contacts that open, chains of more
+ * beads than these are stepped for an accuracy so many times smaller, up to those of the longest that peaks were compared for
+ * (tests/stress). */
+static const double usual_beads = 70, most_beads = 600;
+
+static double share_of(const struct bead_chain *chain)
+{
+    const double beads = (double)chain->beads;
+    return beads > usual_beads ? usual_beads / fmin(beads, most_beads) : 1;
+}
+
 /* Energy that would open contact k, J. */
 static double opening_energy(const struct bead_chain *chain, size_t k)
 {
@@ -47,7 +58,7 @@ static const char *automatic(const struct bead_chain *chain, const char **why)
         *why = "the energy cannot open any contact";
         return "rkn8-plain";
     }
-    if (chain->scene->simulate.accuracy >= low_accuracy) {
+    if (share_of(chain) * chain->scene->simulate.accuracy >= low_accuracy) {
         *why = "little accuracy is asked: opening contacts need no correction";
         return "rkn8-plain";
     }
@@ -66,7 +77,9 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, struct bead_c
     if (chain->spec->damping_coefficient > 0 && !method->info.damping)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: `%s` is for forces without damping; use rk4 or auto", file,
                          name);
-    *choice = (struct bead_choice){method, method->info.theta, method->info.theta_order, method->info.theta_cap, why};
+    *choice = (struct bead_choice){method, method->info.theta, method->info.theta_order, method->info.theta_cap, 1, why};
+    if (method->events && chain->law->one_sided)
+        choice->share = share_of(chain);
     if (any && method->tableau && never_opens(chain)) {
         choice->theta = smooth_theta;
         choice->order = smooth_order;
@@ -82,5 +95,5 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, struct bead_c
 
 double bead_choice_theta(const struct bead_choice *choice, double accuracy)
 {
-    return fmin(choice->theta * pow(accuracy / row_accuracy, 1 / choice->order), choice->cap);
+    return fmin(choice->theta * pow(choice->share * accuracy / row_accuracy, 1 / choice->order), choice->cap);
 }

@@ -10,6 +10,7 @@ struct bead_method;
 struct bead_choice {
     const struct bead_method *method;
     double theta, order, cap; /* theta for peaks to 1e-6, for others it goes with accuracy^(1/order), up to the cap */
+    double share;             /* of the accuracy asked, that steps are made for */
     const char *why;          /* in words, for the plan; "as asked" where the scene names the method */
 };
 

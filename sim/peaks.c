@@ -20,9 +20,10 @@ struct bead_peaks {
     bool of_beads;
     size_t first, count; /* first..count-1 are looked at */
     struct bead_peak *best;
-    unsigned char *mark;   /* [beads]: has a maximum in this step */
-    double *least;         /* [beads]: compressions beyond the static one, m, that a higher maximum takes */
-    double *rate0, *rate1; /* [beads]: of the bead forces at the ends of the step, N/s */
+    unsigned char *mark;     /* [beads]: has a maximum in this step */
+    double *least;           /* [beads]: compressions beyond the static one, m, that a higher maximum takes */
+    double *rate0, *rate1;   /* [beads]: of the bead forces at the ends of the step, N/s */
+    double *swing0, *swing1; /* [beads]: the same of both contact forces' magnitudes */
 };
 
 enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_beads, struct bead_span span,
@@ -40,8 +41,10 @@ enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_be
         p->least = calloc(beads + PADDING, sizeof(double));
         p->rate0 = calloc(beads, sizeof(double));
         p->rate1 = calloc(beads, sizeof(double));
+        p->swing0 = calloc(beads, sizeof(double));
+        p->swing1 = calloc(beads, sizeof(double));
     }
-    if (!p || !p->best || !p->mark || !p->least || !p->rate0 || !p->rate1) {
+    if (!p || !p->best || !p->mark || !p->least || !p->rate0 || !p->rate1 || !p->swing0 || !p->swing1) {
         bead_peaks_destroy(p);
         *peaks = NULL;
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu beads", beads);
@@ -62,6 +65,8 @@ void bead_peaks_destroy(struct bead_peaks *peaks)
     free(peaks->least);
     free(peaks->rate0);
     free(peaks->rate1);
+    free(peaks->swing0);
+    free(peaks->swing1);
     free(peaks);
 }
 
@@ -222,7 +227,8 @@ static void find_jump(struct bead_peaks *p, const struct bead_stepper *s, size_t
         p->best[index] = (struct bead_peak){value, s->t0, false};
 }
 
-/* Where the rate has one sign at both ends, it is looked at in between. */
+/* Where the rate has one sign at both ends, it is looked at in between; a bead's, of two contacts, may have more than one maximum.
+ */
 enum { PARTS = 8 };
 
 static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
@@ -233,7 +239,7 @@ static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t
     if (s->closed)
         find_jump(p, s, index, &curve, limit);
     double rate0 = curve_rate(&curve, 0), end = curve_rate(&curve, 1);
-    const int parts = rate0 > 0 && end <= 0 ? 1 : PARTS;
+    const int parts = rate0 > 0 && end <= 0 && !p->of_beads ? 1 : PARTS;
     for (int i = 1; i <= parts; i++) {
         struct curve_part part = {&curve, (i - 1) / (double)parts, 1.0 / parts};
         double rate1 = i == parts ? end : part_rate(&part, 1);
@@ -266,31 +272,69 @@ static bool mark_contacts(struct bead_peaks *p, const struct bead_stepper *s, si
 }
 
 /* Rates of bead forces first..last - 1 in a state. */
-static void find_rates(const struct bead_stepper *s, const struct bead_state *state, size_t first, size_t last, double *rate)
+static void find_rates(const struct bead_stepper *s, const struct bead_state *state, size_t first, size_t last, double *rate,
+                       double *swing)
 {
     double before = first > 0 ? bead_dense_force_rate(s, state, first - 1) : 0;
     for (size_t j = first; j < last; j++) {
         double here = bead_dense_force_rate(s, state, j);
         rate[j] = 0.5 * (before + here);
+        swing[j] = 0.5 * (fabs(before) + fabs(here));
         before = here;
     }
 }
 
-/* A bead's force may turn where its rate changes sign, or where one of its contacts turns there and back. */
+static double bead_force(const struct bead_stepper *s, const struct bead_state *state, size_t j)
+{
+    const double *still = s->chain->static_force;
+    return 0.5 * ((j > 0 ? state->f[j - 1] + still[j - 1] : 0) + (j < s->chain->contacts ? state->f[j] + still[j] : 0));
+}
+
+/* d2/dt2 of that force, N/s^2. */
+static double bead_bend(const struct bead_stepper *s, const struct bead_state *state, size_t j)
+{
+    const double near = 1e-4;
+    double bend = 0;
+    for (size_t k = j > 0 ? j - 1 : 0; k <= j && k < s->chain->contacts; k++) {
+        const double a = s->chain->stiffness[k], rate = state->v[k] - state->v[k + 1];
+        const double d = s->table.static_compression[k] + (state->u[k] - state->u[k + 1]), change = near * fabs(d);
+        double (*stiffness)(double, const struct bead_law_spec *, double) = s->chain->law->stiffness;
+        bend += stiffness(a, s->table.law, d) * (state->a[k] - state->a[k + 1]);
+        if (change > 0)
+            bend +=
+                (stiffness(a, s->table.law, d + change) - stiffness(a, s->table.law, d - change)) / (2 * change) * (rate * rate);
+    }
+    return 0.5 * bend;
+}
+
+/* A bead's force changes little while that of one contact rises as the other falls: it may come back to a new maximum within the
+ * step, falling (or rising) at both ends. At one of them it bends the other way then, by enough. */
+static bool may_swing(const struct bead_peaks *p, const struct bead_stepper *s, size_t j)
+{
+    const double most = s->h * (p->swing0[j] > p->swing1[j] ? p->swing0[j] : p->swing1[j]), best = p->best[j].value;
+    if (!(bead_force(s, &s->start, j) + bead_force(s, &s->end, j) + most > 2 * best)) /* to and fro at the fastest rate */
+        return false;
+    const double sign = p->rate0[j] > 0 ? 1 : -1, half = 0.5 * sign * s->h;
+    return sign * p->rate0[j] < -half * bead_bend(s, &s->start, j) || sign * p->rate1[j] < half * bead_bend(s, &s->end, j);
+}
+
+/* A bead's force may turn where its rate changes sign, or where one of its contacts turns there and back, or where both change. */
 static bool mark_beads(struct bead_peaks *p, const struct bead_stepper *s, size_t n)
 {
     mark_contacts(p, s, n < s->chain->contacts ? n : s->chain->contacts);
-    double *rate = p->rate0;
+    double *rate = p->rate0, *swing = p->swing0;
     p->rate0 = p->rate1;
     p->rate1 = rate;
+    p->swing0 = p->swing1;
+    p->swing1 = swing;
     if (s->steps == 1)
-        find_rates(s, &s->start, p->first, n, p->rate0);
-    find_rates(s, &s->end, p->first, n, p->rate1);
+        find_rates(s, &s->start, p->first, n, p->rate0, p->swing0);
+    find_rates(s, &s->end, p->first, n, p->rate1, p->swing1);
     bool any = false;
     unsigned char left = p->first > 0 ? p->mark[p->first - 1] : 0;
     for (size_t j = p->first; j < n; j++) {
         unsigned char here = j < s->chain->contacts ? p->mark[j] : 0;
-        p->mark[j] = left | here | (p->rate0[j] > 0 && p->rate1[j] <= 0);
+        p->mark[j] = left | here | (p->rate0[j] > 0 && p->rate1[j] <= 0) | may_swing(p, s, j);
         any = any || p->mark[j];
         left = here;
     }

@@ -73,8 +73,13 @@ enum bead_error bead_run_twin_stepping(const struct bead_chain *chain, double lo
     const struct bead_method_info *method = &choice.method->info;
     double omega = bead_chain_omega(chain, bead_chain_energy(chain)), step = looser * chain->scene->simulate.step;
     double theta = bead_choice_theta(&choice, looser * chain->scene->simulate.accuracy);
-    *stepping = (struct bead_stepping){choice.method, step > 0 ? step : theta / omega, omega,
-                                       theta,         !(step > 0) && method->variable, choice.why};
+    *stepping = (struct bead_stepping){.method = choice.method,
+                                       .step = step > 0 ? step : theta / omega,
+                                       .omega = omega,
+                                       .theta = theta,
+                                       .accuracy = choice.share * looser * chain->scene->simulate.accuracy,
+                                       .variable = !(step > 0) && method->variable,
+                                       .why = choice.why};
     /* The bound is generous: a step is hopeless only when it exceeds the limit twice over. */
     if (step * omega > 2 * method->theta_max)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.step: %.3g s is too long for `%s` to be stable: at most %.3g s", file,
@@ -125,8 +130,7 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
         return err;
     }
     if (!(settings->chain->scene->simulate.step > 0))
-        r->stepper->event_tolerance =
-            event_part * looser * settings->chain->scene->simulate.accuracy * fabs(settings->chain->spec->striker_velocity);
+        r->stepper->event_tolerance = event_part * r->stepping.accuracy * fabs(settings->chain->spec->striker_velocity);
     r->control = bead_control_start(r->stepper, r->stepping.theta, r->stepping.omega);
     r->drift_bound = drift_part * settings->chain->scene->simulate.accuracy;
     r->energy_start = bead_stepper_energy(r->stepper, &r->stepper->end);

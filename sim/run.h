@@ -38,6 +38,7 @@ struct bead_stepping {
     double step;     /* s, the first */
     double omega;    /* rad/s, bound of the frequencies */
     double theta;    /* step in units of 1/omega */
+    double accuracy; /* that the steps are made for */
     bool variable;   /* later steps follow the state */
     const char *why; /* this method */
 };
