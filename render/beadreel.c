@@ -59,6 +59,7 @@ int main(int argc, char **argv)
         .usage = "Usage:\n"
                  "  beadreel [OPTION]... SCENE.yaml           make everything the scene asks for\n"
                  "  beadreel [OPTION]... RUN.h5 -o out.png    draw an existing trajectory (png, pdf, svg, mp4, ...)\n"
+                 "  beadreel [OPTION]... SWEEP.h5 -o out.png  draw a computed sweep (png, pdf, svg, csv)\n"
                  "A name without a path is a ready scene (--list scenes).\n",
         .examples = "Examples:\n"
                     "  beadreel clean-vs-delocalised -o demo\n"

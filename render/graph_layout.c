@@ -18,15 +18,6 @@ static const double usual_legend = 0.3, widest_legend = 0.5, wide_page = 1.5;
 static const double wanted_shape = 1.45;
 static const int smallest_plot = 24; /* px */
 
-static char *to_markup(const char *text)
-{
-    size_t size = bead_markup_size(text);
-    char *markup = malloc(size);
-    if (markup)
-        bead_markup(text, markup, size);
-    return markup;
-}
-
 static bool has(const char *text)
 {
     return text && *text;
@@ -49,7 +40,7 @@ static bool make_head(struct graph_cell *cell, const char *letter)
     const char *title = has(cell->panel->title) ? cell->panel->title : "";
     if (!*letter && !*title)
         return true;
-    char *markup = to_markup(title);
+    char *markup = bead_markup_new(title);
     bool good = markup && asprintf(&cell->head, "<b>%s</b>%s%s", letter, *letter && *title ? "\u2002" : "", markup) > 0;
     free(markup);
     return good;
@@ -66,9 +57,9 @@ static bool word_cell(struct graph_cell *cell, const struct bead_graph *graph, c
     if (!cell->words || !cell->labels || !cell->legend.entries)
         return false;
     for (size_t r = 0; r < panel->ruler_count; r++)
-        good = good && (!has(panel->rulers[r].label) || (cell->words[r].markup = to_markup(panel->rulers[r].label)) != NULL);
+        good = good && (!has(panel->rulers[r].label) || (cell->words[r].markup = bead_markup_new(panel->rulers[r].label)) != NULL);
     for (size_t s = 0; s < panel->series_count; s++)
-        good = good && (!has(panel->series[s].label) || (cell->labels[s] = to_markup(panel->series[s].label)) != NULL);
+        good = good && (!has(panel->series[s].label) || (cell->labels[s] = bead_markup_new(panel->series[s].label)) != NULL);
     letter_of(index, letter, sizeof letter);
     bool lettered = graph->letters && graph->panel_count > 1;
     return good && make_head(cell, lettered ? letter : index == 0 ? frame->letter : "");
@@ -97,8 +88,8 @@ static enum bead_error prepare(struct graph_layout *l, struct bead_message *msg)
         good = word_cell(cell, graph, &l->frame, p);
     }
     l->legend.entries = calloc(entries, sizeof *l->legend.entries);
-    good = good && l->legend.entries && (!has(graph->title) || (l->title = to_markup(graph->title)) != NULL);
-    good = good && (!has(graph->caption) || (l->caption = to_markup(graph->caption)) != NULL);
+    good = good && l->legend.entries && (!has(graph->title) || (l->title = bead_markup_new(graph->title)) != NULL);
+    good = good && (!has(graph->caption) || (l->caption = bead_markup_new(graph->caption)) != NULL);
     return good ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a graph");
 }
 

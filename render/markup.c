@@ -1,6 +1,7 @@
 #include "render/markup.h"
 
 #include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "beadreel/look.h"
@@ -128,6 +129,15 @@ void bead_markup(const char *text, char *out, size_t size)
     put_range(&w, text, text + strlen(text));
     if (w.full)
         bead_text_escape(text, out, size);
+}
+
+char *bead_markup_new(const char *text)
+{
+    size_t size = bead_markup_size(text);
+    char *markup = malloc(size);
+    if (markup)
+        bead_markup(text, markup, size);
+    return markup;
 }
 
 void bead_markup_quote(const char *text, char *out, size_t size)

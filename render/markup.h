@@ -9,6 +9,8 @@
 size_t bead_markup_size(const char *text);
 /* Into `out` of `size` bytes; where they do not suffice the text stands there as it is, cut between characters. */
 void bead_markup(const char *text, char *out, size_t size);
+/* The same in memory of its own, to be freed; NULL: out of memory. */
+char *bead_markup_new(const char *text);
 /* Plain text to text that bead_markup shows as it is: names with a `_` in them. Cut between characters where it is too long. */
 void bead_markup_quote(const char *text, char *out, size_t size);
 /* Letters that stand alone are symbols of quantities: "x" to "*x*", "u uₓ = 0" to "*u* *uₓ* = 0"; the article a stays. What is in

@@ -98,7 +98,7 @@ static enum bead_error choose_size(struct bead_sink *s, struct bead_message *msg
 static void describe(struct bead_sink *s)
 {
     char every[48], drawn[48] = "";
-    bead_quantity(s->times.step, "s", 3, every, sizeof every);
+    bead_quantity(s->times.step, bead_chain_time_unit(s->stage.chains[0]), 3, every, sizeof every);
     if (s->times.group > 1)
         snprintf(drawn, sizeof drawn, " (%zu of them drawn)", bead_movie_pictures(&s->times));
     snprintf(s->why, sizeof s->why, "%zu frames%s of %d x %d pixels, every %s", s->times.frames, drawn, s->width, s->height, every);

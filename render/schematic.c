@@ -162,14 +162,13 @@ static bool draw_caption(const struct bead_drafting *d, struct bead_box *area)
     const char *text = d->output->caption;
     if (!text || !*text)
         return true;
-    char *markup = malloc(bead_markup_size(text));
+    char *markup = bead_markup_new(text);
     if (!markup) {
         d->sketch->failed = true;
         return false;
     }
     struct bead_text_style style = bead_sketch_style(d->sketch, em);
     style.down = BEAD_ALIGN_START;
-    bead_markup(text, markup, bead_markup_size(text));
     bead_text_size_lines(NULL, &style, area->width, markup, &width, &height);
     area->height -= height + 0.8 * em;
     bool room = area->height > 0;

@@ -27,15 +27,6 @@ void bead_sheet_destroy(struct bead_sheet *sheet)
     free(sheet);
 }
 
-static char *markup_of(const char *text)
-{
-    size_t size = bead_markup_size(text);
-    char *markup = malloc(size);
-    if (markup)
-        bead_markup(text, markup, size);
-    return markup;
-}
-
 /* Title of screens, and caption. */
 static enum bead_error make_words(struct bead_sheet *s, struct bead_message *msg)
 {
@@ -50,7 +41,7 @@ static enum bead_error make_words(struct bead_sheet *s, struct bead_message *msg
             return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
     }
     if (caption && *caption)
-        s->caption = markup_of(caption);
+        s->caption = bead_markup_new(caption);
     return !caption || !*caption || s->caption ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
 }
 

@@ -23,6 +23,9 @@ enum bead_error bead_scene_read_sweep(struct bead_reader *reader, const struct b
 enum bead_error bead_scene_read_sweeps(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
                                        void *settings);
 void bead_scene_free_sweeps(struct bead_scene *scene);
+/* The sweep's groups, of the map at `at` and the random cells of its chain, which has been read. Errors: SCENE, MEMORY. */
+BEAD_CHECK enum bead_error bead_scene_read_groups(const struct bead_reader *reader, const struct bead_at *at,
+                                                  struct bead_sweep_spec *sweep);
 /* A material's name to a size_t at the option's offset. */
 enum bead_error bead_scene_read_material(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
                                          void *settings);

@@ -68,6 +68,7 @@ ok "--info of a ready scene" exits 0 "$beadreel" --info clean-vs-delocalised
 ok "--info says M" prints "M = "
 ok "--plan of a ready scene" exits 0 "$beadreel" --plan clean-vs-delocalised
 ok "--plan prints lines" test -s "$T/out"
+ok "--plan of an equation has times without unit" bash -c "'$beadreel' --plan fput | grep -q 'pixels, every [0-9.]*$'"
 ok "nothing was written" empty "$T/here"
 
 ok "the man page has the options of the program" "$top/tests/man_options.sh" --check "$beadreel" "$top/assets/beadreel.1"
