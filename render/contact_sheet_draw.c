@@ -55,14 +55,14 @@ static void draw_words(const struct contact_sheet *s, cairo_t *cr, size_t index)
         bead_text_escape(bead_sweep_panel(s->sweep, image->panel)->name, name, sizeof name);
     snprintf(left, sizeof left, "<b>%s%s%zu</b>", name, *name ? ":" : "#", image->index);
     if (isnan(s->rows[image->row].magnetism) && isfinite(image->magnetism))
-        snprintf(left + strlen(left), sizeof left - strlen(left), "  <i>M</i> %.3g", image->magnetism);
-    snprintf(right, sizeof right, "<i>C</i> %.2f", found->order);
+        snprintf(left + strlen(left), sizeof left - strlen(left), "  " BEAD_SYMBOL("M") " %.3g", image->magnetism);
+    snprintf(right, sizeof right, BEAD_SYMBOL("C") " %.2f", found->order);
     if (isnan(found->order))
         right[0] = '\0';
     draw_pair(s, cr, &image->words, y + meter + 1.25 * small, true, left, right);
     bead_quantity(found->force, "N", 3, force, sizeof force);
-    snprintf(left, sizeof left, "<i>F</i> %s", force);
-    snprintf(right, sizeof right, "<i>P</i> %.*f", found->participation < 9.95 ? 1 : 0, found->participation);
+    snprintf(left, sizeof left, BEAD_SYMBOL("F") " %s", force);
+    snprintf(right, sizeof right, BEAD_SYMBOL("P") " %.*f", found->participation < 9.95 ? 1 : 0, found->participation);
     if (isnan(found->participation))
         right[0] = '\0';
     draw_pair(s, cr, &image->words, y + meter + 2.55 * small, false, left, right);

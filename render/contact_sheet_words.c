@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "render/contact_sheet.h"
+#include "render/markup.h"
 
 /* Curves' colours that tell the spins apart: up is quiet, reversed stands out. */
 enum { REVERSED = 1 };
@@ -74,11 +75,25 @@ double contact_sheet_intro(const struct contact_sheet *s, cairo_t *cr, double wi
     }
     bead_quantity(s->end > 0 ? s->end : 1.234e-3, "s", 3, end, sizeof end);
     y += draw_key(s, cr, s->intro.x, y) + 0.5 * look->gap;
-    snprintf(text, sizeof text,
-             "Pictures: %s from left to right, time from 0 to %s downwards. Numbers: configuration; <i>F</i>, peak force%s; "
-             "<i>P</i>, beads that share the energy as the front arrives; <i>C</i> and the line under the picture, clean index: 1 "
-             "clean, 0 delocalised.",
-             s->of_contacts ? "contacts" : "beads", end, s->behind ? " behind the random cells" : "");
+    snprintf(
+        text, sizeof text,
+        "Pictures: %s from left to right, time from 0 to %s downwards. Numbers: configuration; " BEAD_SYMBOL(
+            "F") ", peak force%s; " BEAD_SYMBOL("P") ", beads that share the energy as the front arrives; " BEAD_SYMBOL("C") " and "
+                                                                                                                             "the "
+                                                                                                                             "line "
+                                                                                                                             "under"
+                                                                                                                             " the "
+                                                                                                                             "pictu"
+                                                                                                                             "re, "
+                                                                                                                             "clean"
+                                                                                                                             " inde"
+                                                                                                                             "x: 1 "
+                                                                                                                             "clean"
+                                                                                                                             ", 0 "
+                                                                                                                             "deloc"
+                                                                                                                             "alise"
+                                                                                                                             "d.",
+        s->of_contacts ? "contacts" : "beads", end, s->behind ? " behind the random cells" : "");
     y += draw_lines(cr, &line, width, s->intro.x, y, text);
     return y - start;
 }
@@ -91,5 +106,5 @@ void contact_sheet_row_name(const struct contact_sheet *s, const struct contact_
     if (isnan(row->magnetism))
         snprintf(text, size, "%s", name);
     else
-        snprintf(text, size, "%s%s<i>M</i> = %.3g", name, *name ? "\n" : "", row->magnetism);
+        snprintf(text, size, "%s%s" BEAD_SYMBOL("M") " = %.3g", name, *name ? "\n" : "", row->magnetism);
 }

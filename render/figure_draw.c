@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "render/figure_private.h"
+#include "render/markup.h"
 #include "render/movie_words.h"
 #include "render/trust_words.h"
 #include "render/units.h"
@@ -194,7 +195,7 @@ static void moment_words(const struct bead_figure *f, char *markup, size_t size)
     if (!f->stills)
         return;
     time_words(f->at, bead_chain_time_unit(f->stage.chains[0]), time, sizeof time);
-    snprintf(markup, size, "<span face=\"STIX\"><i>t</i></span> = %s", time);
+    snprintf(markup, size, BEAD_SYMBOL("t") " = %s", time);
     for (size_t v = 0; v < f->view_count; v++) {
         const struct bead_tile *panel = &f->cells[0].panel[v];
         if (panel->type->kind != BEAD_VIEW_BEADS)

@@ -5,6 +5,9 @@
 
 #include <stddef.h>
 
+/* The symbol of a quantity in Pango markup. */
+#define BEAD_SYMBOL(letter) "<span face=\"STIX\"><i>" letter "</i></span>"
+
 /* Bytes that the markup of this text takes at most, with the zero at its end. */
 size_t bead_markup_size(const char *text);
 /* Into `out` of `size` bytes; where they do not suffice the text stands there as it is, cut between characters. */

@@ -43,8 +43,7 @@ void bead_clock_text(const struct bead_clock *clock, double time, const struct b
     strcat(padded, number);
     hex(look->faint, faint);
     snprintf(out, size,
-             "<span font_features=\"tnum=1\"><span foreground=\"%s\"><span face=\"STIX\"><i>t</i></span> =</span> %s" THIN_SPACE
-             "%s</span>",
+             "<span font_features=\"tnum=1\"><span foreground=\"%s\">" BEAD_SYMBOL("t") " =</span> %s" THIN_SPACE "%s</span>",
              faint, padded, clock->sign);
 }
 

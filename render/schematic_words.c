@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "render/markup.h"
 #include "render/schematic_words.h"
 
 const char *bead_cell_word(size_t beads, bool several)
@@ -45,5 +46,5 @@ void bead_material_words(const struct bead_material *material, char *out, size_t
         bead_quantity(1e3 * material->mass, "g", 3, mass, sizeof mass);
     else
         snprintf(mass, sizeof mass, "%.3g kg", material->mass);
-    snprintf(out, size, "%s, <span face=\"STIX\"><i>R</i></span> = %s, %s", name, radius, mass);
+    snprintf(out, size, "%s, " BEAD_SYMBOL("R") " = %s, %s", name, radius, mass);
 }

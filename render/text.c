@@ -6,18 +6,50 @@
 #include <string.h>
 
 #include "beadreel/look.h"
+#include "render/markup.h"
 
 /* Middle of digits and capitals above the baseline, in units of the font size (STIX 0.34, Lato 0.36). */
 static const double digit_middle = 0.35;
 
+/* Symbols are set in STIX, whose letters are lower than Lato's by this. */
+static const char symbols[] = "STIX";
+static const double symbol_scale = 1.1;
+
+/* As high as the letters around them; within lowered and raised text, which has a size of its own, there is none to set. */
+static void match_symbols(PangoAttrList *attributes)
+{
+    GSList *all = pango_attr_list_get_attributes(attributes);
+    for (GSList *i = all; i; i = i->next) {
+        const PangoAttribute *face = i->data;
+        bool sized = false;
+        if (face->klass->type != PANGO_ATTR_FAMILY || strcmp(((const PangoAttrString *)i->data)->value, symbols) != 0)
+            continue;
+        for (GSList *k = all; k; k = k->next) {
+            const PangoAttribute *other = k->data;
+            bool size = other->klass->type == PANGO_ATTR_SCALE || other->klass->type == PANGO_ATTR_SIZE ||
+                        other->klass->type == PANGO_ATTR_ABSOLUTE_SIZE;
+            sized = sized || (size && other->start_index < face->end_index && other->end_index > face->start_index);
+        }
+        if (sized)
+            continue;
+        PangoAttribute *scale = pango_attr_scale_new(symbol_scale);
+        scale->start_index = face->start_index;
+        scale->end_index = face->end_index;
+        pango_attr_list_insert(attributes, scale);
+    }
+    g_slist_free_full(all, (GDestroyNotify)pango_attribute_destroy);
+}
+
 /* Broken markup is shown as it stands: Pango's own call would print a warning. */
-static void set_contents(PangoLayout *layout, const char *markup)
+static void set_contents(PangoLayout *layout, const char *family, const char *markup)
 {
     PangoAttrList *attributes = NULL;
     char *text = NULL;
     if (pango_parse_markup(markup, -1, 0, &attributes, &text, NULL, NULL)) {
         pango_layout_set_text(layout, text, -1);
         pango_attr_list_insert(attributes, pango_attr_font_features_new("liga=0")); /* Lato joins the t and i of "time" */
+        if (strcmp(family, symbols) != 0)
+            match_symbols(attributes);
         pango_layout_set_attributes(layout, attributes);
         pango_attr_list_unref(attributes);
         g_free(text);
@@ -57,7 +89,7 @@ static PangoLayout *make_layout(cairo_t *cr, const struct bead_text_style *style
         pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
         pango_layout_set_alignment(layout, alignments[style->across]);
     }
-    set_contents(layout, markup);
+    set_contents(layout, style->family, markup);
     return layout;
 }
 
@@ -191,5 +223,5 @@ void bead_text_magnetism(double magnetism, char *out, size_t size)
         if (point)
             break;
     }
-    snprintf(out, size, "<span face=\"STIX\"><i>M</i> = %s</span>", number);
+    snprintf(out, size, BEAD_SYMBOL("M") " = %s", number);
 }
