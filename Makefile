@@ -28,12 +28,13 @@ CI_DEPS    = clang-format cppcheck shellcheck ffmpeg poppler-utils man-db
 once              = $(eval $(1) := $(2))$($(1))
 # Plain `hdf5` may be a build for MPI, where one is installed beside the serial one.
 hdf5              = $(call once,hdf5,$(shell pkg-config --exists hdf5-serial 2>/dev/null && echo hdf5-serial || echo hdf5))
-SIM_PACKAGES      = $(hdf5) yaml-0.1 udunits fftw3
+SIM_PACKAGES      = $(hdf5) yaml-0.1 udunits
 # Opened at run time where they are, linked by nothing; only their headers are needed.
+SIM_OPENED        = fftw3
 OPENED_PACKAGES   = osmesa egl libavformat libavcodec libavutil x264
 RENDER_PACKAGES   = libpng cairo pangocairo
-sim_cflags        = $(call once,sim_cflags,$(shell pkg-config --cflags $(SIM_PACKAGES)))
-sim_libs          = $(call once,sim_libs,$(shell pkg-config --libs $(SIM_PACKAGES)) -lhdf5_hl -lm -pthread)
+sim_cflags        = $(call once,sim_cflags,$(shell pkg-config --cflags $(SIM_PACKAGES) $(SIM_OPENED)))
+sim_libs          = $(call once,sim_libs,$(shell pkg-config --libs $(SIM_PACKAGES)) -lhdf5_hl -lm -ldl -pthread)
 render_cflags     = $(call once,render_cflags,$(shell pkg-config --cflags $(RENDER_PACKAGES) $(OPENED_PACKAGES)))
 render_libs       = $(call once,render_libs,$(shell pkg-config --libs $(RENDER_PACKAGES)) -ldl)
 # Tests and benches read movies.
@@ -101,7 +102,7 @@ WAIT = $(filter deps deps-ci,$(MAKECMDGOALS))
 $(BUILD)/.ready: | $(WAIT)
 	@mkdir -p $(@D)
 	@pkg-config --version >/dev/null 2>&1 || { echo >&2 "pkg-config is missing: run 'make deps' first."; exit 1; }
-	@missing=; for p in $(SIM_PACKAGES) $(RENDER_PACKAGES) $(OPENED_PACKAGES); do pkg-config --exists $$p || missing="$$missing $$p"; done; \
+	@missing=; for p in $(SIM_PACKAGES) $(SIM_OPENED) $(RENDER_PACKAGES) $(OPENED_PACKAGES); do pkg-config --exists $$p || missing="$$missing $$p"; done; \
 	echo '#include <Random123/philox.h>' | $(CC) -E - >/dev/null 2>&1 || missing="$$missing Random123"; \
 	[ -z "$$missing" ] || { echo >&2 "Libraries are missing:$$missing. Run 'make deps' first."; exit 1; }
 	@touch $@
@@ -227,7 +228,7 @@ install: all ## install to PREFIX (default /usr/local), below DESTDIR
 	done
 	printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: beadsim' \
 	    'Description: Waves in chains of beads: simulation' 'Version: $(VERSION)' 'Requires.private: $(SIM_PACKAGES)' \
-	    'Libs: -L$${libdir} -lbeadsim' 'Libs.private: -lhdf5_hl -lm -pthread' 'Cflags: -I$${includedir}' \
+	    'Libs: -L$${libdir} -lbeadsim' 'Libs.private: -lhdf5_hl -lm -ldl -pthread' 'Cflags: -I$${includedir}' \
 	    > $(DESTDIR)$(LIBDIR)/pkgconfig/beadsim.pc
 	printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: beadreel' \
 	    'Description: Waves in chains of beads: pictures and movies' 'Version: $(VERSION)' 'Requires: beadsim cairo' \

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "render/area_kernels.h"
-#include "render/large.h"
+#include "sim/large.h"
 
 static double *numbers(size_t count)
 {

@@ -3,12 +3,14 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "beadreel/colormap.h"
 #include "render/area_colours.h"
 #include "render/colour_range.h"
 #include "render/figure.h"
 #include "render/page.h"
+#include "sim/large.h"
 
 struct bead_bare {
     const struct bead_output *output;
@@ -154,9 +156,11 @@ enum bead_error bead_bare_write(const struct bead_bare *b, const char *path, uin
 {
     struct bead_picture_notes notes;
     char description[512];
-    uint8_t *indices = calloc((size_t)b->page.width, (size_t)b->page.height);
+    const size_t count = (size_t)b->page.width * (size_t)b->page.height;
+    uint8_t *indices = bead_large_take(count);
     if (!indices)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for an image", path);
+    memset(indices, 0, count);
     bead_page_notes(&b->page, b->output, b->stage.scene, description, sizeof description, &notes);
     enum bead_error err = fill_indices(b, indices, msg);
     struct pixels pixels = {&b->page, indices, &b->map};

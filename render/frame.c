@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/large.h"
+
 static int least(int a, int b)
 {
     return a < b ? a : b;
@@ -14,7 +16,7 @@ static int most(int a, int b)
 }
 
 /* Cairo takes no more than 32767 pixels a side. */
-enum { LARGEST_SIDE = 32767, ALIGNMENT = 64 };
+enum { LARGEST_SIDE = 32767, ALIGNMENT = 64, SMALL = 1 << 20 };
 
 enum bead_error bead_frame_create(int width, int height, struct bead_frame *frame, struct bead_message *msg)
 {
@@ -23,10 +25,11 @@ enum bead_error bead_frame_create(int width, int height, struct bead_frame *fram
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a picture of %d x %d pixels: sides of 1 to %d are allowed", width, height,
                          LARGEST_SIDE);
     size_t stride = ((size_t)width * 4 + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-    uint8_t *pixels = aligned_alloc(ALIGNMENT, stride * (size_t)height);
+    size_t bytes = stride * (size_t)height;
+    uint8_t *pixels = bytes < SMALL ? aligned_alloc(ALIGNMENT, bytes) : bead_large_take(bytes); /* whole pages */
     if (!pixels)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a picture of %d x %d pixels", width, height);
-    memset(pixels, 0, stride * (size_t)height);
+    memset(pixels, 0, bytes);
     frame->width = width;
     frame->height = height;
     frame->stride = stride;

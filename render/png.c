@@ -10,6 +10,7 @@
 #include "beadreel/file.h"
 #include "beadreel/picture.h"
 #include "render/deflate.h"
+#include "sim/large.h"
 
 struct writer {
     png_structp png;
@@ -229,7 +230,7 @@ enum bead_error bead_png_write(const char *path, const struct bead_frame *frame,
                                uint64_t *bytes, struct bead_message *msg)
 {
     struct image image = {.width = frame->width, .height = frame->height, .frame = frame, .notes = notes};
-    uint8_t *indices = malloc((size_t)frame->width * (size_t)frame->height);
+    uint8_t *indices = bead_large_take((size_t)frame->width * (size_t)frame->height);
     if (!indices)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for %d x %d pixels", path, frame->width, frame->height);
     if (find_palette(frame, indices, &image))

@@ -15,6 +15,7 @@
 #include "render/horizon.h"
 #include "render/raster.h"
 #include "render/views.h"
+#include "sim/large.h"
 
 struct bead_view {
     struct bead_view_setup setup;
@@ -83,7 +84,7 @@ static enum bead_error prepare(struct bead_view *v, struct bead_message *msg)
         err = bead_horizon_create(&setup, &v->horizon, msg);
     if (err)
         return err;
-    v->indices = malloc((size_t)v->plot.width * (size_t)v->plot.height);
+    v->indices = bead_large_take((size_t)v->plot.width * (size_t)v->plot.height);
     return v->indices ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a space-time image");
 }
 

@@ -179,7 +179,8 @@ char *bead_h5_read_text(struct bead_h5 *h5, const char *name, size_t limit)
         bead_h5_fail(h5, false, "%s must be a text of at most %zu bytes", name, limit);
         return NULL;
     }
-    BEAD_H5_AUTO memory = text_type_like(type, size + 1);
+    /* As it is stored, where it has a NUL: HDF5 takes half a megabyte to change the length of one text. */
+    BEAD_H5_AUTO memory = text_type_like(type, H5Tget_strpad(type) == H5T_STR_NULLTERM ? size : size + 1);
     char *text = calloc(1, size + 1);
     if (!text) {
         h5->error = bead_fail(h5->msg, BEAD_ERROR_MEMORY, "%s: no memory for %s", h5->path, name);

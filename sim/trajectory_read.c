@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "sim/derive.h"
+#include "sim/large.h"
 
 const struct bead_scene *bead_trajectory_scene(const struct bead_trajectory *t)
 {
@@ -70,7 +71,7 @@ static enum bead_error read_ahead(struct bead_trajectory *t, struct bead_source 
 {
     if (source->held && index >= source->first && index - source->first < source->held)
         return BEAD_OK;
-    if (!source->block && !(source->block = calloc(t->block_rows * source->columns, sizeof(double))))
+    if (!source->block && !(source->block = bead_large_take(t->block_rows * source->columns * sizeof(double))))
         return bead_trajectory_no_memory(t);
     size_t first = index - index % t->block_rows;
     size_t count = t->samples - first < t->block_rows ? t->samples - first : t->block_rows;

@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "render/area_colours.h"
-#include "render/large.h"
+#include "sim/large.h"
 
 enum { BEADS = 40, COLUMNS = 53 };
 
