@@ -76,8 +76,10 @@ static void reserve(struct bead_deflate *d, size_t more)
     size_t room = 2 * d->room + more;
     uint8_t *out = realloc(d->out, room);
     d->failed = !out;
-    d->out = out ? out : d->out;
-    d->room = out ? room : d->room;
+    if (!out)
+        return;
+    d->out = out;
+    d->room = room;
 }
 
 /* At most 32; room for them was reserved. */

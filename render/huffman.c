@@ -24,7 +24,7 @@ static int compare(const void *a, const void *b)
 static void find_depths(const struct leaf *leaves, size_t count, size_t at_depth[DEEPEST + 1])
 {
     uint64_t often[BEAD_HUFFMAN_MOST];
-    size_t parent[2 * BEAD_HUFFMAN_MOST], leaf = 0, node = 0, made = 0;
+    size_t parent[2 * BEAD_HUFFMAN_MOST] = {0}, leaf = 0, node = 0, made = 0;
     unsigned depth[2 * BEAD_HUFFMAN_MOST];
     for (; made + 1 < count; made++) {
         often[made] = 0;
@@ -72,7 +72,7 @@ static uint16_t reversed(unsigned bits, unsigned length)
 
 void bead_huffman_make(size_t count, const uint32_t *often, unsigned longest, struct bead_code *codes)
 {
-    struct leaf leaves[BEAD_HUFFMAN_MOST];
+    struct leaf leaves[BEAD_HUFFMAN_MOST] = {{0, 0}};
     size_t used = 0, at_depth[DEEPEST + 1] = {0}, next = 0;
     unsigned code = 0;
     memset(codes, 0, count * sizeof *codes);
