@@ -34,7 +34,8 @@ SIM_OPENED        = fftw3
 OPENED_PACKAGES   = osmesa egl libavformat libavcodec libavutil x264
 RENDER_PACKAGES   = libpng cairo pangocairo
 sim_cflags        = $(call once,sim_cflags,$(shell pkg-config --cflags $(SIM_PACKAGES) $(SIM_OPENED)))
-sim_libs          = $(call once,sim_libs,$(shell pkg-config --libs $(SIM_PACKAGES)) -lhdf5_hl -lm -ldl -pthread)
+# The loader looks names up in this order: HDF5 and what hangs on it need most, and all need the C library.
+sim_libs          = $(call once,sim_libs,$(shell pkg-config --libs $(hdf5)) -lc $(shell pkg-config --libs $(SIM_PACKAGES)) -lhdf5_hl -lm -ldl -pthread)
 render_cflags     = $(call once,render_cflags,$(shell pkg-config --cflags $(RENDER_PACKAGES) $(OPENED_PACKAGES)))
 render_libs       = $(call once,render_libs,$(shell pkg-config --libs $(RENDER_PACKAGES)) -ldl)
 # Tests and benches read movies.
@@ -150,7 +151,7 @@ $(BUILD)/libbeadreel.so: $(RENDER_OBJECTS) $(BUILD)/libbeadsim.so
 $(BUILD)/beadsim: $(BUILD)/sim/beadsim.o $(COMMAND_OBJECTS) $(BUILD)/libbeadsim.a
 	$(call say,LD,$@) $(run) $(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(sim_libs)
 $(BUILD)/beadreel: $(BUILD)/render/beadreel.o $(COMMAND_OBJECTS) $(BUILD)/libbeadreel.a $(BUILD)/libbeadsim.a
-	$(call say,LD,$@) $(run) $(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(render_libs) $(sim_libs)
+	$(call say,LD,$@) $(run) $(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(sim_libs) $(render_libs)
 
 demo: $(BUILD)/beadreel ## a clean beside a delocalised wave: movie, pictures, data into demo/
 	BEADREEL_ASSETS=assets $(BUILD)/beadreel clean-vs-delocalised -o $(DEMO)
