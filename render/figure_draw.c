@@ -23,12 +23,21 @@ static double width_of(cairo_t *cr, const struct bead_text_style *style, const c
     return width;
 }
 
+static void to_markup(const char *text, bool marked, char *markup, size_t size)
+{
+    if (marked)
+        bead_markup(text, markup, size);
+    else
+        bead_text_escape(text, markup, size);
+}
+
 /* Text that fits into `room`: cut with an ellipsis where it must be. False: nothing fits. */
-static bool fit(cairo_t *cr, const struct bead_text_style *style, const char *text, double room, char *markup, size_t size)
+static bool fit(cairo_t *cr, const struct bead_text_style *style, const char *text, bool marked, double room, char *markup,
+                size_t size)
 {
     char cut[512];
     snprintf(cut, sizeof cut, "%.500s", text);
-    bead_text_escape(cut, markup, size);
+    to_markup(cut, marked, markup, size);
     size_t length = strlen(cut);
     while (width_of(cr, style, markup) > room) {
         while (length > 0 && ((unsigned char)cut[length - 1] & 0xC0) == 0x80)
@@ -37,7 +46,7 @@ static bool fit(cairo_t *cr, const struct bead_text_style *style, const char *te
         if (length == 0)
             return false;
         snprintf(cut + length, sizeof cut - length, "\u2026");
-        bead_text_escape(cut, markup, size);
+        to_markup(cut, marked, markup, size);
         cut[length] = '\0';
     }
     return *markup != '\0';
@@ -46,6 +55,7 @@ static bool fit(cairo_t *cr, const struct bead_text_style *style, const char *te
 struct words {
     char letter[128], magnetism[128], moment[160];
     const char *name, *label;
+    bool marked; /* the name is for bead_markup: a panel's title */
 };
 
 /* No more digits than the time needs, five at most. */
@@ -69,12 +79,13 @@ static void part_words(const struct bead_figure *f, struct words *words)
     bool alone = f->cell_count == 1;
     if (alone && f->set.title)
         words->name = f->set.title;
+    words->marked = words->name == f->set.title;
     snprintf(words->letter, sizeof words->letter, "%s%s%s", f->set.letter, !alone && f->set.title && *f->set.letter ? " " : "",
              !alone && f->set.title ? f->set.title : "");
     if (!f->stills)
         return;
     time_words(f->at, bead_chain_time_unit(f->stage.chains[0]), time, sizeof time);
-    snprintf(words->moment, sizeof words->moment, "t = %s", time);
+    snprintf(words->moment, sizeof words->moment, BEAD_SYMBOL("t") " = %s", time);
 }
 
 static bool words_of(const struct bead_figure *f, const struct bead_cell *cell, struct words *words)
@@ -132,15 +143,19 @@ static void shorten(struct words *words, enum terseness terse)
 /* Width of the heading, its name no longer than `longest`; draws it where cr is there and `draw` says so. */
 static double put_heading(cairo_t *cr, const struct heading *h, double x, double y, double room, double longest, bool draw)
 {
-    char name[1024], label[1024], letters[640];
+    char name[4096], label[1024], letters[2048];
     const struct bead_text_style *styles[] = {&h->letter, &h->name, &h->magnetism, &h->label};
     const double after[] = {h->gap, h->gap, 2 * h->gap, 0};
-    bead_text_escape(h->words.label, label, sizeof label);
-    bead_text_escape(h->words.letter, letters, sizeof letters);
-    bead_text_escape(h->words.name, name, sizeof name);
+    if (h->words.label == h->words.moment)
+        snprintf(label, sizeof label, "%s", h->words.moment);
+    else
+        bead_text_escape(h->words.label, label, sizeof label);
+    bead_markup(h->words.letter, letters, sizeof letters);
+    to_markup(h->words.name, h->words.marked, name, sizeof name);
     double letter = *h->words.letter ? width_of(cr, &h->letter, letters) + h->gap : 0;
     double after_name = *h->words.magnetism ? h->gap + width_of(cr, &h->magnetism, h->words.magnetism) : 0;
-    if (draw && !fit(cr, &h->name, h->words.name, room - letter - after_name, name, sizeof name))
+    after_name += *label ? 2 * h->gap + width_of(cr, &h->label, label) : 0;
+    if (draw && !fit(cr, &h->name, h->words.name, h->words.marked, room - letter - after_name, name, sizeof name))
         name[0] = '\0';
     const char *words[] = {letters, name, h->words.magnetism, label};
     double begin = x, end = x;
@@ -222,7 +237,7 @@ bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
     bold.bold = true;
     right.across = *title ? BEAD_ALIGN_END : BEAD_ALIGN_START;
     double y = f->line.y + look->title, taken = width_of(cr, &right, moment);
-    if (*title && fit(cr, &bold, title, f->line.width - (taken > 0 ? taken + 2 * look->label : 0), markup, sizeof markup))
+    if (*title && fit(cr, &bold, title, false, f->line.width - (taken > 0 ? taken + 2 * look->label : 0), markup, sizeof markup))
         bead_text_draw(cr, &bold, f->line.x, y, markup);
     if (*moment)
         bead_text_draw(cr, &right, *title ? f->line.x + f->line.width : f->line.x, y, moment);

@@ -317,6 +317,13 @@ static void put_everything(struct bead_figure *f, const struct plan *plan)
     f->bar = (struct bead_rect){right + (int)fmax(ceil(reach) + round(0.3 * em), round(bar_gap * em)), top, width, bottom - top};
 }
 
+/* Of the bar beside all rows. */
+static int bar_height(struct bead_figure *f, const struct plan *plan)
+{
+    put_everything(f, plan);
+    return f->bar.height;
+}
+
 /* Twice: what axes take depends on the size of plots, and that on what axes take. */
 static enum bead_error settle(struct bead_figure *f, struct plan *plan, struct bead_message *msg)
 {
@@ -328,7 +335,7 @@ static enum bead_error settle(struct bead_figure *f, struct plan *plan, struct b
         err = measure_all(f, plan, msg);
         if (!err && has_bar(f)) {
             double reach = plan->right[f->columns - 1], gap = fmax(ceil(reach) + round(0.3 * em), round(bar_gap * em));
-            plan->bar_room = larger(plan->least.right, gap + round(bar_width * em) + ceil(bar_labels(f, plan->height[0])));
+            plan->bar_room = larger(plan->least.right, gap + round(bar_width * em) + ceil(bar_labels(f, bar_height(f, plan))));
         }
         if (!err)
             err = divide(f, plan, msg);

@@ -36,11 +36,21 @@ static size_t character(const char *text)
     return length;
 }
 
-/* Returns what follows the character. */
+/* Returns what follows the character. Lines do not end beside a sign of equality. */
 static const char *put_character(struct writer *w, const char *text)
 {
+    static const char fixed_space[] = "\u00a0";
     char plain[8] = "", escaped[16];
     size_t length = character(text);
+    if (text[0] == ' ' && text[1] == '=') {
+        put(w, fixed_space);
+        return text + 1;
+    }
+    if (text[0] == '=' && text[1] == ' ') {
+        put(w, "=");
+        put(w, fixed_space);
+        return text + 2;
+    }
     memcpy(plain, text, length < sizeof plain ? length : sizeof plain - 1);
     bead_text_escape(plain, escaped, sizeof escaped);
     put(w, escaped);

@@ -68,7 +68,7 @@ static enum bead_error make_panel(struct bead_sheet *s, size_t index, struct bea
     panel->set = (struct bead_part_settings){.chain = own ? SIZE_MAX : panel->output->chain, .title = panel->output->panel_title};
     make_letter(s, index, panel->set.letter, sizeof panel->set.letter);
     if (panel->output->panel_title)
-        bead_markup_quote(panel->output->panel_title, panel->title, sizeof panel->title);
+        snprintf(panel->title, sizeof panel->title, "%s", panel->output->panel_title);
     if (panel->output->kind == BEAD_OUTPUT_PLOT)
         return bead_plot_data_create(panel->output, &s->stage, panel->set.chain, &panel->plot, msg);
     return bead_figure_create_part(panel->output, &s->stage, &s->page, &s->look, &panel->set, &panel->figure, msg);

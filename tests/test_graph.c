@@ -370,6 +370,7 @@ static void test_markup(void **state)
                  {"a<b & c", "a&lt;b &amp; c", NULL},
                  {"chain\\_1", "chain_1", "<"},
                  {"α_β^γ", ">β<", "α_"},
+                 {"*t* = 8.98", "\u00a0=\u00a08.98", " = "},
                  {"open {", "open {", NULL},
                  {"end_", "end_", NULL},
                  {"*F*_{max, *N*}", "<i>N</i>", "{"}};

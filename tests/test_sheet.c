@@ -209,12 +209,42 @@ static void test_trajectories_draw_the_same(void **state)
     free(second.rgb);
 }
 
+/* Bars whose labels become wider once their range is known; long titles beside moments. */
+static void test_panels_are_not_cut(void **state)
+{
+    (void)state;
+    static const char *const panels[] = {
+        "[[{field: force}, {field: velocity, views: [beads, spacetime], at: 0.2 ms}], [{show: peaks}, {show: peaks}]]",
+        "[[{field: velocity, views: [beads, profile, spacetime]}, {field: displacement, views: [profile, spacetime]}]]",
+        "[[{field: velocity, views: [profile], at: 0.2 ms, title: \"A title that has no room at all *F*_{max} in whatever is left "
+        "of "
+        "the width of this, and goes on for quite a while until it ends at *M* = 1\"}], [{show: peaks}]]"};
+    static const char *const styles[] = {"style: paper, dpi: 110", "style: paper, dpi: 200", "size: [900, 600]"};
+    char path[512], directory[512], text[1400];
+    in_directory("", directory, sizeof directory);
+    in_directory("cut.yaml", path, sizeof path);
+    for (size_t i = 0; i < 9; i++) {
+        char picture[512];
+        snprintf(
+            text, sizeof text,
+            "chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{cell: [large-steel, aluminium], count: 20}]}\n"
+            "outputs: [{image: cut.png, %s, panels: %s}]\n",
+            styles[i % 3], panels[i / 3]);
+        write_text(path, text);
+        run_job(path, directory);
+        in_directory("cut.png", picture, sizeof picture);
+        struct png_file png = read_png(picture);
+        assert_border_white(&png, panels[i / 3]);
+        free(png.rgb);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_plots_stand_in_rows_and_columns), cmocka_unit_test(test_labels_and_bars_are_shared),
         cmocka_unit_test(test_ranges_are_those_of_the_field),   cmocka_unit_test(test_stills_mark_their_moment),
-        cmocka_unit_test(test_trajectories_draw_the_same),
+        cmocka_unit_test(test_trajectories_draw_the_same),      cmocka_unit_test(test_panels_are_not_cut),
     };
     return cmocka_run_group_tests_name("sheets", tests, make_directory, remove_directory);
 }
