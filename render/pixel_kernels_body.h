@@ -27,11 +27,28 @@ struct run {
     int first, end;
 };
 
+/* As expressions: the library's functions cost a call. Where `a` is not a number, it is `b`. */
+static inline float least(float a, float b)
+{
+    return a < b ? a : b;
+}
+
+static inline float most(float a, float b)
+{
+    return a > b ? a : b;
+}
+
+/* The first pixel whose middle is at `x` or behind it, within low..high, which are not negative. */
+static inline int pixel_from(float x, int low, int high)
+{
+    const float at = least(most(x - 0.5f, (float)low), (float)high);
+    return (int)at + ((float)(int)at < at);
+}
+
 /* Those whose middles are from `from` on and before `to`, within first..first + length - 1. */
 static inline struct run run_of(float from, float to, int first, int length)
 {
-    float low = fmaxf(ceilf(from - 0.5f), (float)first), high = fminf(ceilf(to - 0.5f), (float)first + (float)length);
-    return low < high ? (struct run){(int)low, (int)high} : (struct run){0, 0};
+    return (struct run){pixel_from(from, first, first + length), pixel_from(to, first, first + length)};
 }
 
 /* `cover` of pixels within the run, 0 elsewhere. */

@@ -2,6 +2,15 @@
 
 /* Cover of the pixels in `px` of row `py`, before the mark's own opacity. */
 typedef reals mark_cover(const struct bead_mark *m, reals px, float py);
+/* Where else than in reach[0]..reach[1] a row is not covered; from the whole box. */
+typedef void mark_reach(const struct bead_mark *m, float py, float reach[2]);
+
+static inline void whole_box(const struct bead_mark *m, float py, float reach[2])
+{
+    (void)m;
+    (void)py;
+    (void)reach;
+}
 
 static inline float extent_of(const struct bead_mark *m, int axis)
 {
@@ -55,34 +64,63 @@ static inline reals glow_cover(const struct bead_mark *m, reals px, float py)
     return fall * fall;
 }
 
+/* The two lines of a way to a lens at a row: their places, and what their slope makes of distances along it. */
+struct rails {
+    float at[2], steep[2];
+};
+
+static inline struct rails rails_of(const struct bead_mark *m, float py)
+{
+    const float height = m->box[3] - m->box[1], down = least(1, most(0, (py - m->box[1]) / height));
+    const float part = down * down * (3.0f - 2.0f * down), slope = 6.0f * down * (1.0f - down) / height;
+    struct rails rails;
+    for (int side = 0; side < 2; side++) {
+        const float way = m->shape[side + 2] - m->shape[side], lean = way * slope;
+        rails.at[side] = m->shape[side] + part * way;
+        rails.steep[side] = sqrtf(1.0f + lean * lean);
+    }
+    return rails;
+}
+
+static inline void zoom_reach(const struct bead_mark *m, float py, float reach[2])
+{
+    const struct rails rails = rails_of(m, py);
+    const bool top = py < m->box[1] + 3;
+    float from = rails.at[0], to = rails.at[0];
+    for (int side = 0; side < 2; side++) {
+        const float wide = 1.1f * rails.steep[side] + 1, place = top ? m->shape[side] : rails.at[side];
+        from = least(from, least(rails.at[side] - wide, place - 1));
+        to = most(to, most(rails.at[side] + wide, place + 1));
+    }
+    reach[0] = from;
+    reach[1] = to;
+}
+
 static inline reals zoom_cover(const struct bead_mark *m, reals px, float py)
 {
-    const float height = m->box[3] - m->box[1], down = fminf(1, fmaxf(0, (py - m->box[1]) / height));
-    const float part = down * down * (3.0f - 2.0f * down), slope = 6.0f * down * (1.0f - down) / height;
-    float at[2];
+    const struct rails rails = rails_of(m, py);
     reals lines = all(0);
-    for (int side = 0; side < 2; side++) {
-        const float top = m->shape[side], bottom = m->shape[side + 2], lean = (bottom - top) * slope;
-        at[side] = top + part * (bottom - top);
-        lines = LARGER(lines, clamp(1.1f - magnitude(px - at[side]) * (1 / sqrtf(1.0f + lean * lean))));
-    }
-    reals rail = within(all(py), all(m->box[1]), all(m->box[1] + 2)); /* a line of two pixels along the top */
-    reals edges = LARGER(0.6f * lines, rail * within(px, all(m->shape[0]), all(m->shape[1])));
-    return within(all(py), all(m->box[1]), all(m->box[3])) * LARGER(0.13f * within(px, all(at[0]), all(at[1])), edges);
+    for (int side = 0; side < 2; side++)
+        lines = LARGER(lines, clamp(1.1f - magnitude(px - rails.at[side]) * (1 / rails.steep[side])));
+    reals top = within(all(py), all(m->box[1]), all(m->box[1] + 2)); /* a line of two pixels */
+    reals edges = LARGER(0.6f * lines, top * within(px, all(m->shape[0]), all(m->shape[1])));
+    return within(all(py), all(m->box[1]), all(m->box[3])) * LARGER(0.13f * within(px, all(rails.at[0]), all(rails.at[1])), edges);
 }
 
 /* How much of its light a mark also hides. */
 static inline __attribute__((always_inline)) void paint_mark(const struct bead_ground *g, const struct bead_mark *m,
-                                                             mark_cover *cover_of, float hiding)
+                                                             mark_cover *cover_of, mark_reach *reach_of, float hiding)
 {
     float bgra[4];
     for (int c = 0; c < 4; c++)
         bgra[c] = (float)m->rgba[c < 3 ? 2 - c : 3] * (1 / 255.0f);
     /* Pixels whose middles are no more than a pixel outside of the box. */
     const struct run rows = run_of(m->box[1] - 1, m->box[3] + 1, g->clip.y, g->clip.height);
-    const struct run run = run_of(m->box[0] - 1, m->box[2] + 1, g->clip.x, g->clip.width);
     const int last = last_start(g);
     for (int y = rows.first; y < rows.end; y++) {
+        float reach[2] = {m->box[0] - 1, m->box[2] + 1};
+        reach_of(m, (float)y + 0.5f, reach);
+        const struct run run = run_of(most(reach[0], m->box[0] - 1), least(reach[1], m->box[2] + 1), g->clip.x, g->clip.width);
         for (int x = run.first; x < run.end; x += LANES) {
             const int at = x < last ? x : last;
             reals px = middles(at), cover = keep_run(cover_of(m, px, (float)y + 0.5f) * bgra[3], px, (struct run){x, run.end});
@@ -94,17 +132,17 @@ static inline __attribute__((always_inline)) void paint_mark(const struct bead_g
     }
 }
 
-#define MARK_FUNCTION(kind, hiding)                                                  \
+#define MARK_FUNCTION(kind, reach, hiding)                                           \
     static void paint_##kind(const struct bead_ground *g, const struct bead_mark *m) \
     {                                                                                \
-        paint_mark(g, m, kind##_cover, hiding);                                      \
+        paint_mark(g, m, kind##_cover, reach, hiding);                               \
     }
-MARK_FUNCTION(box, 1)
-MARK_FUNCTION(hatched, 1)
-MARK_FUNCTION(ring, 1)
-MARK_FUNCTION(arrow, 1)
-MARK_FUNCTION(glow, 0.35f)
-MARK_FUNCTION(zoom, 1)
+MARK_FUNCTION(box, whole_box, 1)
+MARK_FUNCTION(hatched, whole_box, 1)
+MARK_FUNCTION(ring, whole_box, 1)
+MARK_FUNCTION(arrow, whole_box, 1)
+MARK_FUNCTION(glow, whole_box, 0.35f)
+MARK_FUNCTION(zoom, zoom_reach, 1)
 #undef MARK_FUNCTION
 
 static void paint_marks(const struct bead_ground *g, const struct bead_mark *marks, size_t count)

@@ -1,5 +1,5 @@
 /* Golden pictures: every tests/golden/NAME.yaml is run and its picture, or the middle frame of its movie, compared with NAME.png.
- * Fonts and Mesa differ a little from one release to the next, so a few pixels may differ, the more the less. Where too many do,
+ * Fonts differ a little from one release to the next, so a few pixels may differ, the more the less. Where too many do,
  * BUILD/golden/NAME.png shows what was expected, what came and the difference, side by side.
  * `make golden` (BEADREEL_GOLDEN=update) makes the pictures anew; look at them before they are committed. */
 /* clang-format off: cmocka wants these first */
