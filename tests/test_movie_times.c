@@ -11,11 +11,10 @@
 
 #include <cmocka.h>
 
-#include "beadreel/render.h"
-#include "beadreel/session.h"
 #include "decode.h"
 #include "render/movie_times.h"
 #include "scratch.h"
+#include "sessions.h"
 
 static void pictures_are_counted(void **state)
 {
@@ -45,7 +44,6 @@ static void pictures_are_counted(void **state)
 /* The same film; animated PNG has the same pixels at all qualities. */
 static void film(const char *quality, const char *fps, struct decoded *movie)
 {
-    const struct bead_sink_type *const *const sinks[] = {bead_data_sinks(), bead_render_sinks(), NULL};
     char scene[512], text[600], path[512];
     snprintf(text, sizeof text,
              "chain: {beads: [{bead: large-steel, count: 9}], striker: {bead: large-steel, velocity: 0.4 m/s}}\n"
@@ -53,19 +51,7 @@ static void film(const char *quality, const char *fps, struct decoded *movie)
              "outputs: [{movie: film.apng, size: [320, 180], quality: %s, fps: %s, duration: 0.5 s}]\n",
              quality, fps);
     write_scene(text, scene);
-    struct bead_session *session;
-    struct bead_message msg = {""};
-    struct bead_job job;
-    bead_job_default(&job);
-    job.input = scene;
-    job.output = directory;
-    job.sinks = sinks;
-    enum bead_error err = bead_session_open(&job, &session, &msg);
-    if (!err)
-        err = bead_session_run(session, &msg);
-    bead_session_close(session);
-    if (err)
-        fail_msg("%s", msg.text);
+    play_counts((struct bead_job){.input = scene, .output = directory});
     snprintf(path, sizeof path, "%s/film.apng", directory);
     decode(path, movie);
 }

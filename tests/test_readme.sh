@@ -1,5 +1,5 @@
 #!/bin/bash
-# What the README shows is true: its scene, its library example, its files.
+# What the README shows is true: its scenes, its commands, its library example, its files.
 source "$(dirname "$0")/shell.bash"
 readme=$top/README.md
 # block LANGUAGE NUMBER : the text of a code block
@@ -7,7 +7,21 @@ block() { awk -v want="\`\`\`$1" -v n="$2" '/^```/ {if (inside) {inside = 0; nex
 block yaml 1 >"$T/scene.yaml"
 block c 1 >"$T/minimal.c"
 ok "the example is tests/examples/minimal.c" diff "$T/minimal.c" "$top/tests/examples/minimal.c"
-ok "the scene is right" exits 0 "$BUILD/beadreel" --plan "$T/scene.yaml"
+scenes=$(grep -c '^```yaml' "$readme")
+for ((n = 1; n <= scenes; n++)); do
+    block yaml $n >"$T/block.yaml"
+    ok "scene $n is right" exits 0 "$BUILD/beadreel" --plan "$T/block.yaml"
+done
+# Of what "Use" shows, the lines that run a scene.
+uses_plan() {
+    local line count=0
+    while IFS= read -r line; do
+        (cd "$T" && eval "\"$BUILD/${line%% *}\" --plan ${line#* }") >/dev/null || { echo "$line"; return 1; }
+        count=$((count + 1))
+    done < <(sed -n '/^## Use/,/^## /p' "$readme" | sed 's/ *#.*//' | grep -E '^bead(reel|sim) (scene\.yaml|[a-z][a-z-]+ )')
+    [ $count -ge 4 ]
+}
+ok "the commands of Use are right" uses_plan
 cat >>"$T/small.yaml" <<'YAML'
 chain: {striker: {bead: large-steel, velocity: 1 m/s}, beads: [{bead: large-steel, count: 5}]}
 outputs: [{table: peaks.csv, show: peaks}]

@@ -11,40 +11,27 @@
 
 #include <cmocka.h>
 
-#include "beadreel/render.h"
-#include "beadreel/session.h"
 #include "decode.h"
 #include "scratch.h"
+#include "sessions.h"
 
 enum { FPS = 20, WIDTH = 640, HEIGHT = 360, TILES = 6, MOST_FRAMES = DECODED_MOST };
 
 /* The first output of a ready scene as a movie of another name and quality. */
 static void film(const char *scene, const char *name, const char *quality, const char *more, struct decoded *movie)
 {
-    const struct bead_sink_type *const *const sinks[] = {bead_data_sinks(), bead_render_sinks(), NULL};
     char path[64], size[64], fps[64], kind[64];
     snprintf(path, sizeof path, "outputs.0.movie=%s", name);
     snprintf(size, sizeof size, "outputs.0.size=[%d, %d]", WIDTH, HEIGHT);
     snprintf(fps, sizeof fps, "outputs.0.fps=%d", FPS);
     snprintf(kind, sizeof kind, "outputs.0.quality=%s", quality);
     const char *settings[] = {path, size, fps, kind, more}, *only[] = {name};
-    struct bead_session *session;
-    struct bead_message msg = {""};
-    struct bead_job job;
-    bead_job_default(&job);
-    job.input = scene;
-    job.output = directory;
-    job.sinks = sinks;
-    job.settings = settings;
-    job.setting_count = 5;
-    job.only = only;
-    job.only_count = 1;
-    enum bead_error err = bead_session_open(&job, &session, &msg);
-    if (!err)
-        err = bead_session_run(session, &msg);
-    bead_session_close(session);
-    if (err)
-        fail_msg("%s", msg.text);
+    play_counts((struct bead_job){.input = scene,
+                                  .output = directory,
+                                  .settings = settings,
+                                  .setting_count = sizeof settings / sizeof *settings,
+                                  .only = only,
+                                  .only_count = 1});
     char file[400];
     snprintf(file, sizeof file, "%s/%s", directory, name);
     decode(file, movie);
