@@ -16,9 +16,12 @@ picture horizon clean-vs-delocalised 'image: FILE, size: [680, 380], trust: true
 "$beadreel" panels --progress none -o "$to" --set outputs.0.image=panels.png --set outputs.0.dpi=110
 "$beadreel" teaching --only teaching.mp4 --progress none -o "$T" --set 'outputs.0.size=[800, 450]' --set outputs.0.fps=4 --set outputs.0.poster-at='0.8 ms'
 mv "$T/teaching.png" "$to"
+"$beadreel" clean-vs-delocalised --progress none -o "$to" --set simulate.until='1.9 ms' --set \
+    'outputs=[{movie: loop.gif, views: [beads, profile], size: [440, 300], fps: 12, duration: 3 s}]'
 picture force sweep 'plot: FILE, size: [720, 450]'
 picture sheet sweep 'sheet: FILE, size: [720, 450], theme: dark, configurations: 6, magnetism: [1, 0.97, 0.9, 0.5]'
 picture setup schematics 'plot: FILE, show: setup, size: [800, 300]'
+picture contact schematics 'plot: FILE, show: contact, size: [640, 400]'
 picture kdv kdv 'image: FILE, size: [640, 400]'
 picture fput fput 'plot: FILE, show: modes, modes: 4, size: [640, 400]'
 picture shock shock 'plot: FILE, show: profiles, at: [0, 2, 3.86, 6, 8], size: [640, 400]'
