@@ -1,7 +1,6 @@
 /* Frames of movies, to compare encoders by.
  *   pictures_frames raw MOVIE OUT.yuv       the frames as raw planes, 4:2:0 BT.709
- *   pictures_frames psnr MOVIE RAW.yuv      dB, of luma: of all pixels; of the blocks of 16 x 16 that differ from the frame before;
- *                                           of pictures against the frames of their times: drafts have fewer pictures
+ *   pictures_frames psnr MOVIE RAW.yuv      dB, of luma: of all pixels; of the blocks of 16 x 16 that differ from the frame before
  *   pictures_frames options QUALITY         this program's options for mp4 files, as those of `ffmpeg`
  */
 #include <libavcodec/avcodec.h>
@@ -29,8 +28,6 @@ struct job {
     uint8_t *now, *before; /* psnr: luma of the raw frames */
     struct errors all, changed;
     size_t frames;
-    size_t read;           /* psnr: raw frames */
-    double tick, duration; /* s: of the movie's times; of all of it */
     int (*frame)(struct job *job, const AVFrame *frame);
 };
 
@@ -97,17 +94,6 @@ static int write_raw(struct job *job, const AVFrame *frame)
     return status;
 }
 
-/* The raw frame at the picture's time: both files last equally long. */
-static long long index_of(struct job *job, const AVFrame *frame)
-{
-    double bytes = 1.5 * frame->width * frame->height;
-    long at = ftell(job->raw);
-    if (fseek(job->raw, 0, SEEK_END))
-        return -1;
-    double rate = (double)ftell(job->raw) / bytes / job->duration;
-    return fseek(job->raw, at, SEEK_SET) ? -1 : llround((double)frame->best_effort_timestamp * job->tick * rate);
-}
-
 static int read_luma(struct job *job, const AVFrame *frame)
 {
     size_t luma = (size_t)frame->width * (size_t)frame->height;
@@ -150,10 +136,8 @@ static int compare(struct job *job, const AVFrame *frame)
 {
     if (frame->format != AV_PIX_FMT_YUV420P)
         return complain("errors are measured of 4:2:0 only");
-    for (long long index = index_of(job, frame); (long long)job->read <= index; job->read++) {
-        if (read_luma(job, frame) < 0)
-            return -1;
-    }
+    if (read_luma(job, frame) < 0)
+        return -1;
     for (int y = 0; y < frame->height; y += SIDE) {
         for (int x = 0; x < frame->width; x += SIDE)
             compare_block(job, frame, x, y);
@@ -190,10 +174,6 @@ static int decode(struct job *job, const char *path)
         status = 0;
     else
         complain("the movie cannot be opened");
-    if (!status) {
-        job->tick = av_q2d(format->streams[stream]->time_base);
-        job->duration = (double)format->duration / AV_TIME_BASE;
-    }
     while (!status && av_read_frame(format, packet) >= 0) {
         if (packet->stream_index == stream)
             status = avcodec_send_packet(codec, packet) < 0 ? complain("decoding failed") : receive(job, codec, frame);
