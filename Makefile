@@ -124,7 +124,6 @@ extra_trajectory_read = -O3
 extra_area_kernels = -O3
 extra_area_colours = -O3
 extra_colour_table = -O3
-extra_deflate = -O3
 
 extra_pixel_kernels_sse2   = -O3 -msse2
 extra_pixel_kernels_avx2   = -O3 -mavx2

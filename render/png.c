@@ -1,4 +1,4 @@
-/* PNG through libpng, but for the pixels: these are packed here, unfiltered, which suits flat colours and is quick. Notes. */
+/* PNG through libpng: quick settings that suit flat colours (run-length, filter Up), exact colours, notes. */
 #include <errno.h>
 #include <png.h>
 #include <setjmp.h>
@@ -6,16 +6,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <zlib.h>
 
 #include "beadreel/file.h"
 #include "beadreel/picture.h"
-#include "render/deflate.h"
 #include "sim/large.h"
 
 struct writer {
     png_structp png;
     png_infop info;
-    struct bead_deflate *deflate;
+    uint8_t *row;
     char error[160];
     jmp_buf jump;
 };
@@ -99,54 +99,28 @@ static void put_header(struct writer *w, const struct image *image)
     png_set_sRGB_gAMA_and_cHRM(w->png, w->info, PNG_sRGB_INTENT_PERCEPTUAL);
     if (image->notes)
         put_notes(w, image->notes);
+    png_set_compression_level(w->png, 1);
+    png_set_compression_strategy(w->png, image->indices ? Z_RLE : Z_DEFAULT_STRATEGY);
+    png_set_filter(w->png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
     png_write_info(w->png, w->info);
-}
-
-/* With the byte that names the filter. */
-static size_t row_bytes(const struct image *image)
-{
-    return (size_t)image->width * (image->indices ? 1 : 3) + 1;
-}
-
-static void get_row(const struct image *image, int y, uint8_t *row)
-{
-    const size_t width = (size_t)image->width;
-    if (image->indices) {
-        memcpy(row, image->indices + (size_t)y * width, width);
-        return;
-    }
-    const uint8_t *from = image->frame->pixels + (size_t)y * image->frame->stride;
-    for (size_t x = 0; x < width; x++) { /* four bytes at once, of which the next pixel covers the last */
-        uint32_t pixel;
-        memcpy(&pixel, from + 4 * x, 4);
-        pixel = __builtin_bswap32(pixel) >> 8;
-        memcpy(row + 3 * x, &pixel, 4);
-    }
-}
-
-/* What has been packed since. */
-static void put_packed(struct writer *w)
-{
-    const uint8_t *bytes;
-    size_t size;
-    if (!bead_deflate_take(w->deflate, &bytes, &size))
-        png_error(w->png, "out of memory");
-    if (size > 0)
-        png_write_chunk(w->png, (png_const_bytep) "IDAT", bytes, size);
 }
 
 static void put_rows(struct writer *w, const struct image *image)
 {
     for (int y = 0; y < image->height; y++) {
-        uint8_t *row = bead_deflate_next(w->deflate);
-        row[0] = 0; /* no filter */
-        get_row(image, y, row + 1);
-        bead_deflate_row(w->deflate);
-        put_packed(w);
+        if (image->indices) {
+            png_write_row(w->png, image->indices + (size_t)y * (size_t)image->width);
+            continue;
+        }
+        const uint8_t *from = image->frame->pixels + (size_t)y * image->frame->stride;
+        for (int x = 0; x < image->width; x++) {
+            w->row[3 * x] = from[4 * x + 2];
+            w->row[3 * x + 1] = from[4 * x + 1];
+            w->row[3 * x + 2] = from[4 * x];
+        }
+        png_write_row(w->png, w->row);
     }
-    bead_deflate_finish(w->deflate);
-    put_packed(w);
-    png_write_chunk(w->png, (png_const_bytep) "IEND", NULL, 0);
+    png_write_end(w->png, w->info);
 }
 
 /* Everything that libpng may jump out of. */
@@ -156,11 +130,9 @@ static enum bead_error encode(struct writer *w, const struct image *image, FILE 
         return bead_fail(msg, BEAD_ERROR_IO, "%s: %s", part, w->error);
     w->png = png_create_write_struct(PNG_LIBPNG_VER_STRING, w, on_error, on_warning);
     w->info = w->png ? png_create_info_struct(w->png) : NULL;
-    if (!w->info)
+    w->row = malloc(3 * (size_t)image->width);
+    if (!w->info || !w->row)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for a PNG encoder", part);
-    enum bead_error err = bead_deflate_create(row_bytes(image), image->indices ? 1 : 3, &w->deflate, msg);
-    if (err)
-        return err;
     png_set_write_fn(w->png, file, on_write, on_flush);
     put_header(w, image);
     put_rows(w, image);
@@ -174,7 +146,7 @@ static enum bead_error fill(void *context, FILE *file, const char *part, struct 
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for a PNG encoder", part);
     enum bead_error err = encode(w, context, file, part, msg);
     png_destroy_write_struct(&w->png, &w->info);
-    bead_deflate_destroy(w->deflate);
+    free(w->row);
     free(w);
     return err;
 }
