@@ -64,6 +64,11 @@ static double outside(const struct bead_events *e, double d, double r)
     return r > 0 && d < e->reach * r ? force_power(&e->rule, r) * loss_outside(d / r) : 0;
 }
 
+static double larger(double x, double y)
+{
+    return x > y ? x : y;
+}
+
 /* What contact k can do to a velocity, m/s. */
 static double effect_of(const struct bead_events *e, const struct bead_stepper *s, size_t k, double h)
 {
@@ -71,9 +76,9 @@ static double effect_of(const struct bead_events *e, const struct bead_stepper *
     double d0 = d + (u[k] - u[k + 1]), d1 = d + (y[k] - y[k + 1]), r0 = h * (v[k] - v[k + 1]), r1 = h * (w[k] - w[k + 1]);
     double loss;
     if (d0 > 0 && d1 > 0 && !(r0 < 0 && r1 > 0))
-        loss = fmax(outside(e, d0, r0), outside(e, d1, -r1));
+        loss = larger(outside(e, d0, r0), outside(e, d1, -r1));
     else
-        loss = BEAD_EFFECT_INSIDE * force_power(&e->rule, fmax(fabs(r0), fabs(r1)));
+        loss = BEAD_EFFECT_INSIDE * force_power(&e->rule, larger(fabs(r0), fabs(r1)));
     return loss * h * e->hardness[k];
 }
 
@@ -114,5 +119,5 @@ bool bead_events_simple(const struct bead_events *e, const struct bead_stepper *
 {
     const double *u = s->start.u, *v = s->start.v, *y = s->end.u, *w = s->end.v, d = e->static_compression[k];
     double d0 = d + (u[k] - u[k + 1]), d1 = d + (y[k] - y[k + 1]), r0 = v[k] - v[k + 1], r1 = w[k] - w[k + 1];
-    return d0 > 0 ? d1 <= 0 && r0 < 0 && r1 < 0 : d1 > 0 && r0 > 0 && r1 > 0;
+    return d0 > 0 ? d1 <= 0 && (r0 < 0 || r1 < 0) : d1 > 0 && (r0 > 0 || r1 > 0);
 }

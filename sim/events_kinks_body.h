@@ -6,6 +6,8 @@
 
 /* The series of g is of use where its coefficients, in units of the step, stay below this: not where the contact grazes. */
 static const double kink_bend = 2;
+/* A zero of the quintic is found when the next step to it is shorter than this. */
+static const double kink_found = 1e-3;
 /* Parts of a correction that are left undone: by second orders, times q^2; by the end of the series, times the third power of its
  * bend; by all the rest. */
 static const double kink_second = 0.0005, kink_series = 0.002, kink_rest = 1e-4;
@@ -81,13 +83,14 @@ static inline lanes kink_curve(const lanes c[6], lanes s)
     return c[2] + s * (3 * c[3] + s * (6 * c[4] + s * (10 * c[5])));
 }
 
-/* Zero of the quintic between 0 and 1, where it rises or falls throughout: where the cubic s(d) through both ends has it, then two
- * steps of Newton's method. */
+/* Zero of the quintic between 0 and 1: where the cubic s(d) through both ends has it or, where the rate changes its sign on the
+ * way, the tangent at the end beyond which it does not; then two steps of Newton's method. */
 static inline lanes kink_root(const lanes c[6], const struct kink_end *end0, const struct kink_end *end1)
 {
     const lanes span = end1->d[1] - end0->d[1], y = -end0->d[1] / span, z = 1 - y;
     const lanes a = span / end0->rate[1], b = span / end1->rate[1];
     lanes s = y * y * (3 - 2 * y) + y * z * (z * a - y * b);
+    s = choose(a > 0, choose(b > 0, s, -end0->d[1] / end0->rate[1]), 1 - end1->d[1] / end1->rate[1]);
     s = choose((s > 0) & (s < 1), s, y);
     for (int i = 0; i < 2; i++)
         s -= kink_value(c, s) / kink_slope(c, s);
@@ -214,7 +217,7 @@ static void correct_some(const struct bead_patch_source *source, const struct be
     shape.closes = choose(end0.d[1] > 0, zero, zero + 1);
     lanes tau = kink_root(c, &end0, &end1), q0 = kink_value(c, tau), q1 = kink_slope(c, tau), q2 = kink_curve(c, tau);
     const lanes q3 = c[3] + tau * (4 * c[4] + tau * (10 * c[5])), a = stiffness[1] * (1 / 1.5);
-    lane_masks good = shape_kink(&shape, tau, q1, q2, q3);
+    lane_masks good = shape_kink(&shape, tau, q1, q2, q3) & (magnitude(q0) < kink_found * magnitude(q1));
     spread_kink(t, &shape, g, twice);
     /* ... and where it is. */
     unbend(&shape, -(square[0] + square[1]) * (a * (shape.rho * ROOT_OF(shape.rho))), kink_sum(t->bp, g), kink_sum(t->b, g), bent);

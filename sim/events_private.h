@@ -39,7 +39,7 @@ bool bead_events_grow(void **array, size_t *room, size_t count, size_t size);
 void bead_events_bound(struct bead_events *events, const struct bead_stepper *stepper);
 /* The contacts that the step just made has to be corrected for. False: memory is short. */
 bool bead_events_flag(struct bead_events *events, const struct bead_stepper *stepper);
-/* Whether contact k opens or closes once, with rates that say so at both ends. */
+/* Whether contact k opens or closes, with a rate at one end of the step at least that says so. */
 bool bead_events_simple(const struct bead_events *events, const struct bead_stepper *stepper, size_t contact);
 
 #endif

@@ -133,11 +133,13 @@ static double curve_rate(const void *context, double x)
     double rate = 0;
     if (curve->stepper->closed)
         return damped_rate(curve, x);
+    /* Of one contact alone the sign is that of d', also where its force vanishes. */
+    if (curve->count == 1)
+        return bead_polynomial_slope(&curve->compression[0], x);
     for (size_t i = 0; i < curve->count; i++) {
         double d = bead_polynomial_value(&curve->compression[i], x);
         double stiffness = curve->chain->law->stiffness(curve->chain->stiffness[curve->contact[i]], &curve->chain->spec->law, d);
-        /* Of one contact alone the sign is that of d', also where its force vanishes. */
-        rate += (curve->count > 1 ? stiffness : 1) * bead_polynomial_slope(&curve->compression[i], x);
+        rate += stiffness * bead_polynomial_slope(&curve->compression[i], x);
     }
     return rate;
 }
