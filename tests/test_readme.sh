@@ -37,10 +37,15 @@ links_exist() {
 ok "links lead to files" links_exist
 # A picture must be one, and the gallery's are kept with the sources: small.
 pictures_are_small() {
-    local picture count=0
+    local picture magic most count=0
     for picture in $(grep -oE '!\[[^]]*\]\([^)]*\)' "$readme" | sed 's/.*(\(.*\))/\1/'); do
-        [ "$(head -c 4 "$top/$picture" | tail -c 3)" = PNG ] || { echo "$picture is no PNG"; return 1; }
-        [[ $picture != *gallery* ]] || [ "$(stat -c %s "$top/$picture")" -lt 200000 ] || { echo "$picture is large"; return 1; }
+        case $picture in
+        *.png) magic=PNG most=200000 ;;
+        *.gif) magic=GIF most=1000000 ;;
+        *) magic='?' most=0 ;;
+        esac
+        head -c 4 "$top/$picture" | grep -qa "$magic" || { echo "$picture is no picture of its kind"; return 1; }
+        [[ $picture != *gallery* ]] || [ "$(stat -c %s "$top/$picture")" -lt $most ] || { echo "$picture is large"; return 1; }
         count=$((count + 1))
     done
     [ $count -ge 2 ]
@@ -48,7 +53,7 @@ pictures_are_small() {
 ok "pictures are there, and small" pictures_are_small
 gallery_is_shown() {
     local picture
-    for picture in "$top"/assets/gallery/*.png; do
+    for picture in "$top"/assets/gallery/*.{png,gif}; do
         grep -q "(assets/gallery/$(basename "$picture"))" "$readme" || { echo "$picture"; return 1; }
     done
 }
