@@ -148,6 +148,9 @@ static enum bead_error fill_wants(struct bead_composer *c, struct bead_message *
     }
     if (w->view_count == 0)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: views: at least one is needed", output->path);
+    w->colourless = true;
+    for (size_t i = 0; i < w->view_count; i++)
+        w->colourless = w->colourless && w->views[i]->kind != BEAD_VIEW_BEADS && w->views[i]->kind != BEAD_VIEW_SPACETIME;
     for (size_t i = 0; i < w->chain_count; i++) {
         size_t sensors;
         (void)bead_chain_sensors(c->setup.chains[i], &sensors);

@@ -47,7 +47,7 @@ static struct measures measure(const struct bead_movie_wants *w, enum level leve
     int words = lines * m.line_height;
     int header = m.stacked ? m.time_height + words : words > m.time_height ? words : m.time_height;
     m.top = m.time_height > 0 ? m.margin + header : 0;
-    m.heading = m.headings ? whole((level < FEW_LABELS ? 1.7 : 1.5) * look->title) : 0;
+    m.heading = m.headings ? whole((level < FEW_LABELS ? 1.7 : level < TIGHT ? 1.5 : 1.15) * look->title) : 0;
     if (m.top > 0 && !m.headings)
         m.top += whole(0.5 * look->gap);
     m.left = m.right = m.margin;
@@ -56,7 +56,7 @@ static struct measures measure(const struct bead_movie_wants *w, enum level leve
         m.left += whole(left);
         m.bar_gap = whole(1.8 * look->gap);
         m.bar_width = whole(1.3 * look->gap);
-        m.right += m.bar_gap + m.bar_width + whole(w->bar);
+        m.right += w->colourless ? 0 : m.bar_gap + m.bar_width + whole(w->bar);
     }
     /* Captions are asked for: they stay to the last. */
     m.caption = w->axes ? whole(w->caption_lines * w->caption_line) : 0;
@@ -243,7 +243,7 @@ static bool place_chains(const struct bead_movie_wants *w, const struct measures
 
 static void place_bar(const struct bead_movie_wants *w, const struct measures *m, struct bead_movie_layout *layout)
 {
-    if (!m->axes)
+    if (!m->axes || w->colourless)
         return;
     const struct bead_rect *first = &layout->chains[0].plot[0];
     const struct bead_rect *last = &layout->chains[w->chain_count - 1].plot[w->view_count - 1];

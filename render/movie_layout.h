@@ -29,6 +29,7 @@ struct bead_movie_wants {
     bool follow;                                             /* beads and profiles move: they have bead axes of their own */
     bool sensors;                                            /* some bead has one, and a name to be shown */
     double bead_height;                                      /* of the largest bead in a row that moves */
+    bool colourless;                                         /* no view shows values as colours: no bar */
     bool same_beads;                                         /* all chains have the same bead axis: only the lowest is labelled */
     double time_width;                                       /* of the widest time that is shown */
     double left, below_beads, below_moving, below_time, bar; /* how far the axes reach out of plots, and the bar's out of the bar */

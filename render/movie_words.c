@@ -262,7 +262,8 @@ bool bead_heading_has(const struct bead_chain *chain)
 void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_chain *chain, struct bead_rect rect)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
-    struct bead_text_style style = {look->family, 1.1 * look->title, look->ink, true, BEAD_ALIGN_START, BEAD_ALIGN_BASELINE, false};
+    const double size = fmin(1.1 * look->title, 0.75 * rect.height), part = size / (1.1 * look->title); /* in low rows smaller */
+    struct bead_text_style style = {look->family, size, look->ink, true, BEAD_ALIGN_START, BEAD_ALIGN_BASELINE, false};
     double x = rect.x, y = rect.y + 0.5 * rect.height + 0.36 * style.size, gap = 1.6 * look->gap, width, height;
     char markup[2048];
     if (bead_chain_name(chain)[0]) {
@@ -281,7 +282,7 @@ void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct b
         }
     }
     if (spec->label && spec->label[0]) {
-        struct bead_text_style small = {look->family,     look->label,         look->faint, false,
+        struct bead_text_style small = {look->family,     part * look->label,  look->faint, false,
                                         BEAD_ALIGN_START, BEAD_ALIGN_BASELINE, false};
         fit(cr, &small, spec->label, fmax(0, rect.x + rect.width - x), markup, sizeof markup);
         bead_text_draw(cr, &small, x, y, markup);

@@ -29,7 +29,7 @@ static struct barred make_frame(const char *map)
     char text[256];
     snprintf(text, sizeof text,
              "chain: {beads: [{bead: large-steel, count: 9}], wall: brass}\n"
-             "outputs: [{movie: a.mp4, views: [profile], colormap: %s}]\n",
+             "outputs: [{movie: a.mp4, views: [profile, spacetime], colormap: %s}]\n",
              map);
     require(bead_scene_parse("test", text, strlen(text), NULL, 0, &b.scene, &msg), &msg);
     require(bead_chain_create(b.scene, 0, &b.chain, &msg), &msg);
@@ -148,10 +148,10 @@ static void movies_have_the_colours_of_the_map(void **state)
         const char *name;
         enum bead_quality quality;
         double most, mean; /* levels that the encoding may cost */
-    } kinds[] = {{"bar.mp4", BEAD_QUALITY_HIGH, 2, 1},
+    } kinds[] = {{"bar.mp4", BEAD_QUALITY_HIGH, 2.5, 1},
                  {"bar.mp4", BEAD_QUALITY_STANDARD, 6, 2},
-                 {"bar.mkv", BEAD_QUALITY_HIGH, 2, 0.8},
-                 {"bar.webm", BEAD_QUALITY_HIGH, 2, 0.8},
+                 {"bar.mkv", BEAD_QUALITY_HIGH, 2.5, 1},
+                 {"bar.webm", BEAD_QUALITY_HIGH, 2.5, 1},
                  {"bar.webm", BEAD_QUALITY_STANDARD, 2.5, 1}};
     for (size_t k = 0; k < MAPS * sizeof kinds / sizeof *kinds; k++) {
         size_t kind = k / MAPS;

@@ -131,6 +131,25 @@ static void test_full_size_keeps_everything(void **state)
     bead_movie_layout_free(&layout);
 }
 
+/* A bar explains colours; where there are none the plots have its room. */
+static void test_bars_are_for_colours(void **state)
+{
+    (void)state;
+    struct bead_look look;
+    struct bead_movie_layout with, without;
+    bead_look_screen(&look, 1280, 720, true);
+    struct bead_movie_wants w = wants_of(&look, 1280, 720);
+    w.chain_count = 1;
+    w.views[w.view_count++] = bead_view_find(BEAD_VIEW_PROFILE);
+    assert_int_equal(bead_movie_arrange(&w, &with, NULL), BEAD_OK);
+    w.colourless = true;
+    assert_int_equal(bead_movie_arrange(&w, &without, NULL), BEAD_OK);
+    assert_true(with.bar.width > 0 && without.bar.width == 0);
+    assert_true(without.chains[0].plot[0].width > with.chains[0].plot[0].width + with.bar.width);
+    bead_movie_layout_free(&with);
+    bead_movie_layout_free(&without);
+}
+
 static void test_too_small(void **state)
 {
     (void)state;
@@ -151,6 +170,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_rectangles),
         cmocka_unit_test(test_full_size_keeps_everything),
+        cmocka_unit_test(test_bars_are_for_colours),
         cmocka_unit_test(test_too_small),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
