@@ -1,4 +1,4 @@
-/* PNG through libpng: quick settings that suit flat colours (run-length, filter Up), exact colours, notes. */
+/* PNG through libpng: quick settings that suit flat colours (no filter, whose rows repeat), exact colours, notes. */
 #include <errno.h>
 #include <png.h>
 #include <setjmp.h>
@@ -100,8 +100,8 @@ static void put_header(struct writer *w, const struct image *image)
     if (image->notes)
         put_notes(w, image->notes);
     png_set_compression_level(w->png, 1);
-    png_set_compression_strategy(w->png, image->indices ? Z_RLE : Z_DEFAULT_STRATEGY);
-    png_set_filter(w->png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+    png_set_compression_strategy(w->png, Z_DEFAULT_STRATEGY);
+    png_set_filter(w->png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
     png_write_info(w->png, w->info);
 }
 
@@ -113,10 +113,11 @@ static void put_rows(struct writer *w, const struct image *image)
             continue;
         }
         const uint8_t *from = image->frame->pixels + (size_t)y * image->frame->stride;
-        for (int x = 0; x < image->width; x++) {
-            w->row[3 * x] = from[4 * x + 2];
-            w->row[3 * x + 1] = from[4 * x + 1];
-            w->row[3 * x + 2] = from[4 * x];
+        for (size_t x = 0; x < (size_t)image->width; x++) { /* four bytes at once, of which the next pixel covers the last */
+            uint32_t pixel;
+            memcpy(&pixel, from + 4 * x, 4);
+            pixel = __builtin_bswap32(pixel) >> 8;
+            memcpy(w->row + 3 * x, &pixel, 4);
         }
         png_write_row(w->png, w->row);
     }
@@ -130,7 +131,7 @@ static enum bead_error encode(struct writer *w, const struct image *image, FILE 
         return bead_fail(msg, BEAD_ERROR_IO, "%s: %s", part, w->error);
     w->png = png_create_write_struct(PNG_LIBPNG_VER_STRING, w, on_error, on_warning);
     w->info = w->png ? png_create_info_struct(w->png) : NULL;
-    w->row = malloc(3 * (size_t)image->width);
+    w->row = malloc(3 * (size_t)image->width + 1);
     if (!w->info || !w->row)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for a PNG encoder", part);
     png_set_write_fn(w->png, file, on_write, on_flush);
