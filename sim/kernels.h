@@ -84,6 +84,12 @@ struct bead_kernels {
                             double enough, struct bead_patch *patch);
 };
 
+/* correct_kinks and integrate_piece of the set "avx2", which are those of "avx512" as well. */
+void bead_correct_few_kinks(const struct bead_patch_source *source, const struct bead_tableau *tableau, size_t count,
+                            const size_t *contact, struct bead_kink *kink);
+void bead_integrate_few(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps, double enough,
+                        struct bead_patch *patch);
+
 /* NULL: the best this machine has. Otherwise by name; NULL is returned for one that is unknown or not to be had. */
 const struct bead_kernels *bead_kernels_find(const char *name);
 

@@ -234,8 +234,15 @@ static bool turns(size_t n, const struct bead_step_ends *ends, const double *lea
     return any;
 }
 
+#include "sim/events_marks_body.h"
+/* Few numbers at a time: long vectors wait for their roots, and are less than full. */
+#ifdef KERNELS_OF_FEW
+#define correct_kinks   bead_correct_few_kinks
+#define integrate_piece bead_integrate_few
+#else
 #include "sim/events_body.h"
 #include "sim/events_kinks_body.h"
+#endif
 
 const struct bead_kernels KERNELS_TABLE = {
     KERNELS_NAME, KERNELS_DESCRIPTION, hertz,         hertz_static,   hertz_move, hertz_stiffness,
