@@ -388,6 +388,29 @@ static enum bead_error arrange(struct graph_layout *l, struct bead_message *msg)
     return err;
 }
 
+/* Room for the legend above the curves of all panels that share the axis. False: there is none to be made. */
+static bool raise_axes(struct graph_layout *l, struct graph_cell *cell)
+{
+    double air = 4 * graph_air(l->look), free = cell->plot.height;
+    struct graph_legend legend = cell->legend;
+    if (!l->part || cell->raised || isfinite(cell->panel->y.high))
+        return false;
+    graph_legend_measure(&legend, l->look, 0.9 * cell->plot.width, 0);
+    free -= legend.box.height + air;
+    if (legend.wrap != 0 || free < 0.5 * cell->plot.height)
+        return false;
+    double low = cell->low[1], high = cell->high[1], more = cell->plot.height / free;
+    high = cell->panel->y.scale == BEAD_SCALE_LOG ? low * pow(high / low, more) : low + (high - low) * more;
+    for (size_t p = 0; p < l->graph->panel_count; p++) {
+        struct graph_cell *other = &l->cells[p];
+        if (other != cell && !l->graph->share_y)
+            continue;
+        other->high[1] = high;
+        other->raised = true;
+    }
+    return true;
+}
+
 /* Words and legend into a panel. *moved: something has to go outside. */
 static enum bead_error furnish(struct graph_layout *l, struct graph_cell *cell, bool *moved, struct bead_message *msg)
 {
@@ -399,7 +422,7 @@ static enum bead_error furnish(struct graph_layout *l, struct graph_cell *cell, 
         return err;
     bool words = graph_words_place(cell, l->look, &mask);
     if (!words && cell->legend.count > 0 && !cell->legend_outside && !graph_legend_place(&cell->legend, l->look, &mask)) {
-        cell->legend_outside = true;
+        cell->legend_outside = !raise_axes(l, cell);
         words = true;
     }
     *moved = *moved || words;
@@ -429,6 +452,7 @@ enum bead_error graph_layout_make(const struct bead_graph *graph, const struct b
 {
     *layout = (struct graph_layout){.graph = graph, .look = look, .width = width, .height = height};
     layout->frame = frame ? *frame : (struct graph_frame){.margin = look->margin, .letter = ""};
+    layout->part = frame != NULL;
     if (graph->panel_count == 0 || !(width >= 1) || !(height >= 1))
         return bead_fail(msg, BEAD_ERROR_SCENE, "size: %.0f x %.0f pixels for %zu panels make no picture", width, height,
                          graph->panel_count);

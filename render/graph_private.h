@@ -52,11 +52,11 @@ struct graph_cell {
     struct bead_axis axis[2];
     bool labelled[2];
     struct bead_rect plot;
-    char *head;                 /* markup of letter and title; NULL: none */
-    struct graph_word *words;   /* [ruler_count] */
-    char **labels;              /* [series_count], markup; NULL: none */
-    struct graph_legend legend; /* inside */
-    bool legend_outside;
+    char *head;                  /* markup of letter and title; NULL: none */
+    struct graph_word *words;    /* [ruler_count] */
+    char **labels;               /* [series_count], markup; NULL: none */
+    struct graph_legend legend;  /* inside */
+    bool legend_outside, raised; /* raised: the y axis ends higher, to have room for the legend */
 };
 
 /* A graph that is a part of a sheet. */
@@ -72,6 +72,7 @@ struct graph_layout {
     struct graph_frame frame;
     const struct bead_look *look;
     double width, height;
+    bool part; /* of a sheet: its plots stay where they are, so legends stay inside if at all possible */
     size_t columns, rows;
     struct graph_cell *cells;                         /* [panel_count] */
     char *title, *caption;                            /* markup; NULL: none */

@@ -23,6 +23,17 @@ static struct bead_grid choose_grid(const struct bead_output *output, const stru
     return (struct bead_grid){from, every, to};
 }
 
+static void make_axes(struct bead_plot_data *data, double low)
+{
+    const struct bead_output *output = data->output;
+    for (size_t p = 0; p < data->count; p++) {
+        const struct bead_chain *chain = data->stage.chains[data->parts[p].chain];
+        data->panels[p].x = (struct bead_graph_axis){"time",         bead_chain_time_unit(chain), data->grid.start,
+                                                     data->grid.end, BEAD_SCALE_LINEAR,           false};
+        data->panels[p].y = (struct bead_graph_axis){bead_chain_mode_title(chain), "", low, output->range[1], output->scale, true};
+    }
+}
+
 /* Times in data->sample; energies of a chain in its part's values, [modes][times]. */
 static enum bead_error create(struct bead_plot_data *data, struct bead_message *msg)
 {
@@ -41,6 +52,7 @@ static enum bead_error create(struct bead_plot_data *data, struct bead_message *
         good = (data->parts[p].values = calloc(times * output->modes, sizeof *data->parts[p].values)) != NULL;
     for (size_t k = 0; k < output->modes; k++)
         snprintf(data->parts[0].labels[k], sizeof *data->parts[0].labels, "mode %zu", k + 1);
+    make_axes(data, output->range[0]);
     snprintf(data->why, sizeof data->why, "energies of %zu modes at %zu times", output->modes, times);
     return good ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu times of modes", times);
 }
@@ -52,22 +64,24 @@ static void needs(const struct bead_plot_data *data, struct bead_needs *needs)
         needs->fields |= bead_chain_mode_fields(data->stage.chains[data->parts[p].chain]);
 }
 
+/* Samples may be closer than those asked for, where other panels of a figure want that. */
 static enum bead_error feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
 {
     double energy[BEAD_MODES];
     const size_t modes = data->output->modes, times = bead_grid_count(&data->grid);
-    if (sample->index >= times)
-        return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: there are more samples than expected", data->output->path);
+    const double slack = 1e-6 * data->grid.every;
     for (size_t p = 0; p < data->count; p++) {
         struct plot_panel *part = &data->parts[p];
-        if (part->chain != sample->chain)
+        if (part->chain != sample->chain || sample->time < data->grid.start + (double)part->taken * data->grid.every - slack)
             continue;
+        if (part->taken >= times)
+            return BEAD_OK;
         bead_chain_mode_energies(data->stage.chains[part->chain], sample->field, modes, energy);
         for (size_t k = 0; k < modes; k++)
-            part->values[k * times + sample->index] = energy[k];
-        part->taken = sample->index + 1;
+            part->values[k * times + part->taken] = energy[k];
+        data->sample[part->taken++] = sample->time;
     }
-    data->sample[sample->index] = sample->time;
+    (void)msg;
     return BEAD_OK;
 }
 
@@ -89,7 +103,6 @@ static enum bead_error finish(struct bead_plot_data *data, const struct bead_out
     double low = isnan(output->range[0]) ? lowest(data) : output->range[0];
     for (size_t p = 0; p < data->count; p++) {
         struct plot_panel *part = &data->parts[p];
-        const struct bead_chain *chain = data->stage.chains[part->chain];
         for (size_t k = 0; k < output->modes; k++)
             part->series[k] = (struct bead_series){.x = data->sample,
                                                    .y = part->values + k * bead_grid_count(&data->grid),
@@ -97,10 +110,8 @@ static enum bead_error finish(struct bead_plot_data *data, const struct bead_out
                                                    .mark = BEAD_MARK_LINE,
                                                    .colour = k,
                                                    .label = p == 0 ? part->labels[k] : NULL};
-        data->panels[p].x = (struct bead_graph_axis){"time",         bead_chain_time_unit(chain), data->grid.start,
-                                                     data->grid.end, BEAD_SCALE_LINEAR,           false};
-        data->panels[p].y = (struct bead_graph_axis){bead_chain_mode_title(chain), "", low, output->range[1], output->scale, true};
     }
+    make_axes(data, low);
     return BEAD_OK;
 }
 

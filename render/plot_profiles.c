@@ -22,6 +22,21 @@ static void time_words(double time, const char *unit, char *text, size_t size)
     bead_quantity(time, unit, digits > whole ? digits : whole, text, size);
 }
 
+static void make_axes(struct bead_plot_data *data)
+{
+    const struct bead_output *output = data->output;
+    for (size_t p = 0; p < data->count; p++) {
+        const size_t c = data->parts[p].chain;
+        const struct bead_field_info *field = bead_chain_field(data->stage.chains[c], output->field);
+        const struct bead_along along = bead_chain_along(data->stage.chains[c], field->of_contacts);
+        const double *places = bead_moments_places(data->moments, c);
+        data->panels[p].x = (struct bead_graph_axis){
+            along.title, along.unit, places[0], places[bead_moments_values(data->moments, c) - 1], BEAD_SCALE_LINEAR, false};
+        data->panels[p].y =
+            (struct bead_graph_axis){field->title, field->unit, output->range[0], output->range[1], BEAD_SCALE_LINEAR, true};
+    }
+}
+
 static enum bead_error create(struct bead_plot_data *data, struct bead_message *msg)
 {
     char time[48];
@@ -32,6 +47,8 @@ static enum bead_error create(struct bead_plot_data *data, struct bead_message *
         time_words(data->output->moments[m], bead_chain_time_unit(data->stage.chains[0]), time, sizeof time);
         snprintf(data->parts[0].labels[m], sizeof *data->parts[0].labels, "*t* = %s", time);
     }
+    if (!err)
+        make_axes(data);
     return err;
 }
 
@@ -51,9 +68,6 @@ static enum bead_error finish(struct bead_plot_data *data, const struct bead_out
     const struct bead_output *output = data->output;
     for (size_t p = 0; p < data->count; p++) {
         struct plot_panel *part = &data->parts[p];
-        const struct bead_chain *chain = data->stage.chains[part->chain];
-        const struct bead_field_info *field = bead_chain_field(chain, output->field);
-        const struct bead_along along = bead_chain_along(chain, field->of_contacts);
         const double *places = bead_moments_places(data->moments, part->chain);
         size_t count = bead_moments_values(data->moments, part->chain);
         for (size_t m = 0; m < output->moment_count; m++)
@@ -63,10 +77,6 @@ static enum bead_error finish(struct bead_plot_data *data, const struct bead_out
                                                    .mark = BEAD_MARK_LINE,
                                                    .colour = m,
                                                    .label = p == 0 ? part->labels[m] : NULL};
-        data->panels[p].x =
-            (struct bead_graph_axis){along.title, along.unit, places[0], places[count - 1], BEAD_SCALE_LINEAR, false};
-        data->panels[p].y =
-            (struct bead_graph_axis){field->title, field->unit, output->range[0], output->range[1], BEAD_SCALE_LINEAR, true};
     }
     return BEAD_OK;
 }

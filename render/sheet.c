@@ -74,10 +74,13 @@ static enum bead_error make_panel(struct bead_sheet *s, size_t index, struct bea
     return bead_figure_create_part(panel->output, &s->stage, &s->page, &s->look, &panel->set, &panel->figure, msg);
 }
 
-/* One grid for all: as close as the finest, from the first to the last time that anything shows. */
+/* One grid for all: as close as the finest, from the first to the last time that anything shows. Profiles lie between its times, on
+ * straight lines. */
 static void join_grids(struct bead_sheet *s)
 {
     struct bead_grid all = {INFINITY, INFINITY, -INFINITY};
+    bool profiles = false;
+    size_t grids = 0;
     for (size_t p = 0; p < s->count; p++) {
         const struct bead_grid *grid = &s->panels[p].needs.grid;
         if (!(grid->every > 0))
@@ -85,7 +88,11 @@ static void join_grids(struct bead_sheet *s)
         all.start = fmin(all.start, grid->start);
         all.every = fmin(all.every, grid->every);
         all.end = fmax(all.end, grid->end);
+        grids++;
+        profiles = profiles || (s->panels[p].plot && s->panels[p].output->show == BEAD_SHOW_PROFILES);
     }
+    if (profiles && grids > 1 && s->stage.resolution > 0 && !(s->stage.native.every > 0))
+        all.every = fmin(all.every, s->stage.resolution / 8);
     s->grid = all.end >= all.start ? all : (struct bead_grid){0, 0, 0};
     for (size_t p = 0; p < s->count; p++) {
         if (s->panels[p].figure)

@@ -132,7 +132,7 @@ static enum bead_error put_plot(struct bead_sheet *s, struct sheet_panel *panel,
     struct bead_message why = {""};
     for (size_t i = 0; i < graph.panel_count; i++) {
         struct bead_graph_axis *y = &plots[i].y;
-        y->high = isnan(y->high) ? (y->scale == BEAD_SCALE_LOG ? 1e3 : 888) : y->high;
+        y->high = isnan(y->high) ? (y->scale == BEAD_SCALE_LOG ? 1e3 : y->unit && *y->unit ? 888 : 0.0888) : y->high;
         y->low = isnan(y->low) ? (y->scale == BEAD_SCALE_LOG ? 1 : fmin(0, y->high - 1)) : y->low;
     }
     enum bead_error err = graph_layout_make(&graph, &s->look, panel->area.width, panel->area.height, &frame, &layout, &why);

@@ -67,8 +67,10 @@ static enum bead_error read_panel(struct bead_reader *reader, const struct bead_
     panel->row = row;
     enum bead_error err = bead_output_read_settings(reader, at, plot ? BEAD_FORM_PLOT_PANEL : BEAD_FORM_IMAGE_PANEL, panel);
     struct bead_at show = bead_at_key(at, "show");
-    if (!err && plot && panel->show != BEAD_SHOW_SENSORS && panel->show != BEAD_SHOW_PEAKS)
-        return bead_wrong(reader, &show, "panels show sensors or peaks; this has a picture of its own: {plot: FILE, show: %s}",
+    bool drawing = panel->show == BEAD_SHOW_SETUP || panel->show == BEAD_SHOW_CONTACT || panel->show == BEAD_SHOW_CELL;
+    if (!err && plot && drawing)
+        return bead_wrong(reader, &show,
+                          "panels show sensors, peaks, modes or profiles; this has a picture of its own: {plot: FILE, show: %s}",
                           show.node->text);
     bool sensors = plot && panel->show == BEAD_SHOW_SENSORS;
     for (size_t v = 0; !plot && v < panel->view_count; v++)

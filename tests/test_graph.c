@@ -223,6 +223,38 @@ static void test_legends_without_room_go_outside(void **state)
     graph_layout_free(&layout);
 }
 
+/* Panels of figures stay where they are: axes end higher for a legend that has no room, where the scene does not say how high. */
+static void test_legends_of_parts_stay_inside(void **state)
+{
+    (void)state;
+    static struct data d;
+    make_data(&d);
+    for (size_t k = 0; k < 3; k++) {
+        for (int i = 0; i < N; i++)
+            d.y[k][i] = (i + (int)k) % 2 ? 1 : 0.1;
+    }
+    struct bead_look look;
+    struct bead_message msg = {""};
+    struct graph_layout layout;
+    bead_look_screen(&look, 800, 600, false);
+    for (int variant = 0; variant < 4; variant++) {
+        struct bead_panel panel = make_panel(&d, 3);
+        struct bead_graph graph = {.panels = &panel, .panel_count = 1};
+        const struct graph_frame frame = {.letter = ""};
+        const bool given = variant & 1;
+        panel.y.scale = variant & 2 ? BEAD_SCALE_LOG : BEAD_SCALE_LINEAR;
+        panel.y.zero = false;
+        panel.y.low = 0.09;
+        if (given)
+            panel.y.high = 1.01;
+        assert_int_equal(graph_layout_make(&graph, &look, 800, 600, &frame, &layout, &msg), BEAD_OK);
+        assert_int_equal(layout.cells[0].legend_outside, given);
+        assert_true(given ? layout.cells[0].high[1] == 1.01 : layout.cells[0].high[1] > 1.06);
+        assert_nothing_hidden(&layout, "a part");
+        graph_layout_free(&layout);
+    }
+}
+
 /* Names of any length on small pages: smaller, cut in the end, and plots keep half of the page. */
 static void test_long_names_leave_room_for_plots(void **state)
 {
@@ -394,15 +426,11 @@ static void test_markup(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_shared_axes_are_shared),
-        cmocka_unit_test(test_ranges_that_make_no_sense),
-        cmocka_unit_test(test_bad_ranges_and_sizes_are_errors),
-        cmocka_unit_test(test_words_never_collide),
-        cmocka_unit_test(test_words_of_odd_axes_never_collide),
-        cmocka_unit_test(test_headings_have_room),
-        cmocka_unit_test(test_legends_without_room_go_outside),
-        cmocka_unit_test(test_long_names_leave_room_for_plots),
-        cmocka_unit_test(test_markup),
+        cmocka_unit_test(test_shared_axes_are_shared),          cmocka_unit_test(test_ranges_that_make_no_sense),
+        cmocka_unit_test(test_bad_ranges_and_sizes_are_errors), cmocka_unit_test(test_words_never_collide),
+        cmocka_unit_test(test_words_of_odd_axes_never_collide), cmocka_unit_test(test_headings_have_room),
+        cmocka_unit_test(test_legends_without_room_go_outside), cmocka_unit_test(test_long_names_leave_room_for_plots),
+        cmocka_unit_test(test_legends_of_parts_stay_inside),    cmocka_unit_test(test_markup),
     };
     return cmocka_run_group_tests_name("graphs", tests, NULL, NULL);
 }

@@ -209,6 +209,81 @@ static void test_trajectories_draw_the_same(void **state)
     free(second.rgb);
 }
 
+/* Profiles beside an image: the values of their times, whatever the times of the image are. */
+static void test_profiles_are_panels(void **state)
+{
+    (void)state;
+    struct built built;
+    struct bead_message msg = {""};
+    char path[512];
+    struct bead_sheet *sheet =
+        make_sheet(&built, "size: [900, 500], panels: [[{field: velocity, time: [0, 1 ms]}, {show: profiles, field: "
+                           "velocity, at: [0.25 ms, 0.7003 ms]}]]");
+    struct bead_needs needs;
+    bead_sheet_needs(sheet, &needs);
+    assert_true(needs.grid.every > 0 && needs.grid.start == 0 && needs.grid.end >= 1e-3);
+    const size_t count = bead_grid_count(&needs.grid);
+    for (size_t i = 0; i < count; i++) {
+        double values[16] = {0}, time = needs.grid.start + (double)i * needs.grid.every;
+        struct bead_sample sample = {.time = time, .index = i, .active = 10};
+        for (size_t b = 0; b < 10; b++)
+            values[b] = 1e3 * time * (double)(b + 1);
+        sample.field[BEAD_FIELD_VELOCITY] = values;
+        assert_int_equal(bead_sheet_feed(sheet, &sample, &msg), BEAD_OK);
+    }
+    in_directory("a.png", path, sizeof path);
+    assert_int_equal(bead_sheet_write(sheet, NULL, path, NULL, &msg), BEAD_OK);
+    size_t panels;
+    const struct bead_panel *panel = bead_plot_data_panels(sheet->panels[1].plot, &panels);
+    assert_true(panels == 1 && panel->series_count == 2 && panel->series[0].count == 10);
+    for (size_t b = 0; b < 10; b++) {
+        assert_true(fabs(panel->series[0].y[b] - 0.25 * (double)(b + 1)) < 1e-9);
+        assert_true(fabs(panel->series[1].y[b] - 0.7003 * (double)(b + 1)) < 1e-9);
+    }
+    release(&built, sheet);
+}
+
+/* Energies of modes at the times asked for, of samples that other panels want closer. */
+static void test_modes_are_panels(void **state)
+{
+    (void)state;
+    static const char scene[] = "chain: {equation: fput, points: 7, start: {mode: 1}}\nsimulate: {until: 10}\n"
+                                "outputs: [{image: a.png, panels: [[{show: modes, modes: 2, every: 1}, {field: displacement}]]}]\n";
+    struct bead_message msg = {""};
+    struct bead_scene *parsed;
+    struct bead_chain *chain;
+    struct bead_plot_data *data;
+    assert_int_equal(bead_scene_parse("test", scene, sizeof scene - 1, NULL, 0, &parsed, &msg), BEAD_OK);
+    assert_int_equal(bead_chain_create(parsed, 0, &chain, &msg), BEAD_OK);
+    const struct bead_chain *const chains[] = {chain};
+    struct bead_stage stage = {
+        .scene = parsed, .chains = chains, .chain_count = 1, .end = 10, .resolution = 0.25, .directory = "."};
+    assert_int_equal(bead_plot_data_create(&parsed->outputs[0].panels[0], &stage, SIZE_MAX, &data, &msg), BEAD_OK);
+    for (size_t i = 0; i <= 40; i++) {
+        double u[9], v[9] = {0}, time = 0.25 * (double)i;
+        struct bead_sample sample = {.time = time, .index = i, .active = 7};
+        for (size_t b = 0; b < 9; b++)
+            u[b] = time;
+        for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++)
+            sample.field[f] = v;
+        sample.field[BEAD_FIELD_DISPLACEMENT] = u;
+        assert_int_equal(bead_plot_data_feed(data, &sample, &msg), BEAD_OK);
+    }
+    assert_int_equal(bead_plot_data_finish(data, NULL, &msg), BEAD_OK);
+    size_t panels;
+    const struct bead_panel *panel = bead_plot_data_panels(data, &panels);
+    const struct bead_series *first = &panel->series[0];
+    assert_true(panels == 1 && panel->series_count == 2 && first->count == 11);
+    for (size_t i = 0; i < 11; i++) {
+        assert_true(first->x[i] == (double)i);
+        assert_true(fabs(first->y[i] - first->y[1] * (double)(i * i)) < 1e-9 * first->y[10]); /* energy as the square */
+    }
+    assert_true(first->y[10] > 0);
+    bead_plot_data_destroy(data);
+    bead_chain_destroy(chain);
+    bead_scene_free(parsed);
+}
+
 /* Bars whose labels become wider once their range is known; long titles beside moments. */
 static void test_panels_are_not_cut(void **state)
 {
@@ -242,9 +317,14 @@ static void test_panels_are_not_cut(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_plots_stand_in_rows_and_columns), cmocka_unit_test(test_labels_and_bars_are_shared),
-        cmocka_unit_test(test_ranges_are_those_of_the_field),   cmocka_unit_test(test_stills_mark_their_moment),
-        cmocka_unit_test(test_trajectories_draw_the_same),      cmocka_unit_test(test_panels_are_not_cut),
+        cmocka_unit_test(test_plots_stand_in_rows_and_columns),
+        cmocka_unit_test(test_labels_and_bars_are_shared),
+        cmocka_unit_test(test_ranges_are_those_of_the_field),
+        cmocka_unit_test(test_stills_mark_their_moment),
+        cmocka_unit_test(test_trajectories_draw_the_same),
+        cmocka_unit_test(test_panels_are_not_cut),
+        cmocka_unit_test(test_profiles_are_panels),
+        cmocka_unit_test(test_modes_are_panels),
     };
     return cmocka_run_group_tests_name("sheets", tests, make_directory, remove_directory);
 }
