@@ -379,6 +379,33 @@ static void test_instruction_sets_give_the_same_pixels(void **state)
     bead_frame_free(&before);
 }
 
+/* Frames narrower than a vector, and painters that begin anywhere in them. */
+static void test_narrow_frames(void **state)
+{
+    static const char *const names[] = {"avx2", "avx512"};
+    struct bead_message msg = {""};
+    (void)state;
+    for (int width = 1; width < 36; width++) {
+        struct bead_frame frames[3];
+        const int x = width / 3;
+        const struct bead_ball ball = {2.3f, 1.5f, 6, -30, 30, {90, 200, 30, 255}};
+        const struct bead_mark mark = {.box = {-3, -3, 40, 9}, .kind = BEAD_MARK_GLOW, .rgba = {255, 255, 255, 200}};
+        for (int i = 0; i < 3; i++) {
+            const struct bead_pixel_kernels *kernels = bead_pixel_kernels_find(i ? names[i - 1] : "sse2");
+            require(bead_frame_create(width, 3, &frames[i], &msg), &msg);
+            const struct bead_ground ground = {frames[i].pixels, frames[i].stride, {x, 0}, {0, 0, width - x, 3}};
+            if (kernels) { /* else this machine has none */
+                kernels->balls(&ground, &ball, 1);
+                kernels->marks(&ground, &mark, 1);
+                assert_memory_equal(frames[0].pixels, frames[i].pixels, 3 * frames[i].stride);
+            }
+        }
+        assert_true(frames[0].pixels[4 * x + 1] > frames[0].pixels[4 * x]);
+        for (int i = 0; i < 3; i++)
+            bead_frame_free(&frames[i]);
+    }
+}
+
 /* Slices that cover rows, parts of rows, or nothing. */
 static void make_extents(struct bead_extents *e, uint32_t *seed)
 {
@@ -458,6 +485,7 @@ int main(void)
         cmocka_unit_test(test_as_opengl),
         cmocka_unit_test(test_pictures_as_opengl),
         cmocka_unit_test(test_instruction_sets_give_the_same_pixels),
+        cmocka_unit_test(test_narrow_frames),
         cmocka_unit_test(test_curves_are_averages_over_slices),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
