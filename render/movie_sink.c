@@ -41,7 +41,7 @@ struct bead_sink {
     struct bead_stage stage;
     char *path, *poster_path; /* NULL: none */
     uint64_t poster_bytes;
-    char why[96];
+    char why[192];
     int width, height;
     struct bead_movie_times times;
     unsigned fields, twin;

@@ -283,16 +283,22 @@ static enum bead_error foreign_key(const struct bead_reader *reader, const struc
                                    unsigned form)
 {
     char homes[120] = "";
-    const char *here = "this";
+    const char *here = "this", *help = "";
     unsigned forms = 0;
-    for (size_t i = 0; i < options->count; i++)
-        forms |= strcmp(options->rows[i].key, at->key) == 0 ? options->rows[i].forms : 0;
+    for (size_t i = 0; i < options->count; i++) {
+        if (strcmp(options->rows[i].key, at->key) != 0)
+            continue;
+        forms |= options->rows[i].forms;
+        help = options->rows[i].help;
+    }
     for (unsigned i = 0; options->form_names && options->form_names[i]; i++) {
         size_t used = strlen(homes);
         if (forms >> i & 1)
             snprintf(homes + used, sizeof homes - used, "%s%s", used ? ", " : "", options->form_names[i]);
         here = form >> i & 1 ? options->form_names[i] : here;
     }
+    if (!homes[0]) /* of forms without a name, which the help names */
+        return bead_wrong(reader, at, "is not a key of %s (%s)", here, help);
     return bead_wrong(reader, at, "is a key of %s %s, not of %s", options->forms_of, homes, here);
 }
 
