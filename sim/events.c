@@ -281,7 +281,7 @@ static bool find_kinks(struct bead_events *e, const struct bead_stepper *s)
 {
     if (!bead_events_grow((void **)&e->kink, &e->kink_room, e->flagged_count, sizeof *e->kink))
         return false;
-    s->kernels->correct_kinks(&e->source, s->method->tableau, e->flagged_count, e->flagged, e->kink);
+    s->kernels->correct_kinks(&e->source, s->method->tableau, e->flagged_count, e->flagged, e->effect, s->event_tolerance, e->kink);
     return true;
 }
 

@@ -6,6 +6,9 @@
 
 /* The series of g is of use where its coefficients, in units of the step, stay below this: not where the contact grazes. */
 static const double kink_bend = 2;
+/* How the kink bends the quintic is left out where it can change a velocity by less than half the tolerance: this part of the
+ * correction, times h^2 A sqrt(rho)/m. */
+static const double kink_bent = 0.02;
 /* A zero of the quintic is found when the next step to it is shorter than this. */
 static const double kink_found = 1e-3;
 /* Parts of a correction that are left undone: by second orders, times q^2; by the end of the series, times the third power of its
@@ -52,6 +55,15 @@ static inline lanes gather_constants(const double *x, ptrdiff_t shift, const siz
     double y[LANES];
     for (size_t i = 0; i < LANES; i++)
         y[i] = x[(ptrdiff_t)contact[i < count ? i : count - 1] + shift];
+    return load_lanes(y);
+}
+
+/* x[0..count - 1], and 0 behind them. */
+static inline lanes first_lanes(const double *x, size_t count)
+{
+    double y[LANES];
+    for (size_t i = 0; i < LANES; i++)
+        y[i] = i < count ? x[i] : 0;
     return load_lanes(y);
 }
 
@@ -197,8 +209,8 @@ static lanes sum_stages(const struct bead_tableau *t, const struct kink_shape *s
 }
 
 /* `count` kinks, LANES at most. */
-static void correct_some(const struct bead_patch_source *source, const struct bead_tableau *t, const size_t *contact, size_t count,
-                         struct bead_kink *kink)
+static void correct_some(const struct bead_patch_source *source, const struct bead_tableau *t, const size_t *contact,
+                         const double *effect, double tolerance, size_t count, struct bead_kink *kink)
 {
     const lanes zero = {0};
     struct kink_end end0, end1;
@@ -218,9 +230,17 @@ static void correct_some(const struct bead_patch_source *source, const struct be
     lanes tau = kink_root(c, &end0, &end1), q0 = kink_value(c, tau), q1 = kink_slope(c, tau), q2 = kink_curve(c, tau);
     const lanes q3 = c[3] + tau * (4 * c[4] + tau * (10 * c[5])), a = stiffness[1] * (1 / 1.5);
     lane_masks good = shape_kink(&shape, tau, q1, q2, q3) & (magnitude(q0) < kink_found * magnitude(q1));
-    spread_kink(t, &shape, g, twice);
     /* ... and where it is. */
-    unbend(&shape, -(square[0] + square[1]) * (a * (shape.rho * ROOT_OF(shape.rho))), kink_sum(t->bp, g), kink_sum(t->b, g), bent);
+    const lanes strength = (square[0] + square[1]) * (a * ROOT_OF(shape.rho)), bends = kink_bent * strength;
+    const lane_masks bending = bends * first_lanes(effect, count) > 0.5 * tolerance;
+    for (size_t j = 0; j < 3; j++)
+        bent[j] = zero;
+    if (any_lane(bending)) {
+        spread_kink(t, &shape, g, twice);
+        unbend(&shape, -strength * shape.rho, kink_sum(t->bp, g), kink_sum(t->b, g), bent);
+        for (size_t j = 0; j < 3; j++)
+            bent[j] = choose(bending, bent[j], zero);
+    }
     const lanes shift = -(q0 + bent[0]) / (q1 + bent[1]);
     good &= shape_kink(&shape, tau + shift, q1 + bent[1] + 2 * (q2 * shift), q2 + bent[2] + 3 * (q3 * shift), q3);
     spread_kink(t, &shape, g, twice);
@@ -229,7 +249,8 @@ static void correct_some(const struct bead_patch_source *source, const struct be
     kink_cubics(&end0, &end1, cubic);
     const lanes most = sum_stages(t, &shape, g, twice, cubic, stiffness, square, impulse, moment);
     const lanes scale = a * (shape.rho * ROOT_OF(shape.rho)), cube = shape.bend * (shape.bend * shape.bend);
-    const lanes left = choose(good, kink_second * (most * most) + kink_series * cube + kink_rest, zero + INFINITY);
+    const lanes unknown = kink_second * (most * most) + kink_series * cube + kink_rest + choose(bending, zero, bends);
+    const lanes left = choose(good, unknown, zero + INFINITY);
     for (size_t j = 0; j < 3; j++) {
         impulse[j] *= scale;
         moment[j] *= scale;
@@ -244,8 +265,8 @@ static void correct_some(const struct bead_patch_source *source, const struct be
 }
 
 static void correct_kinks(const struct bead_patch_source *source, const struct bead_tableau *tableau, size_t count,
-                          const size_t *contact, struct bead_kink *kink)
+                          const size_t *contact, const double *effect, double tolerance, struct bead_kink *kink)
 {
     for (size_t i = 0; i < count; i += LANES)
-        correct_some(source, tableau, contact + i, count - i < LANES ? count - i : LANES, kink + i);
+        correct_some(source, tableau, contact + i, effect + i, tolerance, count - i < LANES ? count - i : LANES, kink + i);
 }

@@ -75,9 +75,11 @@ struct bead_kernels {
     bool (*mark_events)(size_t n, const struct bead_event_ends *ends, unsigned char *mark);
     /* Contact 0 of the patch is contact `at` of the chain: -1 is the constant force on the striker. */
     void (*load_patch)(const struct bead_patch_source *source, ptrdiff_t at, struct bead_patch *patch);
-    /* See events_kinks.h. kink[i] is that of contact[i], which is closed at one end of the step, moving accordingly at both. */
+    /* See events_kinks.h. kink[i] is that of contact[i], which is closed at one end of the step, moving towards the other state at
+     * one of them at least, and can change a velocity by effect[i], m/s; what changes none by half of `tolerance` may be left out.
+     */
     void (*correct_kinks)(const struct bead_patch_source *source, const struct bead_tableau *tableau, size_t count,
-                          const size_t *contact, struct bead_kink *kink);
+                          const size_t *contact, const double *effect, double tolerance, struct bead_kink *kink);
     /* Over from <= s <= to; tau: the branch point at or near one of its ends, NULL where there is none. Picard steps end when one
      * changes no h^2 f/m by more than `enough`. */
     void (*integrate_piece)(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps,
@@ -86,7 +88,7 @@ struct bead_kernels {
 
 /* correct_kinks and integrate_piece of the set "avx2", which are those of "avx512" as well. */
 void bead_correct_few_kinks(const struct bead_patch_source *source, const struct bead_tableau *tableau, size_t count,
-                            const size_t *contact, struct bead_kink *kink);
+                            const size_t *contact, const double *effect, double tolerance, struct bead_kink *kink);
 void bead_integrate_few(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps, double enough,
                         struct bead_patch *patch);
 
