@@ -1,10 +1,10 @@
 /* Work against error: problems, clock and rows that the programs of tests/bench/precision_* share.
  *
  * Every program prints rows `problem,solver,setting,cpu_s,error_peaks,error_velocity,evaluations`: CPU seconds of one run (the best
- * of a few), the largest relative error of the contacts' peak forces over the run, and the largest error of a velocity at an early
- * time, in units of the striker's. Evaluations are of the whole chain's forces.
- * BENCH_QUICK=1 in the environment: one short range of settings each. BENCH_LIMIT: CPU seconds that one run may take; a solver's
- * next finer setting is not tried when one took longer. */
+ * of a few, or of many where they are short), the largest relative error of the contacts' peak forces over the run, and the largest
+ * error of a velocity at an early time, in units of the striker's. Evaluations are of the whole chain's forces. BENCH_QUICK=1 in
+ * the environment: one short range of settings each. BENCH_LIMIT: CPU seconds that one run may take; a solver's next finer setting
+ * is not tried when one took longer. */
 #ifndef BEADREEL_BENCH_PRECISION_H
 #define BEADREEL_BENCH_PRECISION_H
 
@@ -71,12 +71,12 @@ static inline double cpu_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Best time of a few runs: more where they are short. */
+/* Best time of a few runs, of many where they are short: the first ones warm up the processor. */
 static inline double best_time(void (*run)(void *context), void *context)
 {
     double best = INFINITY, all = 0;
     const double enough = quick() ? 0.01 : 0.3;
-    for (int i = 0; i < 20 && (i < 2 || all < enough) && all < limit(); i++) {
+    for (int i = 0; i < 500 && (i < 2 || all < enough) && all < limit(); i++) {
         double start = cpu_seconds();
         run(context);
         double took = cpu_seconds() - start;

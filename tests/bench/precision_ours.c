@@ -89,13 +89,14 @@ static void sweep_steps(const struct problem *problem, const struct references *
     }
 }
 
+/* Four to the decade: a step then changes by 7 %. */
 static void sweep_accuracies(const struct problem *problem, const struct references *references)
 {
     double before = 0;
-    for (int digits = 3; digits <= (quick() ? 8 : 12); digits++) {
+    for (int quarters = 4 * 3 - 1; quarters <= 4 * (quick() ? 8 : 12); quarters++) {
         char simulate[128], setting[32];
-        snprintf(simulate, sizeof simulate, "until: %.17g, method: auto, accuracy: 1e-%d", problem->end, digits);
-        snprintf(setting, sizeof setting, "1e-%d", digits);
+        snprintf(setting, sizeof setting, "%.2g", pow(10, -0.25 * quarters));
+        snprintf(simulate, sizeof simulate, "until: %.17g, method: auto, accuracy: %s", problem->end, setting);
         struct row row = {problem->name, "auto", setting, 0, 0, 0, 0};
         if (!measure(problem, references, simulate, &row))
             continue;
