@@ -31,7 +31,7 @@ struct bead_engine_type {
     void (*close)(struct bead_engine *engine);
 };
 
-enum { BEAD_KEY_INTERVAL = 250 /* frames given to the engine from one that can be jumped to, to the next */ };
+enum { BEAD_KEY_INTERVAL = 300 /* frames given to the engine from one that can be jumped to, to the next */ };
 
 /* "key=value key=value ..." */
 int bead_engine_options(const struct bead_av *av, const char *text, AVDictionary **options);
