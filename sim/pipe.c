@@ -48,6 +48,13 @@ static enum bead_error call(struct bead_pipe *pipe, void *slot, int last, struct
     return pipe->work(pipe->context, slot, last, message);
 }
 
+/* A producer that found the ring full waits until half of it is free: woken for every slot, it would fill this one and wait again,
+ * and the two threads would do little else. */
+static bool has_room(const struct bead_pipe *pipe)
+{
+    return pipe->submitted - pipe->finished <= pipe->slots / 2;
+}
+
 static void *run_worker(void *argument)
 {
     struct bead_pipe *pipe = argument;
@@ -56,7 +63,8 @@ static void *run_worker(void *argument)
     pthread_mutex_lock(&pipe->lock);
     for (;;) {
         keep_error(pipe, error, &message);
-        pthread_cond_signal(&pipe->changed);
+        if (pipe->error || has_room(pipe))
+            pthread_cond_signal(&pipe->changed);
         while (!pipe->error && !pipe->abandoned && !pipe->closing && pipe->finished == pipe->submitted)
             pthread_cond_wait(&pipe->changed, &pipe->lock);
         if (pipe->error || pipe->abandoned || pipe->finished == pipe->submitted)
@@ -145,7 +153,8 @@ static bool wait_for_slot(struct bead_pipe *pipe)
     if (!pipe->threaded)
         return !pipe->error;
     pthread_mutex_lock(&pipe->lock);
-    while (!pipe->error && pipe->submitted - pipe->finished == pipe->slots)
+    bool full = pipe->submitted - pipe->finished == pipe->slots;
+    while (full && !pipe->error && !has_room(pipe))
         pthread_cond_wait(&pipe->changed, &pipe->lock);
     bool free_one = !pipe->error;
     pthread_mutex_unlock(&pipe->lock);
