@@ -97,8 +97,9 @@ static const double patience = 200;
 
 static enum bead_error lost_front(const struct bead_play *p, size_t chain, double time, struct bead_message *msg)
 {
-    return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: chain %s: after %.4g s the front has not reached the end: give simulate.until",
-                     bead_chain_scene(p->chains[chain])->file, bead_chain_name(p->chains[chain]), time);
+    const char *name = bead_chain_name(p->chains[chain]);
+    return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: chain%s%s: after %.4g s the front has not reached the end: give simulate.until",
+                     bead_chain_scene(p->chains[chain])->file, *name ? " " : "", name, time);
 }
 
 static enum bead_error advance(struct pass *pass, const struct bead_runner *runner, double time, struct bead_message *msg)

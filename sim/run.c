@@ -217,12 +217,12 @@ static enum bead_error check_energy(struct bead_run *run, double error, struct b
     run->checked = s->steps;
     if (error <= energy_limit)
         return BEAD_OK;
-    const char *advice =
-        run->stepping.variable ? "give a smaller simulate.accuracy" : "give a shorter simulate.step or leave it out";
+    const char *name = bead_chain_name(s->chain), *advice = run->stepping.variable ? "give a smaller simulate.accuracy"
+                                                                                   : "give a shorter simulate.step or leave it out";
     return bead_fail(
         msg, BEAD_ERROR_NUMBERS,
-        "chain %s: at %.6g s the energy is off by %.3g of all that was put in: steps of %.3g s are too long for `%s`; %s",
-        bead_chain_name(s->chain), s->t1, error, s->h, s->method->info.name, advice);
+        "chain%s%s: at %.6g s the energy is off by %.3g of all that was put in: steps of %.3g s are too long for `%s`; %s",
+        *name ? " " : "", name, s->t1, error, s->h, s->method->info.name, advice);
 }
 
 /* At fixed steps only, so that what the run knows of its errors does not depend on the outputs. */
