@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "beadreel/library.h"
 #include "render/gl_context.h"
-#include "render/library.h"
 
 #define EGL_FUNCTIONS(X)                                                              \
     X(EGLDisplay, GetPlatformDisplay, (EGLenum, void *, const EGLAttrib *))           \

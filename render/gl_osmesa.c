@@ -2,8 +2,8 @@
 #include <GL/osmesa.h>
 #include <stdlib.h>
 
+#include "beadreel/library.h"
 #include "render/gl_context.h"
-#include "render/library.h"
 
 /* The context needs a default framebuffer, which nobody draws into: a canvas has its own. */
 enum { IDLE_SIZE = 16 };

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "render/library.h"
+#include "beadreel/library.h"
 
 #define TEXT(x)                TEXT_OF(x)
 #define TEXT_OF(x)             #x

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <x264.h>
 
-#include "render/library.h"
+#include "beadreel/library.h"
 #include "render/movie_engine.h"
 
 #define TEXT(x)    TEXT_OF(x)

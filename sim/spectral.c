@@ -1,11 +1,12 @@
 #include "sim/spectral.h"
 
-#include <dlfcn.h>
 #include <fftw3.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "beadreel/library.h"
 
 /* FFTW's planner, unlike its transforms, keeps tables that all threads share. */
 static pthread_mutex_t planner = PTHREAD_MUTEX_INITIALIZER;
@@ -27,7 +28,7 @@ struct bead_fftw {
             void (*destroy_plan)(fftw_plan);
             void (*execute)(const fftw_plan);
         };
-        void *loaded[FUNCTIONS];
+        void (*loaded[FUNCTIONS])(void);
     };
 };
 
@@ -36,14 +37,10 @@ static enum bead_error load(struct bead_fftw *fftw, struct bead_message *msg)
     static const char *const names[FUNCTIONS] = {"fftw_alloc_real",      "fftw_alloc_complex",   "fftw_free",
                                                  "fftw_plan_dft_c2r_1d", "fftw_plan_dft_r2c_1d", "fftw_destroy_plan",
                                                  "fftw_execute"};
-    void *library = dlopen("libfftw3.so.3", RTLD_NOW | RTLD_LOCAL); /* it stays open */
-    for (size_t i = 0; i < FUNCTIONS; i++) {
-        fftw->loaded[i] = library ? dlsym(library, names[i]) : NULL;
-        if (!fftw->loaded[i]) {
-            const char *why = dlerror();
-            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "Fourier transforms need FFTW 3: %s", why ? why : names[i]);
-        }
-    }
+    static const char *const files[] = {"libfftw3.so.3", NULL};
+    struct bead_message why;
+    if (bead_library_load(files, names, FUNCTIONS, fftw->loaded, &why))
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "Fourier transforms need FFTW 3: %s", why.text);
     return BEAD_OK;
 }
 

@@ -1,4 +1,4 @@
-#include "render/library.h"
+#include "beadreel/library.h"
 
 #include <dlfcn.h>
 #include <string.h>

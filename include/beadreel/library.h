@@ -1,6 +1,6 @@
 /* Libraries that are opened only when something is made with them, so that a machine may lack them. */
-#ifndef BEAD_RENDER_LIBRARY_H
-#define BEAD_RENDER_LIBRARY_H
+#ifndef BEADREEL_LIBRARY_H
+#define BEADREEL_LIBRARY_H
 
 #include <stddef.h>
 
@@ -8,7 +8,7 @@
 
 /* Fill functions[i] with the address of names[i], from the first of `files` (NULL-terminated) that can be opened. The library stays
  * open for the life of the process: drivers below it do not stand being unloaded. Errors: GRAPHICS (with the loader's words). */
-BEAD_CHECK enum bead_error bead_library_load(const char *const *files, const char *const *names, size_t count,
-                                             void (**functions)(void), struct bead_message *msg);
+BEAD_API BEAD_CHECK enum bead_error bead_library_load(const char *const *files, const char *const *names, size_t count,
+                                                      void (**functions)(void), struct bead_message *msg);
 
 #endif
