@@ -8,22 +8,22 @@
 
 /* The accuracy that the theta in a method's row stands for. */
 static const double row_accuracy = 1e-6;
-/* Asked for no more than this, contacts that open and close need no correction: the longest steps are good enough without. */
-static const double low_accuracy = 1e-3;
+/* Asked for no more than this, contacts that open and close need no correction: shorter steps without cost less (tests/bench). */
+static const double low_accuracy = 1.5e-4;
 /* Where contacts cannot open, forces are smooth. Peaks are better than asked then (tests/bench); what bounds these steps is the
  * energy of the fastest vibrations over many periods (tests/stress). Only far from opening: the branch point spoils much before it
  * is reached. */
 static const double smooth_theta = 1, smooth_order = 8, smooth_cap = 2.2, far_from_opening = 0.1;
 
 /* Errors add up on the way along a chain, and grow behind the front where it is disordered: with contacts that open, chains of more
- * than `usual_beads` are stepped for an accuracy so many times smaller, up to about as many as the longest have that peaks were
- * compared for (tests/stress/stress_accuracy.c). */
-static const double usual_beads = 70, most_beads = 600;
+ * than `usual_beads` are stepped for an accuracy smaller by this power of their length, up to about as many beads as the longest
+ * have that peaks were compared for (tests/stress/stress_accuracy.c). */
+static const double usual_beads = 70, most_beads = 600, length_power = 1.2;
 
 static double share_of(const struct bead_chain *chain)
 {
     const double beads = (double)chain->beads;
-    return beads > usual_beads ? usual_beads / fmin(beads, most_beads) : 1;
+    return beads > usual_beads ? pow(usual_beads / fmin(beads, most_beads), length_power) : 1;
 }
 
 /* Energy that would open contact k, J. */
