@@ -20,8 +20,7 @@ static bool copy_constants(struct bead_events *e, const struct bead_stepper *s)
     const struct bead_chain *chain = s->chain;
     size_t length = chain->beads + 2 * BEAD_EVENTS_MARGIN;
     e->constants = calloc(length, 5 * sizeof *e->constants);
-    e->mark = calloc(chain->beads / BEAD_EVENTS_LANES + 1, BEAD_EVENTS_LANES);
-    if (!e->constants || !e->mark)
+    if (!e->constants)
         return false;
     e->stiffness = e->constants + BEAD_EVENTS_MARGIN;
     e->static_compression = e->stiffness + length;
@@ -40,18 +39,38 @@ static bool copy_constants(struct bead_events *e, const struct bead_stepper *s)
     return true;
 }
 
+/* Pages that no active contact reaches are never touched. */
+static bool make_flags(struct bead_events *e, size_t beads)
+{
+    const size_t length = beads + 2 * BEAD_EVENTS_MARGIN;
+    struct bead_event_flags *f = &e->flags;
+    struct bead_kinks *k = &e->kinks;
+    double **array[] = {&f->d0,         &f->r0,         &f->d1,         &f->r1,        &f->effect,    &k->left,
+                        &k->impulse[0], &k->impulse[1], &k->impulse[2], &k->moment[0], &k->moment[1], &k->moment[2]};
+    const size_t arrays = sizeof array / sizeof *array;
+    double *at = e->flags_memory = calloc(length, arrays * sizeof *at + sizeof *f->contact);
+    if (!at)
+        return false;
+    for (size_t i = 0; i < arrays; i++, at += length)
+        *array[i] = at + BEAD_EVENTS_MARGIN;
+    f->contact = (void *)at;
+    return true;
+}
+
 enum bead_error bead_events_create(const struct bead_stepper *s, struct bead_events **events, struct bead_message *msg)
 {
     *events = NULL;
     if (!s->chain->law->one_sided)
         return BEAD_OK;
     struct bead_events *e = calloc(1, sizeof *e);
-    if (!e || !copy_constants(e, s)) {
+    if (!e || !copy_constants(e, s) || !make_flags(e, s->chain->beads)) {
         bead_events_destroy(e);
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contact events of %zu beads", s->beads);
     }
     e->rule = bead_patch_rule_make(s->chain->law, &s->chain->spec->law);
     e->kinks_known = bead_kinks_known(s->method->tableau) && s->chain->spec->law.kind == BEAD_LAW_HERTZ;
+    if (e->kinks_known)
+        e->method = bead_kink_method_make(s->method->tableau);
     bead_events_bound(e, s);
     *events = e;
     return BEAD_OK;
@@ -62,10 +81,7 @@ void bead_events_destroy(struct bead_events *events)
     if (!events)
         return;
     free(events->constants);
-    free(events->mark);
-    free(events->flagged);
-    free(events->effect);
-    free(events->kink);
+    free(events->flags_memory);
     free(events->patch.memory);
     free(events->branch);
     free(events);
@@ -169,7 +185,7 @@ static bool find_branches(struct bead_events *e, size_t first, const size_t *fla
         const size_t k = flagged[i] - first + 1;
         double c[6], end[2] = {e->patch.array[BEAD_PATCH_END_D][k], e->patch.array[BEAD_PATCH_END_RATE][k]};
         load_quintic(&e->patch, k, c);
-        size_t n = bead_patch_branches(c, end, e->reach, found);
+        size_t n = bead_patch_branches(c, end, e->limits.reach, found);
         e->patch.bends[k] = n > 0;
         for (size_t j = 0; j < n; j++)
             insert(e, found[j]);
@@ -276,52 +292,84 @@ static bool correct_patch(struct bead_events *e, struct bead_stepper *s, size_t 
     return true;
 }
 
-/* What every flagged contact would owe were it a kink, from the step as the method made it. */
-static bool find_kinks(struct bead_events *e, const struct bead_stepper *s)
+/* What kinks at..at + count - 1 leave undone, at most, m/s. */
+static double left_undone(const struct bead_events *e, size_t at, size_t count)
 {
-    if (!bead_events_grow((void **)&e->kink, &e->kink_room, e->flagged_count, sizeof *e->kink))
-        return false;
-    s->kernels->correct_kinks(&e->source, s->method->tableau, e->flagged_count, e->flagged, e->effect, s->event_tolerance, e->kink);
-    return true;
+    double most = 0;
+    for (size_t i = at; i < at + count; i++)
+        most = e->kinks.left[i] > most ? e->kinks.left[i] : most;
+    return most;
 }
 
-/* Flagged contacts at..at + count - 1, if kinks is all that they are and enough is known of them. */
-static bool correct_kinks(struct bead_events *e, struct bead_stepper *s, size_t at, size_t count)
+/* Kink i gives its impulses to the beads of its contact and of the neighbours: none that is no contact, and none behind the window.
+ */
+static void owe_kink(const struct bead_events *e, struct bead_stepper *s, size_t i)
 {
-    const double h = s->h;
-    for (size_t i = at; i < at + count; i++) {
-        if (!(e->kink[i].left * e->effect[i] <= s->event_tolerance && bead_events_simple(e, s, e->flagged[i])))
-            return false;
+    const struct bead_kinks *kink = &e->kinks;
+    const size_t k = e->flags.contact[i];
+    const bool right = k + 1 < s->active;
+    const double *w = e->inverse_mass + k, here = kink->impulse[1][i], later = kink->moment[1][i];
+    const double after = right ? kink->impulse[2][i] : 0, later_after = right ? kink->moment[2][i] : 0;
+    double *v = s->end.v + k, *u = s->end.u + k, before = 0, later_before = 0;
+    if (k > 0) {
+        before = kink->impulse[0][i];
+        later_before = kink->moment[0][i];
+        v[-1] -= before * w[-1];
+        u[-1] -= later_before * w[-1];
     }
-    for (size_t i = at; i < at + count; i++) {
-        const struct bead_kink *kink = &e->kink[i];
-        for (size_t j = e->flagged[i] > 0 ? 0 : 1; j < 3 && e->flagged[i] + j - 1 < s->active; j++)
-            owe(e, s, e->flagged[i] + j - 1, h * kink->impulse[j], h * h * kink->moment[j]);
-        s->event_change = fmax(s->event_change, kink->left * e->effect[i]);
+    v[0] += (before - here) * w[0];
+    u[0] += (later_before - later) * w[0];
+    v[1] += (here - after) * w[1];
+    u[1] += (later - later_after) * w[1];
+    if (right) {
+        v[2] += after * w[2];
+        u[2] += later_after * w[2];
     }
+}
+
+/* How many flagged contacts from number `at` on are so close together that their patches are one. */
+static size_t cluster(const struct bead_events *e, size_t at)
+{
+    const size_t *flagged = e->flags.contact + at, left = e->flagged_count - at;
+    size_t n = 1;
+    while (n < left && n < CLUSTER && flagged[n] - flagged[n - 1] <= 2 * WIDTH + 1)
+        n++;
+    return n;
+}
+
+/* Flagged contacts at..at + count - 1 as kinks, if that is all they are and enough is known of them; else in a patch, of contacts
+ * first..last. */
+static bool correct_cluster(struct bead_events *e, struct bead_stepper *s, size_t at, size_t count, size_t first, size_t last)
+{
+    const double left = e->kinks_known ? left_undone(e, at, count) : INFINITY;
+    if (left > s->event_tolerance)
+        return correct_patch(e, s, first, last, e->flags.contact + at, count);
+    for (size_t i = at; i < at + count; i++)
+        owe_kink(e, s, i);
+    s->event_change = fmax(s->event_change, left);
     return true;
 }
 
 /* Patches that touch or overlap are one. Forces are computed again behind the last patch, or for those so far before a gap that is
  * not worth going over. */
-static bool correct_patches(struct bead_events *e, struct bead_stepper *s)
+static bool correct_flagged(struct bead_events *e, struct bead_stepper *s)
 {
     size_t begin = 0, end = 0; /* beads moved */
-    describe_step(e, s);
-    bool ok = !e->kinks_known || find_kinks(e, s);
+    bool ok = true, kinks = e->kinks_known;
+    if (kinks) {
+        s->kernels->correct_kinks(&e->source, &e->method, e->flagged_count, &e->flags, s->event_tolerance, &e->kinks);
+        kinks = left_undone(e, 0, e->flagged_count) <= s->event_tolerance;
+    }
     for (size_t i = 0, n; ok && i < e->flagged_count; i += n) {
-        const size_t *flagged = e->flagged + i;
-        const size_t left = e->flagged_count - i;
-        for (n = 1; n < left && n < CLUSTER && flagged[n] - flagged[n - 1] <= 2 * WIDTH + 1;)
-            n++;
+        const size_t *flagged = e->flags.contact + i;
+        n = kinks ? 1 : cluster(e, i);
         size_t first = flagged[0] > WIDTH ? flagged[0] - WIDTH : 0, last = flagged[n - 1] + WIDTH;
         if (i > 0 && first < end)
             first = end;
-        if (n < left && last >= flagged[n])
+        if (i + n < e->flagged_count && last >= flagged[n])
             last = flagged[n] - 1;
         last = last < s->active ? last : s->active - 1;
-        if (!e->kinks_known || !correct_kinks(e, s, i, n))
-            ok = correct_patch(e, s, first, last, flagged, n);
+        ok = correct_cluster(e, s, i, n, first, last);
         if (i > 0 && first - end > GAP) {
             refresh(s, begin, end);
             begin = first;
@@ -337,10 +385,10 @@ static bool correct_patches(struct bead_events *e, struct bead_stepper *s)
 void bead_events_correct(struct bead_events *e, struct bead_stepper *s)
 {
     s->event_change = 0;
-    bool ok = bead_events_flag(e, s);
-    if (ok && e->flagged_count > 0)
-        ok = correct_patches(e, s);
-    e->failed |= !ok;
+    describe_step(e, s);
+    bead_events_flag(e, s);
+    if (e->flagged_count > 0)
+        e->failed |= !correct_flagged(e, s);
 }
 
 /* Whether a contact of first..last is flagged. */
@@ -349,12 +397,12 @@ static bool any_flagged(const struct bead_events *e, size_t first, size_t last)
     size_t low = 0, high = e->flagged_count;
     while (low < high) {
         size_t middle = (low + high) / 2;
-        if (e->flagged[middle] < first)
+        if (e->flags.contact[middle] < first)
             low = middle + 1;
         else
             high = middle;
     }
-    return low < e->flagged_count && e->flagged[low] <= last;
+    return low < e->flagged_count && e->flags.contact[low] <= last;
 }
 
 bool bead_events_compression(struct bead_events *e, const struct bead_stepper *s, size_t contact, double x, double d[2])
@@ -382,5 +430,5 @@ bool bead_events_compression(struct bead_events *e, const struct bead_stepper *s
 const size_t *bead_events_flagged(const struct bead_events *events, size_t *count)
 {
     *count = events->flagged_count;
-    return events->flagged;
+    return events->flags.contact;
 }

@@ -18,9 +18,9 @@
  * 6. Forces at the end of the step are computed again where beads have moved: the next step begins with them.
  *
  * What is at rest is never touched, so the window changes no bit; times are counted in steps, so the exact scaling of Hertz's
- * chain holds to the bit. Files: events_flags.c flags, events.c does the bookkeeping, events_roots.c finds branch points,
- * events_marks_body.h, events_kinks_body.h and events_body.h do what is worth vectors (compiled for each instruction set),
- * events_piece.c serves other power laws, events_tables.c holds the quadrature. */
+ * chain holds to the bit. Files: events_flags.c says what to flag, events.c does the bookkeeping, events_roots.c finds branch
+ * points, events_flags_body.h, events_load_body.h, events_kinks_body.h and events_body.h do what is worth vectors (compiled for
+ * each instruction set), events_piece.c serves other power laws, events_tables.c holds the quadrature. */
 #ifndef BEADREEL_SIM_EVENTS_H
 #define BEADREEL_SIM_EVENTS_H
 

@@ -10,6 +10,7 @@
  *
  * Both are sums over the stages, known once tau, rho, e_1 and e_2 are: no other node is needed, and kinks simply add up. tau comes
  * from the quintic Hermite interpolant, which g itself bends a little; that too is known to first order and taken out.
+ * Seven digits are more than these formulas are good for: lengths are counted in units of the change of d, in single precision.
  * What is left is of second order, q^2 times the correction, q the largest h^2 K/m nearby; where that is too much, and where a
  * contact grazes, patches do it (events.h). */
 #ifndef BEADREEL_SIM_EVENTS_KINKS_H
@@ -22,13 +23,19 @@ struct bead_tableau;
 struct bead_patch_source;
 
 enum { BEAD_KINK_STAGES = 8 };
+/* Of the method, in the digits that kinks are computed in. */
+struct bead_kink_method {
+    float c[BEAD_KINK_STAGES], a[BEAD_KINK_STAGES][BEAD_KINK_STAGES], b[BEAD_KINK_STAGES], bp[BEAD_KINK_STAGES];
+};
 /* False where the method has more stages, or the last of more counts in its sums. */
 bool bead_kinks_known(const struct bead_tableau *tableau);
+struct bead_kink_method bead_kink_method_make(const struct bead_tableau *tableau);
 
-/* What the quadrature owes contacts k - 1, k, k + 1: of the impulse, int f ds, and its moment, int (1 - s) f ds; N. */
-struct bead_kink {
-    double impulse[3], moment[3];
-    double left; /* part of the correction that is left undone, an estimate; INFINITY: this is not a kink */
+/* What the quadrature owes contacts k - 1, k, k + 1 of each kink, over the step: of the impulse, int f dt, N s, and of its moment,
+ * int (t1 - t) f dt, N s^2. */
+struct bead_kinks {
+    double *impulse[3], *moment[3];
+    double *left; /* m/s: what is left undone of a velocity, an estimate; INFINITY: this is not a kink */
 };
 
 #endif

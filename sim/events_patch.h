@@ -67,6 +67,13 @@ struct bead_patch_source {
     double impulse[BEAD_PATCH_STAGES_MAX], moment[BEAD_PATCH_STAGES_MAX];
 };
 
+/* Contacts that have a branch point in the step, or near it; arrays with room for the chain and a vector before and behind it. */
+struct bead_event_flags {
+    double *d0, *r0, *d1, *r1; /* m: compressions at both ends of the step, and their rates times h */
+    size_t *contact;           /* those that matter, in order */
+    double *effect;            /* m/s: what each of them can do to a velocity, at most */
+};
+
 /* How s = tau +- x^m takes the branch point out of (s - tau)^p: m p should be a whole number. For Hertz's p = 3/2, m = 2. */
 struct bead_patch_rule {
     int power; /* m */
@@ -75,6 +82,14 @@ struct bead_patch_rule {
     bool hertz; /* A d^{3/2}, without calling the law */
 };
 struct bead_patch_rule bead_patch_rule_make(const struct bead_law *law, const struct bead_law_spec *spec);
+
+/* Which branch points matter. */
+struct bead_event_limits {
+    const struct bead_patch_rule *rule;
+    const double *hardness;  /* A/m, m the lighter bead's, of the contacts */
+    double reach, tolerance; /* so many steps outside; effects of more, m/s */
+    double slow;             /* m: rates times h that are too small to do so much anywhere in the chain */
+};
 
 /* A part of the step in which every force of the patch is analytic in the variable that places the nodes. */
 struct bead_patch_piece {

@@ -9,12 +9,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
-struct bead_kink;
+struct bead_event_flags;
+struct bead_event_limits;
+struct bead_kink_method;
+struct bead_kinks;
 struct bead_law_spec;
 struct bead_patch;
 struct bead_patch_rule;
 struct bead_patch_source;
-struct bead_tableau;
 
 /* Constants of the contacts 0..n-1 as the force kernels want them. */
 struct bead_contact_table {
@@ -28,13 +30,6 @@ struct bead_contact_table {
 
 /* f_k of displacements u (and velocities v where damped), minus the static force. */
 typedef void (*bead_force_kernel)(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f);
-
-/* States at both ends of a step of length h, s. */
-struct bead_event_ends {
-    const double *static_compression, *u0, *v0, *u1, *v1;
-    double h;
-    double reach; /* steps: how far outside a branch point may matter */
-};
 
 struct bead_step_ends {
     const double *u0, *v0, *a0, *u1, *v1, *a1;
@@ -70,16 +65,16 @@ struct bead_kernels {
      * step: where its rate was > 0 at the start and is <= 0 at the end, or has one sign at both ends and may have the other in
      * between. Returns whether any. Whole vectors are read, and written. */
     bool (*turns)(size_t n, const struct bead_step_ends *ends, const double *least, unsigned char *mark);
-    /* Contact events, see events_patch.h. mark[k] = 1 where contact k may open or close within the step or `reach` steps outside;
-     * returns whether any. Whole vectors are read, and written. */
-    bool (*mark_events)(size_t n, const struct bead_event_ends *ends, unsigned char *mark);
+    /* Contact events, see events_patch.h: which of contacts 0..n-1 have one that matters, and what it does. Beads n, n + 1, ... are
+     * at rest; whole vectors are read, and written. Returns how many. */
+    size_t (*flag_events)(size_t n, const struct bead_patch_source *source, const struct bead_event_limits *limits,
+                          struct bead_event_flags *flags);
     /* Contact 0 of the patch is contact `at` of the chain: -1 is the constant force on the striker. */
     void (*load_patch)(const struct bead_patch_source *source, ptrdiff_t at, struct bead_patch *patch);
-    /* See events_kinks.h. kink[i] is that of contact[i], which is closed at one end of the step, moving towards the other state at
-     * one of them at least, and can change a velocity by effect[i], m/s; what changes none by half of `tolerance` may be left out.
-     */
-    void (*correct_kinks)(const struct bead_patch_source *source, const struct bead_tableau *tableau, size_t count,
-                          const size_t *contact, const double *effect, double tolerance, struct bead_kink *kink);
+    /* See events_kinks.h: of the first `count` flags, which there are; what changes no velocity by half of `tolerance` may be left
+     * out. Whole vectors are read, and written. */
+    void (*correct_kinks)(const struct bead_patch_source *source, const struct bead_kink_method *method, size_t count,
+                          struct bead_event_flags *flags, double tolerance, struct bead_kinks *kinks);
     /* Over from <= s <= to; tau: the branch point at or near one of its ends, NULL where there is none. Picard steps end when one
      * changes no h^2 f/m by more than `enough`. */
     void (*integrate_piece)(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps,
@@ -87,8 +82,8 @@ struct bead_kernels {
 };
 
 /* correct_kinks and integrate_piece of the set "avx2", which are those of "avx512" as well. */
-void bead_correct_few_kinks(const struct bead_patch_source *source, const struct bead_tableau *tableau, size_t count,
-                            const size_t *contact, const double *effect, double tolerance, struct bead_kink *kink);
+void bead_correct_few_kinks(const struct bead_patch_source *source, const struct bead_kink_method *method, size_t count,
+                            struct bead_event_flags *flags, double tolerance, struct bead_kinks *kinks);
 void bead_integrate_few(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps, double enough,
                         struct bead_patch *patch);
 

@@ -4,10 +4,10 @@
 extern const struct bead_kernels bead_kernels_avx2;
 #include "sim/kernels_body.h"
 
-void bead_correct_few_kinks(const struct bead_patch_source *source, const struct bead_tableau *tableau, size_t count,
-                            const size_t *contact, const double *effect, double tolerance, struct bead_kink *kink)
+void bead_correct_few_kinks(const struct bead_patch_source *source, const struct bead_kink_method *method, size_t count,
+                            struct bead_event_flags *flags, double tolerance, struct bead_kinks *kinks)
 {
-    correct_kinks(source, tableau, count, contact, effect, tolerance, kink);
+    correct_kinks(source, method, count, flags, tolerance, kinks);
 }
 
 void bead_integrate_few(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps, double enough,

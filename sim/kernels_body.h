@@ -234,7 +234,8 @@ static bool turns(size_t n, const struct bead_step_ends *ends, const double *lea
     return any;
 }
 
-#include "sim/events_marks_body.h"
+#include "sim/events_flags_body.h"
+#include "sim/events_load_body.h"
 /* Few numbers at a time: long vectors wait for their roots, and are less than full. */
 #ifdef KERNELS_OF_FEW
 #define correct_kinks   bead_correct_few_kinks
@@ -247,4 +248,4 @@ static bool turns(size_t n, const struct bead_step_ends *ends, const double *lea
 const struct bead_kernels KERNELS_TABLE = {
     KERNELS_NAME, KERNELS_DESCRIPTION, hertz,         hertz_static,   hertz_move, hertz_stiffness,
     circles,      accelerations,       rk4_sum,       combine,        largest,    turns,
-    mark_events,  load_patch,          correct_kinks, integrate_piece};
+    flag_events,  load_patch,          correct_kinks, integrate_piece};

@@ -3,28 +3,53 @@
 #include <stdint.h>
 
 #if defined __AVX512F__
-#define LANES      8
-#define ROOTS      3
-#define FOLLOW     7, 8, 9, 10, 11, 12, 13, 14
-#define ROOT_OF(x) ((lanes)_mm512_sqrt_pd(x))
-#define ANY_OF(x)  (_mm512_test_epi64_mask((__m512i)(x), (__m512i)(x)) != 0)
+#define LANES            8
+#define ROOTS            3
+#define FOLLOW           7, 8, 9, 10, 11, 12, 13, 14
+#define LOWER            0, 1, 2, 3, 4, 5, 6, 7
+#define UPPER            8, 9, 10, 11, 12, 13, 14, 15
+#define FLOAT_ROOT_OF(x) ((floats)_mm512_sqrt_ps(x))
+#define ROOT_OF(x)       ((lanes)_mm512_sqrt_pd(x))
+#define LARGER_OF(x, y)  ((lanes)_mm512_max_pd(x, y))
+#define SMALLER_OF(x, y) ((lanes)_mm512_min_pd(x, y))
+#define BITS_OF(x)       _mm512_movepi64_mask((__m512i)(x))
+#define EACH(f)          f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7)
 #elif defined __AVX2__
-#define LANES      4
-#define ROOTS      1
-#define FOLLOW     3, 4, 5, 6
-#define ROOT_OF(x) ((lanes)_mm256_sqrt_pd(x))
-#define ANY_OF(x)  (!_mm256_testz_si256((__m256i)(x), (__m256i)(x)))
+#define LANES            4
+#define ROOTS            1
+#define FOLLOW           3, 4, 5, 6
+#define LOWER            0, 1, 2, 3
+#define UPPER            4, 5, 6, 7
+#define FLOAT_ROOT_OF(x) ((floats)_mm256_sqrt_ps(x))
+#define ROOT_OF(x)       ((lanes)_mm256_sqrt_pd(x))
+#define LARGER_OF(x, y)  ((lanes)_mm256_max_pd(x, y))
+#define SMALLER_OF(x, y) ((lanes)_mm256_min_pd(x, y))
+#define BITS_OF(x)       ((unsigned)_mm256_movemask_pd((__m256d)(x)))
+#define EACH(f)          f(0), f(1), f(2), f(3)
 #else
-#define LANES      2
-#define ROOTS      1
-#define FOLLOW     1, 2
-#define ROOT_OF(x) ((lanes)_mm_sqrt_pd(x))
-#define ANY_OF(x)  (_mm_movemask_epi8((__m128i)(x)) != 0)
+#define LANES            2
+#define ROOTS            1
+#define FOLLOW           1, 2
+#define LOWER            0, 1
+#define UPPER            2, 3
+#define FLOAT_ROOT_OF(x) ((floats)_mm_sqrt_ps(x))
+#define ROOT_OF(x)       ((lanes)_mm_sqrt_pd(x))
+#define LARGER_OF(x, y)  ((lanes)_mm_max_pd(x, y))
+#define SMALLER_OF(x, y) ((lanes)_mm_min_pd(x, y))
+#define BITS_OF(x)       ((unsigned)_mm_movemask_pd((__m128d)(x)))
+#define EACH(f)          f(0), f(1)
 #endif
 typedef double lanes __attribute__((vector_size(8 * LANES)));
 typedef int64_t lane_masks __attribute__((vector_size(8 * LANES)));
 typedef signed char lane_bytes __attribute__((vector_size(LANES), may_alias, aligned(1)));
 typedef double lanes_anywhere __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
+
+/* Numbers of which 7 digits are enough: twice as many a vector, and their roots and quotients are sooner there. */
+enum { FLOATS = 2 * LANES };
+typedef float floats __attribute__((vector_size(8 * LANES)));
+typedef float floats_anywhere __attribute__((vector_size(8 * LANES), aligned(4), may_alias));
+typedef int32_t float_masks __attribute__((vector_size(8 * LANES)));
+typedef float half_floats __attribute__((vector_size(4 * LANES)));
 
 static inline lanes load_lanes(const double *p)
 {
@@ -57,14 +82,96 @@ static inline lanes follow_lanes(lanes before, lanes now)
     return __builtin_shufflevector(before, now, FOLLOW);
 }
 
+/* x > y ? x : y, and x < y ? x : y */
 static inline lanes larger_lanes(lanes x, lanes y)
 {
-    return choose(x > y, x, y);
+    return LARGER_OF(x, y);
+}
+
+static inline lanes smaller_lanes(lanes x, lanes y)
+{
+    return SMALLER_OF(x, y);
 }
 
 static inline bool any_lane(lane_masks x)
 {
-    return ANY_OF(x);
+    return BITS_OF(x) != 0;
+}
+
+static inline lanes gather_lanes(const double *x, const size_t *at)
+{
+#define GATHERED(i) x[(ptrdiff_t)at[i]]
+    return (lanes){EACH(GATHERED)};
+#undef GATHERED
+}
+
+/* A bit for each lane where x < y. */
+static inline unsigned less_bits(lanes x, lanes y)
+{
+#ifdef __AVX512F__
+    return _mm512_cmp_pd_mask(x, y, _CMP_LT_OQ);
+#else
+    return BITS_OF(x < y);
+#endif
+}
+
+/* k, k + 1, ... of the lanes whose bits are set, one behind the other; whole vectors are written. Returns how many. */
+static inline size_t pack_numbers(unsigned bits, size_t k, size_t *out)
+{
+#ifdef __AVX512F__
+    const __m512i number = _mm512_add_epi64(_mm512_set1_epi64((long long)k), _mm512_set_epi64(7, 6, 5, 4, 3, 2, 1, 0));
+    _mm512_storeu_si512(out, _mm512_maskz_compress_epi64((__mmask8)bits, number));
+#else
+    for (size_t i = 0, n = 0; i < LANES; n += bits >> i++ & 1)
+        out[n] = k + i;
+#endif
+    return (size_t)__builtin_popcount(bits);
+}
+
+static inline floats narrow_lanes(lanes low, lanes high)
+{
+    return __builtin_shufflevector(__builtin_convertvector(low, half_floats), __builtin_convertvector(high, half_floats), LOWER,
+                                   UPPER);
+}
+
+static inline lanes widen_lower(floats x)
+{
+    return __builtin_convertvector(__builtin_shufflevector(x, x, LOWER), lanes);
+}
+
+static inline lanes widen_upper(floats x)
+{
+    return __builtin_convertvector(__builtin_shufflevector(x, x, UPPER), lanes);
+}
+
+static inline floats choose_floats(float_masks mask, floats yes, floats no)
+{
+    return (floats)((mask & (float_masks)yes) | (~mask & (float_masks)no));
+}
+
+static inline floats positive_floats(floats x)
+{
+    return (floats)((float_masks)x & (x > 0));
+}
+
+static inline floats magnitude_floats(floats x)
+{
+    return (floats)((float_masks)x & INT32_MAX);
+}
+
+static inline floats larger_floats(floats x, floats y)
+{
+    return choose_floats(x > y, x, y);
+}
+
+static inline floats root_floats(floats x)
+{
+    return FLOAT_ROOT_OF(x);
+}
+
+static inline bool any_float(float_masks x)
+{
+    return any_lane((lane_masks)x | (lane_masks)x << 32);
 }
 
 #ifdef __AVX512F__

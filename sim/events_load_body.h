@@ -1,28 +1,5 @@
-/* Included by kernels_body.h: which contacts open or close, and the patches around them; see events.h. Lanes are contacts. */
+/* Included by kernels_body.h: the patches around contacts that open or close; see events.h. Lanes are contacts. */
 #include "sim/events_patch.h"
-
-/* Which contacts may have a branch point in the step or within `reach` steps outside. Every test compares d with what the rate
- * alone would change it by. What is at rest and just touching, d = d' = 0, passes none of them. */
-static bool mark_events(size_t n, const struct bead_event_ends *ends, unsigned char *mark)
-{
-    /* A compression that dips to zero within the step is below half its rate at both ends. */
-    const double h = ends->h, near = ends->reach * h, dip = ends->reach > 0.5 ? near : 0.5 * h;
-    lane_masks any = {0};
-    for (size_t k = 0; k < n; k += LANES) {
-        lanes d = load_lanes(ends->static_compression + k);
-        lanes a = d + (load_lanes(ends->u0 + k) - load_lanes(ends->u0 + k + 1));
-        lanes b = d + (load_lanes(ends->u1 + k) - load_lanes(ends->u1 + k + 1));
-        lanes p = load_lanes(ends->v0 + k) - load_lanes(ends->v0 + k + 1);
-        lanes q = load_lanes(ends->v1 + k) - load_lanes(ends->v1 + k + 1);
-        lane_masks a_closed = a > 0, b_closed = b > 0;
-        lane_masks close = (a < near * p) | (b < -near * q) | ((p < 0) & (q > 0) & ((a < -dip * p) | (b < dip * q)));
-        lane_masks bounce = (p > 0) & (q < 0) & (a + h * p > 0) & (b - h * q > 0);
-        lane_masks marked = (a_closed ^ b_closed) | (a_closed & b_closed & close) | (~(a_closed | b_closed) & bounce);
-        *(lane_bytes *)(mark + k) = __builtin_convertvector(marked, lane_bytes) & 1;
-        any |= marked;
-    }
-    return any_lane(any);
-}
 
 /* Quintic Hermite: what the cubic and higher terms have to add at the end to d, d', d'' are e, e1, e2. */
 static inline void load_quintics(struct bead_patch *patch, size_t k, const lanes d0[3], const lanes d1[3])
