@@ -39,22 +39,14 @@ static bool copy_constants(struct bead_events *e, const struct bead_stepper *s)
     return true;
 }
 
-/* Pages that no active contact reaches are never touched. */
-static bool make_flags(struct bead_events *e, size_t beads)
+static bool make_block(struct bead_events *e, size_t beads)
 {
-    const size_t length = beads + 2 * BEAD_EVENTS_MARGIN;
-    struct bead_event_flags *f = &e->flags;
-    struct bead_kinks *k = &e->kinks;
-    double **array[] = {&f->d0,         &f->r0,         &f->d1,         &f->r1,        &f->effect,    &k->left,
-                        &k->impulse[0], &k->impulse[1], &k->impulse[2], &k->moment[0], &k->moment[1], &k->moment[2]};
-    const size_t arrays = sizeof array / sizeof *array;
-    double *at = e->flags_memory = calloc(length, arrays * sizeof *at + sizeof *f->contact);
-    if (!at)
-        return false;
-    for (size_t i = 0; i < arrays; i++, at += length)
+    const size_t length = (beads < BEAD_EVENTS_BLOCK ? beads : BEAD_EVENTS_BLOCK) + 2 * BEAD_EVENTS_MARGIN;
+    double **const array[] = {&e->flags.d0, &e->flags.r0, &e->flags.d1, &e->flags.r1};
+    double *at = e->block = calloc(length, sizeof array / sizeof *array * sizeof *at);
+    for (size_t i = 0; at && i < sizeof array / sizeof *array; i++, at += length)
         *array[i] = at + BEAD_EVENTS_MARGIN;
-    f->contact = (void *)at;
-    return true;
+    return e->block;
 }
 
 enum bead_error bead_events_create(const struct bead_stepper *s, struct bead_events **events, struct bead_message *msg)
@@ -63,7 +55,7 @@ enum bead_error bead_events_create(const struct bead_stepper *s, struct bead_eve
     if (!s->chain->law->one_sided)
         return BEAD_OK;
     struct bead_events *e = calloc(1, sizeof *e);
-    if (!e || !copy_constants(e, s) || !make_flags(e, s->chain->beads)) {
+    if (!e || !copy_constants(e, s) || !make_block(e, s->chain->beads)) {
         bead_events_destroy(e);
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contact events of %zu beads", s->beads);
     }
@@ -81,7 +73,14 @@ void bead_events_destroy(struct bead_events *events)
     if (!events)
         return;
     free(events->constants);
-    free(events->flags_memory);
+    free(events->block);
+    free(events->flags.contact);
+    free(events->flags.effect);
+    free(events->kinks.left);
+    for (size_t i = 0; i < 3; i++) {
+        free(events->kinks.impulse[i]);
+        free(events->kinks.moment[i]);
+    }
     free(events->patch.memory);
     free(events->branch);
     free(events);
@@ -355,11 +354,7 @@ static bool correct_cluster(struct bead_events *e, struct bead_stepper *s, size_
 static bool correct_flagged(struct bead_events *e, struct bead_stepper *s)
 {
     size_t begin = 0, end = 0; /* beads moved */
-    bool ok = true, kinks = e->kinks_known;
-    if (kinks) {
-        s->kernels->correct_kinks(&e->source, &e->method, e->flagged_count, &e->flags, s->event_tolerance, &e->kinks);
-        kinks = left_undone(e, 0, e->flagged_count) <= s->event_tolerance;
-    }
+    bool ok = true, kinks = e->kinks_known && left_undone(e, 0, e->flagged_count) <= s->event_tolerance;
     for (size_t i = 0, n; ok && i < e->flagged_count; i += n) {
         const size_t *flagged = e->flags.contact + i;
         n = kinks ? 1 : cluster(e, i);
@@ -386,9 +381,10 @@ void bead_events_correct(struct bead_events *e, struct bead_stepper *s)
 {
     s->event_change = 0;
     describe_step(e, s);
-    bead_events_flag(e, s);
-    if (e->flagged_count > 0)
-        e->failed |= !correct_flagged(e, s);
+    bool ok = bead_events_flag(e, s);
+    if (ok && e->flagged_count > 0)
+        ok = correct_flagged(e, s);
+    e->failed |= !ok;
 }
 
 /* Whether a contact of first..last is flagged. */

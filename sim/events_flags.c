@@ -64,10 +64,80 @@ static void find_limits(struct bead_events *e, double h, double tolerance)
     e->limits_h = h;
 }
 
-void bead_events_flag(struct bead_events *e, const struct bead_stepper *s)
+/* Arrays of the flagged contacts, which keep what they have. */
+static bool make_room(struct bead_events *e, size_t count)
+{
+    struct bead_kinks *k = &e->kinks;
+    double **const array[] = {&e->flags.effect, &k->left,      &k->impulse[0], &k->impulse[1],
+                              &k->impulse[2],   &k->moment[0], &k->moment[1],  &k->moment[2]};
+    size_t room = e->flag_room;
+    bool ok = bead_events_grow((void **)&e->flags.contact, &room, count, sizeof *e->flags.contact);
+    for (size_t i = 0; ok && i < sizeof array / sizeof *array; i++) {
+        room = e->flag_room;
+        ok = bead_events_grow((void **)array[i], &room, count, sizeof(double));
+    }
+    e->flag_room = ok ? room : e->flag_room;
+    return ok;
+}
+
+/* Which of contacts 0..n-1 of `source` matter, and their kinks. Returns how many. */
+static size_t flag_some(const struct bead_events *e, const struct bead_stepper *s, size_t n, const struct bead_patch_source *source,
+                        const struct bead_event_limits *limits, struct bead_event_flags *flags, struct bead_kinks *kinks)
+{
+    const size_t count = s->kernels->flag_events(n, source, limits, flags);
+    if (count > 0 && e->kinks_known)
+        s->kernels->correct_kinks(source, &e->method, count, flags, s->event_tolerance, kinks);
+    return count;
+}
+
+/* Contacts from.. of the chain, n of them: those that matter come behind the ones there are. */
+static size_t flag_block(const struct bead_events *e, const struct bead_stepper *s, size_t from, size_t n)
+{
+    const size_t at = e->flagged_count;
+    struct bead_event_flags flags = e->flags;
+    struct bead_event_limits limits = e->limits;
+    struct bead_kinks kinks = e->kinks;
+    struct bead_patch_source source = e->source;
+    const double **const moved[] = {&source.u0,           &source.v0,           &source.a0,        &source.u1,
+                                    &source.v1,           &source.a1,           &source.stiffness, &source.static_compression,
+                                    &source.static_force, &source.inverse_mass, &limits.hardness};
+    double **const behind[] = {&flags.effect,     &kinks.left,      &kinks.impulse[0], &kinks.impulse[1],
+                               &kinks.impulse[2], &kinks.moment[0], &kinks.moment[1],  &kinks.moment[2]};
+    for (size_t i = 0; i < sizeof moved / sizeof *moved; i++)
+        *moved[i] += from;
+    for (size_t i = 0; i < sizeof behind / sizeof *behind; i++)
+        *behind[i] += at;
+    flags.contact += at;
+    const size_t count = flag_some(e, s, n, &source, &limits, &flags, &kinks);
+    for (size_t i = 0; i < count; i++)
+        flags.contact[i] += from;
+    return count;
+}
+
+/* The last contact of a block is the one before the next one's first. */
+static void pass_on(struct bead_event_flags *flags)
+{
+    double *const array[] = {flags->d0, flags->r0, flags->d1, flags->r1};
+    for (size_t i = 0; i < sizeof array / sizeof *array; i++)
+        array[i][-1] = array[i][BEAD_EVENTS_BLOCK - 1];
+}
+
+bool bead_events_flag(struct bead_events *e, const struct bead_stepper *s)
 {
     const double h = s->h;
     if (h > e->limits_h || h < alike * alike * e->limits_h || s->event_tolerance != e->limits.tolerance)
         find_limits(e, h / alike, s->event_tolerance);
-    e->flagged_count = s->kernels->flag_events(s->active, &e->source, &e->limits, &e->flags);
+    e->flagged_count = 0;
+    e->flags.d0[-1] = e->flags.r0[-1] = e->flags.d1[-1] = e->flags.r1[-1] = 0; /* of the striker, which has none before it */
+    for (size_t from = 0; from < s->active; from += BEAD_EVENTS_BLOCK) {
+        const size_t left = s->active - from, n = left < BEAD_EVENTS_BLOCK ? left : BEAD_EVENTS_BLOCK;
+        if (from > 0)
+            pass_on(&e->flags);
+        /* For as many as will be active some time: room that grows with every step costs more than the step. */
+        const size_t most = s->beads - from < BEAD_EVENTS_BLOCK ? s->beads - from : BEAD_EVENTS_BLOCK;
+        if (!make_room(e, e->flagged_count + most + BEAD_EVENTS_MARGIN))
+            return false;
+        e->flagged_count += from > 0 ? flag_block(e, s, from, n) : flag_some(e, s, n, &e->source, &e->limits, &e->flags, &e->kinks);
+    }
+    return true;
 }

@@ -3,29 +3,44 @@
 
 #include "sim/events_patch.h"
 
-/* Compressions at both ends of the step and what their rates alone would change them by within it, of contacts 0..n and whole
- * vectors. Lists those that may have a branch point in the step or within limits->reach steps outside: that the faster rate could
- * take one there, and is not too slow to matter. What is at rest and just touching, d = r = 0, has none. Returns how many. */
+/* Compressions at both ends of the step, and what their rates alone would change them by within it. */
+struct event_ends {
+    lanes d0, r0, d1, r1;
+};
+
+/* Of contacts k and the following, which are kept. */
+static inline struct event_ends keep_ends(const struct bead_patch_source *s, const struct bead_event_flags *flags, size_t k)
+{
+    const lanes d = load_lanes(s->static_compression + k);
+    const struct event_ends e = {
+        d + (load_lanes(s->u0 + k) - load_lanes(s->u0 + k + 1)), s->h * (load_lanes(s->v0 + k) - load_lanes(s->v0 + k + 1)),
+        d + (load_lanes(s->u1 + k) - load_lanes(s->u1 + k + 1)), s->h * (load_lanes(s->v1 + k) - load_lanes(s->v1 + k + 1))};
+    store_lanes(flags->d0 + k, e.d0);
+    store_lanes(flags->r0 + k, e.r0);
+    store_lanes(flags->d1 + k, e.d1);
+    store_lanes(flags->r1 + k, e.r1);
+    return e;
+}
+
+/* Keeps the ends of contacts 0..n. Lists those before n that may have a branch point in the step or within limits->reach steps
+ * outside: that the faster rate could take one there, and is not too slow to matter. What is at rest and just touching, d = r = 0,
+ * has none. Returns how many. */
 static size_t list_near(size_t n, const struct bead_patch_source *source, const struct bead_event_limits *limits,
                         const struct bead_event_flags *flags)
 {
-    const double *still = source->static_compression, *u0 = source->u0, *v0 = source->v0, *u1 = source->u1, *v1 = source->v1;
-    double *restrict d0 = flags->d0, *restrict r0 = flags->r0, *restrict d1 = flags->d1, *restrict r1 = flags->r1;
     /* What dips to zero within the step is below half its rate at both ends. */
-    const double h = source->h, near = limits->reach > 0.5 ? limits->reach : 0.5;
+    const double near = limits->reach > 0.5 ? limits->reach : 0.5;
     const lanes slow = (lanes){0} + limits->slow;
-    size_t *contact = flags->contact, count = 0;
-    for (size_t k = 0; k <= n; k += LANES) {
-        const lanes d = load_lanes(still + k), a = d + (load_lanes(u0 + k) - load_lanes(u0 + k + 1));
-        const lanes b = d + (load_lanes(u1 + k) - load_lanes(u1 + k + 1)), p = h * (load_lanes(v0 + k) - load_lanes(v0 + k + 1));
-        const lanes q = h * (load_lanes(v1 + k) - load_lanes(v1 + k + 1)), rate = larger_lanes(magnitude(p), magnitude(q));
-        const unsigned close = less_bits(smaller_lanes(a, b), near * rate) & less_bits(-rate, larger_lanes(a, b));
-        store_lanes(d0 + k, a);
-        store_lanes(d1 + k, b);
-        store_lanes(r0 + k, p);
-        store_lanes(r1 + k, q);
-        count += pack_numbers(close & less_bits(slow, rate), k, contact + count);
+    const struct bead_patch_source here = *source;
+    const struct bead_event_flags kept = *flags;
+    size_t count = 0, k = 0;
+    for (; k < n; k += LANES) {
+        const struct event_ends e = keep_ends(&here, &kept, k);
+        const lanes rate = larger_lanes(magnitude(e.r0), magnitude(e.r1));
+        const unsigned close = less_bits(smaller_lanes(e.d0, e.d1), near * rate) & less_bits(-rate, larger_lanes(e.d0, e.d1));
+        count += pack_numbers(close & less_bits(slow, rate), k, kept.contact + count);
     }
+    keep_ends(&here, &kept, k);
     return count;
 }
 

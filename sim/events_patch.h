@@ -67,9 +67,9 @@ struct bead_patch_source {
     double impulse[BEAD_PATCH_STAGES_MAX], moment[BEAD_PATCH_STAGES_MAX];
 };
 
-/* Contacts that have a branch point in the step, or near it; arrays with room for the chain and a vector before and behind it. */
+/* Contacts that have a branch point in the step, or near it. Arrays have room for a vector before and two behind what is asked. */
 struct bead_event_flags {
-    double *d0, *r0, *d1, *r1; /* m: compressions at both ends of the step, and their rates times h */
+    double *d0, *r0, *d1, *r1; /* m: of all contacts, compressions at both ends of the step, and their rates times h */
     size_t *contact;           /* those that matter, in order */
     double *effect;            /* m/s: what each of them can do to a velocity, at most */
 };

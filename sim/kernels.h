@@ -65,8 +65,8 @@ struct bead_kernels {
      * step: where its rate was > 0 at the start and is <= 0 at the end, or has one sign at both ends and may have the other in
      * between. Returns whether any. Whole vectors are read, and written. */
     bool (*turns)(size_t n, const struct bead_step_ends *ends, const double *least, unsigned char *mark);
-    /* Contact events, see events_patch.h: which of contacts 0..n-1 have one that matters, and what it does. Beads n, n + 1, ... are
-     * at rest; whole vectors are read, and written. Returns how many. */
+    /* Contact events, see events_patch.h: which of contacts 0..n-1 have one that matters, and what it does. n is a multiple of 8
+     * unless beads n, n + 1, ... are at rest; whole vectors are read, and written. Returns how many. */
     size_t (*flag_events)(size_t n, const struct bead_patch_source *source, const struct bead_event_limits *limits,
                           struct bead_event_flags *flags);
     /* Contact 0 of the patch is contact `at` of the chain: -1 is the constant force on the striker. */
