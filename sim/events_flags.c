@@ -119,7 +119,7 @@ static void pass_on(struct bead_event_flags *flags)
 {
     double *const array[] = {flags->d0, flags->r0, flags->d1, flags->r1};
     for (size_t i = 0; i < sizeof array / sizeof *array; i++)
-        array[i][-1] = array[i][BEAD_EVENTS_BLOCK - 1];
+        *(array[i] - 1) = *(array[i] + BEAD_EVENTS_BLOCK - 1);
 }
 
 bool bead_events_flag(struct bead_events *e, const struct bead_stepper *s)
