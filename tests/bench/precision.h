@@ -71,11 +71,11 @@ static inline double cpu_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Best time of a few runs, of many where they are short: the first ones warm up the processor. */
-static inline double best_time(void (*run)(void *context), void *context)
+/* Best time of a few runs, of as many as `enough` seconds have room for where they are short: the first ones warm up the
+ * processor. */
+static inline double best_time_within(double enough, void (*run)(void *context), void *context)
 {
     double best = INFINITY, all = 0;
-    const double enough = quick() ? 0.01 : 0.3;
     for (int i = 0; i < 500 && (i < 2 || all < enough) && all < limit(); i++) {
         double start = cpu_seconds();
         run(context);
@@ -84,6 +84,11 @@ static inline double best_time(void (*run)(void *context), void *context)
         best = fmin(best, took);
     }
     return best;
+}
+
+static inline double best_time(void (*run)(void *context), void *context)
+{
+    return best_time_within(quick() ? 0.01 : 0.3, run, context);
 }
 
 struct references {
