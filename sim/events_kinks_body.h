@@ -12,7 +12,7 @@ static const float kink_bent = 0.02f;
 static const float kink_found = 1e-3f;
 /* Parts of a correction that are left undone: by second orders, times q^2; by the end of the series, times the third power of its
  * bend; by all the rest. */
-static const float kink_second = 0.00025f, kink_series = 0.001f, kink_rest = 0.5e-4f;
+static const float kink_second = 0.0005f, kink_series = 0.002f, kink_rest = 1e-4f;
 
 /* All lengths are in units of the change of the kink's compression within the step. */
 

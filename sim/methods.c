@@ -34,7 +34,7 @@ static const struct bead_method methods[] = {
      NULL,
      false,
      bead_step_nystrom},
-    {{"rkn8", "RKN8(6)9FM with contacts that open or close integrated again: the default", 8, 8, false, true, 0.925, 8.1, 2.2, 2.5},
+    {{"rkn8", "RKN8(6)9FM with contacts that open or close integrated again: the default", 8, 8, false, true, 0.95, 8.5, 2.2, 2.5},
      &bead_tableau_rkn8,
      NULL,
      true,

@@ -187,10 +187,10 @@ static double error_with(const char *method, double tolerance)
 static void kinks_are_put_right(void **state)
 {
     (void)state;
-    double plain = error_with("rkn8-plain", 0), kinks = error_with("rkn8", 3e-8), patches = error_with("rkn8", 1e-13);
+    double plain = error_with("rkn8-plain", 0), kinks = error_with("rkn8", 1e-7), patches = error_with("rkn8", 1e-13);
     print_message("velocity errors: %.1e plain, %.1e kinks, %.1e patches\n", plain, kinks, patches);
     assert_below(kinks, 0.01 * plain);
-    assert_below(patches, 0.8 * kinks);
+    assert_below(patches, 0.7 * kinks);
 }
 
 /* What contact k can do to a velocity in units of h A/m, one contact at a time and without shortcuts; see events_patch.h. */
