@@ -48,9 +48,9 @@ MODE  = -std=c17 -D_GNU_SOURCE -fPIC -fvisibility=hidden -ffp-contract=off -fno-
 FLAGS = $(MODE) $(WARN) -Iinclude -I. $(CPPFLAGS) $(CFLAGS) -MMD -MP
 
 # The two mains and what they share (command line) stay out of the libraries.
-COMMAND_SOURCES = $(wildcard sim/command_*.c)
-SIM_SOURCES     = $(filter-out sim/beadsim.c $(COMMAND_SOURCES),$(wildcard sim/*.c))
-RENDER_SOURCES  = $(filter-out render/beadreel.c,$(wildcard render/*.c))
+COMMAND_SOURCES = $(filter-out sim/cli/beadsim.c,$(wildcard sim/cli/*.c))
+SIM_SOURCES     = $(filter-out sim/cli/%,$(wildcard sim/*/*.c))
+RENDER_SOURCES  = $(filter-out render/beadreel.c,$(wildcard render/*.c render/*/*.c))
 COMMAND_OBJECTS = $(COMMAND_SOURCES:%.c=$(BUILD)/%.o)
 SIM_OBJECTS     = $(SIM_SOURCES:%.c=$(BUILD)/%.o)
 RENDER_OBJECTS  = $(RENDER_SOURCES:%.c=$(BUILD)/%.o)
@@ -64,7 +64,7 @@ EXAMPLES     = $(patsubst tests/examples/%.c,$(BUILD)/tests/examples/%,$(wildcar
 BENCHES      = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench/*.c))
 STRESSES     = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/stress/*.c))
 STATIC       = $(BUILD)/libbeadreel.a $(BUILD)/libbeadsim.a
-FORMATTED    = $(wildcard include/beadreel/*.h sim/*.[ch] render/*.[ch] tests/*.[ch] tests/*/*.[ch])
+FORMATTED    = $(wildcard include/beadreel/*.h sim/*/*.[ch] render/*.[ch] render/*/*.[ch] tests/*.[ch] tests/*/*.[ch])
 
 # `make V=1` shows the commands.
 say = @$(if $(V),,printf '  %-5s %s\n' $(1) $(2);)
@@ -110,10 +110,10 @@ $(BUILD)/.ready: | $(WAIT)
 
 $(BUILD)/sim/%.o: sim/%.c $(BUILD)/.ready | $(WAIT)
 	@mkdir -p $(@D)
-	$(call say,CC,$<) $(run) $(CC) $(FLAGS) $(sim_cflags) $(extra_$*) -c $< -o $@
+	$(call say,CC,$<) $(run) $(CC) $(FLAGS) $(sim_cflags) $(extra_$(*F)) -c $< -o $@
 $(BUILD)/render/%.o: render/%.c $(BUILD)/.ready | $(WAIT)
 	@mkdir -p $(@D)
-	$(call say,CC,$<) $(run) $(CC) $(FLAGS) $(sim_cflags) $(render_cflags) $(extra_$*) -c $< -o $@
+	$(call say,CC,$<) $(run) $(CC) $(FLAGS) $(sim_cflags) $(render_cflags) $(extra_$(*F)) -c $< -o $@
 
 # One source of the kernels of forces and of pixels, compiled for each instruction set and chosen at run time.
 extra_kernels_sse2   = -O3 -msse2
@@ -131,7 +131,7 @@ extra_pixel_kernels_avx512 = -O3 -mavx512f -mavx512bw -mavx512dq -mavx512vl -mpr
 
 # The only place that knows where things get installed; compiled again when that changes.
 extra_assets = -DBEAD_DATADIR='"$(PREFIX)/share/beadreel"'
-$(BUILD)/sim/assets.o: $(BUILD)/.prefix
+$(BUILD)/sim/base/assets.o: $(BUILD)/.prefix
 $(BUILD)/.prefix: always
 	@mkdir -p $(@D)
 	@echo '$(PREFIX)' | cmp -s - $@ || echo '$(PREFIX)' > $@
@@ -147,7 +147,7 @@ $(BUILD)/libbeadreel.so: $(RENDER_OBJECTS) $(BUILD)/libbeadsim.so
 	$(call say,LD,$@) $(run) $(CC) -shared -Wl,-soname,$(@F).$(SOVERSION) $(STRICT_LINK) $(CFLAGS) $(LDFLAGS) -o $@ $(RENDER_OBJECTS) \
 	    -L$(BUILD) -lbeadsim $(render_libs) $(sim_libs)
 	@ln -sf $(@F) $@.$(SOVERSION)
-$(BUILD)/beadsim: $(BUILD)/sim/beadsim.o $(COMMAND_OBJECTS) $(BUILD)/libbeadsim.a
+$(BUILD)/beadsim: $(BUILD)/sim/cli/beadsim.o $(COMMAND_OBJECTS) $(BUILD)/libbeadsim.a
 	$(call say,LD,$@) $(run) $(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(sim_libs)
 $(BUILD)/beadreel: $(BUILD)/render/beadreel.o $(COMMAND_OBJECTS) $(BUILD)/libbeadreel.a $(BUILD)/libbeadsim.a
 	$(call say,LD,$@) $(run) $(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(sim_libs) $(render_libs)

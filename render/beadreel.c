@@ -4,7 +4,7 @@
 #include "beadreel/render.h"
 #include "beadreel/sweep.h"
 #include "beadreel/view.h"
-#include "sim/command_line.h"
+#include "sim/cli/command_line.h"
 
 static enum bead_error list_colormaps(FILE *out, struct bead_message *msg)
 {

@@ -7,7 +7,7 @@
 #ifndef BEADREEL_TESTS_ASKED_H
 #define BEADREEL_TESTS_ASKED_H
 
-#include "sim/run.h"
+#include "sim/run/run.h"
 #include "tests/problems.h"
 
 /* Changes of a peak in units of the change of the stiffnesses: most contacts have 0.3 to 2. */

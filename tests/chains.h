@@ -5,7 +5,7 @@
 #include "tests/support.h"
 
 #include "beadreel/law.h"
-#include "sim/events.h"
+#include "sim/integrate/events.h"
 
 enum { STEEL, ALUMINIUM, BRASS, LIGHT };
 static struct bead_material materials[] = {

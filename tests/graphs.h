@@ -14,8 +14,8 @@
 #include <cmocka.h>
 
 #include "pictures.h"
-#include "render/graph_private.h"
-#include "render/markup.h"
+#include "render/draw/markup.h"
+#include "render/plot/graph_private.h"
 
 enum { N = 21, CURVES = 7 };
 

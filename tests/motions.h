@@ -4,7 +4,7 @@
 
 #include "tests/support.h"
 
-#include "sim/equation.h"
+#include "sim/equation/equation.h"
 
 static inline struct bead_motion *start_motion(const struct bead_equation *equation, const struct bead_equation_spec *spec,
                                                double accuracy, double step, double end)

@@ -11,7 +11,7 @@
 #include "beadreel/chain.h"
 #include "beadreel/scene.h"
 #include "beadreel/sink.h"
-#include "sim/chain_data.h"
+#include "sim/chain/chain_data.h"
 
 #define P3_SPINS "1111011110110001000111111111110001011110000111101110111011011111"
 /* P1 to P4; a `simulate:` section is added behind. */

@@ -19,7 +19,7 @@
 #include "beadreel/assets.h"
 #include "beadreel/chain.h"
 #include "beadreel/scene.h"
-#include "sim/scene_private.h"
+#include "sim/scene/scene_private.h"
 
 #define BEADS   "chain: {beads: [{bead: large-steel}]}\n"
 #define OUTPUTS "outputs: [{table: peaks.csv}]\n"

@@ -16,8 +16,8 @@
 #include <string.h>
 
 #define GIVE_UP fail_msg
-#include "sim/run.h"
-#include "sim/stepper.h"
+#include "sim/integrate/stepper.h"
+#include "sim/run/run.h"
 #include "tests/problems.h"
 
 /* A run of `built`'s chain, not stepped yet. */

@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
-#include "render/area_colours.h"
-#include "sim/large.h"
+#include "render/view/area_colours.h"
+#include "sim/base/large.h"
 
 enum { BEADS = 40, COLUMNS = 53 };
 

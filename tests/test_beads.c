@@ -15,11 +15,11 @@
 #include <unistd.h>
 
 #include "beadreel/view.h"
-#include "render/camera.h"
-#include "render/magnify.h"
-#include "render/movie_frame.h"
+#include "render/movie/composer.h"
 #include "render/sinks.h"
-#include "render/views.h"
+#include "render/view/camera.h"
+#include "render/view/magnify.h"
+#include "render/view/views.h"
 
 #define CHAIN(name, spins)                                                                    \
     "  - name: " name "\n    striker: {bead: large-steel, velocity: 0.443 m/s}\n    beads:\n" \

@@ -10,9 +10,9 @@
 
 #include <cmocka.h>
 
-#include "render/camera.h"
-#include "render/magnify.h"
-#include "render/movie_composer.h"
+#include "render/movie/composer_private.h"
+#include "render/view/camera.h"
+#include "render/view/magnify.h"
 
 static void require(enum bead_error err, const struct bead_message *msg)
 {

@@ -17,7 +17,7 @@
 #include <sys/stat.h>
 
 #include "beadreel/canvas.h"
-#include "render/paint.h"
+#include "render/paint/paint.h"
 
 enum { WIDTH = 160, HEIGHT = 96 };
 

@@ -12,8 +12,8 @@
 #include <cmocka.h>
 
 #include "beadreel/look.h"
-#include "render/captions.h"
-#include "render/movie_words.h"
+#include "render/movie/captions.h"
+#include "render/movie/movie_words.h"
 #include "tests/decode.h"
 #include "tests/pictures.h"
 

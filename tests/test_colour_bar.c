@@ -4,8 +4,8 @@
 #include <math.h>
 
 #include "decode.h"
-#include "render/convert.h"
-#include "render/movie_composer.h"
+#include "render/encode/convert.h"
+#include "render/movie/composer_private.h"
 
 enum { INSET = 4 }; /* px of the bar's edges, where its outline is */
 

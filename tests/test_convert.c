@@ -9,10 +9,10 @@
 
 #include <cmocka.h>
 
-#include "render/convert.h"
-#include "render/palette.h"
-#include "render/palette_cut.h"
-#include "render/pixel_kernels.h"
+#include "render/draw/palette.h"
+#include "render/draw/palette_cut.h"
+#include "render/encode/convert.h"
+#include "render/paint/pixel_kernels.h"
 
 static uint32_t random_bits(uint32_t *seed)
 {

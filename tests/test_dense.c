@@ -1,8 +1,8 @@
 /* Interpolation between steps, and spins. */
 #include "support.h"
 
-#include "sim/dense.h"
-#include "sim/spins.h"
+#include "sim/chain/spins.h"
+#include "sim/integrate/dense.h"
 
 static void septic_is_exact_for_septics(void **state)
 {

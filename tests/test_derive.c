@@ -1,7 +1,7 @@
 /* Forces that follow from stored displacements are, to the bit, those that a run samples. */
 #include "support.h"
 
-#include "sim/derive.h"
+#include "sim/integrate/derive.h"
 
 static void derived_forces_are_those_sampled(void **state)
 {

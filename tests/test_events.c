@@ -1,8 +1,8 @@
 /* Contacts that open and close: what the correction of their steps restores, and what it must not touch. */
 #include "chains.h"
 
-#include "sim/events_patch.h"
-#include "sim/peaks.h"
+#include "sim/integrate/events_patch.h"
+#include "sim/run/peaks.h"
 
 /* Every step halved gains at least 2^5, down to rounding: without the correction it is 2^2.5. */
 static void the_order_is_restored(void **state)

@@ -12,9 +12,9 @@
 #include <cmocka.h>
 
 #include "beadreel/look.h"
-#include "render/area.h"
-#include "render/page.h"
+#include "render/draw/page.h"
 #include "render/sinks.h"
+#include "render/view/area.h"
 #include "sessions.h"
 #include "tests/pictures.h"
 

@@ -2,7 +2,7 @@
  * solitary pulses. */
 #include "scenes.h"
 
-#include "sim/equation.h"
+#include "sim/equation/equation.h"
 
 #define close_to(value, wanted, within) check_close(value, wanted, within, #value, __LINE__)
 static void check_close(double value, double wanted, double within, const char *what, int line)

@@ -26,7 +26,7 @@ printf '#!/bin/sh\nexec "$@"\n' >"$T/bin/sudo"
 chmod +x "$T"/bin/*
 bare() { PATH="$T/bin:$PATH" quiet "$@"; }
 bare_fails() { ! PATH="$T/bin:$PATH" make --no-print-directory "$@" >"$T/out" 2>"$T/err" && grep -q 'make deps' "$T/err"; }
-object=$T/b/sim/law.o
+object=$T/b/sim/chain/law.o
 
 ok "make before make deps says what to do" bare_fails BUILD="$T/b" "$object"
 ok "make deps all in one command" bare make -j4 BUILD="$T/b" deps "$object"

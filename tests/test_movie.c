@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "decode.h"
-#include "render/movie_private.h"
+#include "render/encode/movie_private.h"
 
 static void assert_exact(const char *name, const AVFrame *picture, const struct bead_frame *frame)
 {

@@ -2,7 +2,7 @@
 #include "movies.h"
 
 #include "decode.h"
-#include "render/movie_blocks.h"
+#include "render/encode/movie_blocks.h"
 
 enum { ACROSS = 20, DOWN = 15, SIDE_X = ACROSS * BEAD_BLOCK - 6, SIDE_Y = DOWN * BEAD_BLOCK - 10, FRAMES = 60 };
 

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <cmocka.h>
 
-#include "render/movie_layout.h"
+#include "render/movie/movie_layout.h"
 
 enum { MOST_RECTS = 128 };
 

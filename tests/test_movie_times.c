@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include "decode.h"
-#include "render/movie_times.h"
+#include "render/movie/movie_times.h"
 #include "scratch.h"
 #include "sessions.h"
 

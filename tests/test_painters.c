@@ -15,8 +15,8 @@
 
 #include "beadreel/canvas.h"
 #include "pictures.h"
-#include "render/paint.h"
-#include "render/pixel_kernels.h"
+#include "render/paint/paint.h"
+#include "render/paint/pixel_kernels.h"
 #include "sessions.h"
 
 enum { WIDTH = 701, HEIGHT = 203, BALLS = 60, MARKS = 24 };

@@ -13,9 +13,9 @@
 #include <cmocka.h>
 
 #include "beadreel/picture.h"
-#include "render/area.h"
 #include "render/sinks.h"
-#include "render/views.h"
+#include "render/view/area.h"
+#include "render/view/views.h"
 #include "tests/pictures.h"
 
 /* ---- area averages ---- */

@@ -11,8 +11,8 @@
 #include <cmocka.h>
 
 #include "pictures.h"
-#include "render/graph_private.h"
-#include "render/plot_data.h"
+#include "render/plot/graph_private.h"
+#include "render/plot/plot_data.h"
 
 enum { CHAINS = 2, SENSORS = 2, SAMPLES = 200 };
 static const size_t sensor_beads[SENSORS] = {3, 6};

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/schematic.h"
+#include "render/schematic/schematic.h"
 #include "sessions.h"
 #include "tests/scenes.h"
 

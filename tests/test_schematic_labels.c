@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "render/schematic_sketch.h"
+#include "render/schematic/schematic_sketch.h"
 
 static void labels_keep_their_places(void **state)
 {

@@ -11,9 +11,9 @@
 #include <cmocka.h>
 
 #include "pictures.h"
-#include "render/figure_private.h"
-#include "render/sheet_private.h"
-#include "render/view_beads.h"
+#include "render/figure/figure_private.h"
+#include "render/figure/sheet_private.h"
+#include "render/view/view_beads.h"
 #include "sessions.h"
 
 static struct bead_sheet *make_sheet(struct built *built, const char *settings)

@@ -1,7 +1,7 @@
 /* Waves that break: their breaking times against closed forms and characteristics, and what must hold behind the shock. */
 #include "tests/motions.h"
 
-#include "sim/shock_law.h"
+#include "sim/equation/shock_law.h"
 
 static const struct bead_equation *const shock = &bead_equation_shock;
 

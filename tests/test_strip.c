@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "render/views.h"
+#include "render/view/views.h"
 
 enum { BEADS = 5000, HEIGHT = 40 };
 

@@ -4,8 +4,8 @@
 #include <hdf5_hl.h>
 
 #include "beadreel/file.h"
-#include "sim/sink_grid.h"
-#include "sim/trajectory_sink.h"
+#include "sim/output/sink_grid.h"
+#include "sim/output/trajectory_sink.h"
 
 #define ALL_FIELDS "fields: [displacement, velocity, force, contact-force, energy]"
 

@@ -7,8 +7,8 @@
 #include "beadreel/render.h"
 #include "beadreel/session.h"
 #include "beadreel/view.h"
-#include "render/horizon.h"
-#include "render/view_spacetime.h"
+#include "render/view/horizon.h"
+#include "render/view/view_spacetime.h"
 
 /* ---- two runs ---- */
 

@@ -1,5 +1,5 @@
 #version 330 core
-// As in render/pixel_kernels_balls.h, which tests compare with it.
+// As in render/paint/pixel_kernels_balls.h, which tests compare with it.
 flat in vec4 disc;
 flat in vec2 sides;
 flat in vec3 paint;

@@ -1,5 +1,5 @@
 #version 330 core
-// As in render/pixel_kernels_marks.h, which tests compare with it.
+// As in render/paint/pixel_kernels_marks.h, which tests compare with it.
 flat in vec4 bounds, shape, paint;
 out vec4 pixel;
 

@@ -59,7 +59,8 @@ struct bead_law_spec {
     double alpha;       /* 1/m, BEAD_LAW_FPU_ALPHA: force k d (1 - alpha d), two-sided */
 };
 
-/* A system that is not a chain of beads: sim/equation.h has the tables. All numbers are those of the equation, without units. */
+/* A system that is not a chain of beads: sim/equation/equation.h has the tables. All numbers are those of the equation, without
+ * units. */
 enum bead_ends { BEAD_ENDS_FIXED, BEAD_ENDS_PERIODIC };
 enum bead_start_kind { BEAD_START_MODE, BEAD_START_PULSE, BEAD_START_SOLITONS, BEAD_START_COSINE, BEAD_START_SIMPLE_WAVE };
 enum bead_moving { BEAD_MOVING_REST, BEAD_MOVING_RIGHT, BEAD_MOVING_LEFT };

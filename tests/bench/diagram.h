@@ -3,7 +3,7 @@
 #define BEADREEL_BENCH_DIAGRAM_H
 
 #include "beadreel/look.h"
-#include "render/raster.h"
+#include "render/draw/raster.h"
 #include "tests/bench/precision.h"
 
 /* NAME.png and NAME.pdf of width x height pixels at notes->dpi. */

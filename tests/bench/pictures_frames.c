@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/convert.h"
-#include "render/movie_private.h"
+#include "render/encode/convert.h"
+#include "render/encode/movie_private.h"
 
 enum { SIDE = 16, LINE_ALIGN = 64 };
 

@@ -16,7 +16,7 @@
 #include <time.h>
 
 #define GIVE_UP(...) (fprintf(stderr, "bench: " __VA_ARGS__), fputc('\n', stderr), exit(1))
-#include "sim/stepper.h"
+#include "sim/integrate/stepper.h"
 #include "tests/problems.h"
 
 struct problem {

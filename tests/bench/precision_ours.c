@@ -4,7 +4,7 @@
  *   precision_ours --reference problem     writes the references of a problem that has none from elsewhere */
 #include "tests/bench/precision.h"
 
-#include "sim/run.h"
+#include "sim/run/run.h"
 
 struct task {
     struct built built;

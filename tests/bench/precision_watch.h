@@ -3,7 +3,7 @@
 #ifndef BEADREEL_BENCH_PRECISION_WATCH_H
 #define BEADREEL_BENCH_PRECISION_WATCH_H
 
-#include "sim/peaks.h"
+#include "sim/run/peaks.h"
 #include "tests/bench/precision.h"
 
 struct watch {

@@ -7,8 +7,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "sim/crew.h"
-#include "sim/run.h"
+#include "sim/base/thread_pool.h"
+#include "sim/run/run.h"
 #include "tests/bench/scaling_plot.h"
 
 /* Random numbers of a bead: nothing depends on who asks first. */

@@ -16,8 +16,8 @@
 #include <time.h>
 
 #define GIVE_UP(...) (fprintf(stderr, "stress: " __VA_ARGS__), fputc('\n', stderr), exit(1))
-#include "sim/run.h"
-#include "sim/stepper.h"
+#include "sim/integrate/stepper.h"
+#include "sim/run/run.h"
 #include "tests/problems.h"
 
 struct stress {

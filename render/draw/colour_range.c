@@ -1,0 +1,76 @@
+#include "render/draw/colour_range.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A logarithmic scale without a lower end shows this part of the largest value. */
+static const double log_span = 1e-4;
+/* Values that should have one sign may have a little of the other: errors, small waves. */
+static const double ripple = 0.05;
+
+static void automatic(enum bead_scale scale, bool is_signed, double least, double largest, double *low, double *high)
+{
+    double size = fmax(fabs(least), fabs(largest));
+    if (!(least <= largest) || !(size > 0)) {
+        *low = 0;
+        *high = 1;
+    } else if (least < 0 && largest > 0 && (is_signed || fmin(-least, largest) > ripple * size)) {
+        *low = -size;
+        *high = size;
+    } else {
+        *low = fmin(0, least);
+        *high = fmax(0, largest);
+    }
+    if (scale == BEAD_SCALE_LOG) {
+        *high = *high > 0 ? *high : 1;
+        *low = log_span * *high;
+    }
+}
+
+struct bead_colour_range bead_colour_range_find(const struct bead_output *output, const struct bead_chain *chain, double least,
+                                                double largest)
+{
+    struct bead_colour_range range = {0, 1, false, false};
+    automatic(output->scale, bead_chain_signed(chain, output->field), least, largest, &range.low, &range.high);
+    bool low_given = !isnan(output->range[0]), high_given = !isnan(output->range[1]);
+    range.high = high_given ? output->range[1] : range.high;
+    if (low_given)
+        range.low = output->range[0];
+    else if (high_given && output->scale == BEAD_SCALE_LOG)
+        range.low = log_span * range.high;
+    if (!(range.high > range.low)) { /* all values lie beyond the one end that was asked for */
+        double size = fmax(fabs(range.low), 1e-12);
+        range.high = high_given ? range.high : range.low + size;
+        range.low = high_given ? range.high - size : range.low;
+    }
+    double slack = 1e-9 * (range.high - range.low);
+    range.over = largest > range.high + slack;
+    range.under = least < range.low - (output->scale == BEAD_SCALE_LOG ? 0 : slack);
+    return range;
+}
+
+enum bead_error bead_colour_range_check(const struct bead_output *output, const char *file, struct bead_message *msg)
+{
+    const double *range = output->range;
+    struct bead_place place = output->place;
+    if (range[0] >= range[1])
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: range: is [%g, %g]; the first must be less than the second", file,
+                         place.line, place.column, range[0], range[1]);
+    if (output->scale == BEAD_SCALE_LOG && (range[0] <= 0 || range[1] <= 0))
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: range: is [%g, %g]; a logarithmic scale needs numbers above 0", file,
+                         place.line, place.column, range[0], range[1]);
+    return BEAD_OK;
+}
+
+enum bead_error bead_colour_range_map(const struct bead_output *output, const struct bead_chain *chain, const char *plain,
+                                      struct bead_colormap *map, struct bead_message *msg)
+{
+    const char *file = bead_chain_scene(chain)->file;
+    bool signs = bead_chain_signed(chain, output->field);
+    bool automatic_map = !output->colormap || strcmp(output->colormap, "auto") == 0;
+    struct bead_message why = {""};
+    enum bead_error err = bead_colormap_load(!automatic_map ? output->colormap : signs ? "vik" : plain, map, &why);
+    if (err == BEAD_ERROR_SCENE)
+        return bead_fail(msg, err, "%s:%zu:%zu: colormap: %.500s", file, output->place.line, output->place.column, why.text);
+    return err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;
+}

@@ -1,0 +1,79 @@
+#include "render/draw/colour_table.h"
+
+#include <math.h>
+#include <string.h>
+
+/* All numbers in their order, as integers: those below 0 count down from -1. */
+static double number(int64_t rank)
+{
+    uint64_t bits = rank < 0 ? ~(uint64_t)rank | (uint64_t)1 << 63 : (uint64_t)rank;
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static int64_t rank_of(double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits >> 63 ? (int64_t) ~(bits & ~((uint64_t)1 << 63)) : (int64_t)bits;
+}
+
+/* The least number, above `below`, whose colour is `index` or a later one. */
+static double least_of(const struct bead_colours *colours, int index, double below)
+{
+    int64_t low = rank_of(below), high = rank_of(INFINITY);
+    if (bead_colours_index(colours, INFINITY) < index)
+        return NAN;
+    while (low + 1 < high) {
+        int64_t middle = (low & high) + ((low ^ high) >> 1); /* their mean, without overflow */
+        if (bead_colours_index(colours, number(middle)) >= index)
+            high = middle;
+        else
+            low = middle;
+    }
+    return number(high);
+}
+
+void bead_colour_table_make(const struct bead_colours *colours, struct bead_colour_table *table)
+{
+    table->colours = *colours;
+    table->least[0] = -INFINITY;
+    if (colours->scale == BEAD_SCALE_LINEAR)
+        return;
+    for (int i = 1; i < 256; i++) {
+        double before = table->least[i - 1];
+        bool skipped = i > 1 && bead_colours_index(colours, before) >= i; /* a colour without any value */
+        table->least[i] = skipped ? before : least_of(colours, i, before);
+    }
+}
+
+/* As bead_colours_index, without branches. */
+static void find_linear(const struct bead_colours *colours, size_t n, const double *restrict values, uint8_t *restrict indices)
+{
+    const double low = colours->low, span = colours->high - colours->low;
+    for (size_t i = 0; i < n; i++) {
+        double place = (values[i] - low) / span * 256;
+        place = place > 0 ? place : 0; /* NaN: 0 */
+        place = place < 255 ? place : 255;
+        indices[i] = (uint8_t)(int)place;
+    }
+}
+
+static uint8_t search(const double *least, double value)
+{
+    unsigned at = 0;
+    for (unsigned step = 128; step > 0; step /= 2)
+        at += value >= least[at + step] ? step : 0;
+    return (uint8_t)at;
+}
+
+void bead_colour_table_find(const struct bead_colour_table *table, size_t n, const double *values, uint8_t *indices)
+{
+    if (table->colours.scale == BEAD_SCALE_LINEAR) {
+        find_linear(&table->colours, n, values, indices);
+        return;
+    }
+    for (size_t i = 0; i < n; i++)
+        indices[i] = i > 0 && values[i] == values[i - 1] ? indices[i - 1] : search(table->least, values[i]);
+}

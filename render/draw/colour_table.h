@@ -1,0 +1,19 @@
+/* Colours of many values: the same indices as bead_colours_index gives one by one. */
+#ifndef BEADREEL_RENDER_DRAW_COLOUR_TABLE_H
+#define BEADREEL_RENDER_DRAW_COLOUR_TABLE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/colormap.h"
+
+struct bead_colour_table {
+    struct bead_colours colours;
+    double least[256]; /* value that colour i begins with; NaN: it has none. Of linear scales not used */
+};
+
+/* Looks the scale's function up some thousand times, once for all. `colours->map` is borrowed. */
+void bead_colour_table_make(const struct bead_colours *colours, struct bead_colour_table *table);
+void bead_colour_table_find(const struct bead_colour_table *table, size_t n, const double *values, uint8_t *indices);
+
+#endif

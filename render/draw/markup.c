@@ -1,0 +1,210 @@
+#include "render/draw/markup.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/look.h"
+
+static const char italics[] = "<span face=\"STIX\"><i>", upright[] = "</i></span>";
+/* Pango's <sub> is too small to read in 8 pt. */
+static const char lower[] = "<span baseline_shift=\"subscript\" size=\"72%\">",
+                  higher[] = "<span baseline_shift=\"superscript\" size=\"72%\">";
+
+struct writer {
+    char *out;
+    size_t size, used;
+    bool full;
+};
+
+static void put(struct writer *w, const char *text)
+{
+    size_t length = strlen(text);
+    w->full = w->full || w->used + length >= w->size;
+    if (w->full)
+        return;
+    memcpy(w->out + w->used, text, length + 1);
+    w->used += length;
+}
+
+/* Bytes of the character at `text`; 1 for those of broken UTF-8. */
+static size_t character(const char *text)
+{
+    size_t length = 1;
+    while (((unsigned char)text[length] & 0xC0) == 0x80)
+        length++;
+    return length;
+}
+
+/* Returns what follows the character. Lines do not end beside a sign of equality. */
+static const char *put_character(struct writer *w, const char *text)
+{
+    static const char fixed_space[] = "\u00a0";
+    char plain[8] = "", escaped[16];
+    size_t length = character(text);
+    if (text[0] == ' ' && text[1] == '=') {
+        put(w, fixed_space);
+        return text + 1;
+    }
+    if (text[0] == '=' && text[1] == ' ') {
+        put(w, "=");
+        put(w, fixed_space);
+        return text + 2;
+    }
+    memcpy(plain, text, length < sizeof plain ? length : sizeof plain - 1);
+    bead_text_escape(plain, escaped, sizeof escaped);
+    put(w, escaped);
+    return text + length;
+}
+
+/* The bracket that closes the one before `text`, or NULL. */
+static const char *closing(const char *text, const char *end)
+{
+    int depth = 1;
+    for (; text < end; text += character(text)) {
+        if (*text == '\\' && text + 1 < end)
+            text++;
+        else if (*text == '{')
+            depth++;
+        else if (*text == '}' && --depth == 0)
+            return text;
+    }
+    return NULL;
+}
+
+/* The star that ends italics, or NULL: those begin and end beside a character that is no space. */
+static const char *star(const char *text, const char *end)
+{
+    for (const char *c = text; c < end && *text != ' '; c += character(c)) {
+        if (*c == '\\' && c + 1 < end)
+            c++;
+        else if (*c == '*' && c > text && c[-1] != ' ')
+            return c;
+    }
+    return NULL;
+}
+
+static const char *put_shifted(struct writer *w, const char *text, const char *end);
+
+static void put_range(struct writer *w, const char *text, const char *end)
+{
+    while (text < end) {
+        const char *to = *text == '*' ? star(text + 1, end) : NULL;
+        if (*text == '\\' && text + 1 < end) {
+            text = put_character(w, text + 1);
+        } else if (to) {
+            put(w, italics);
+            put_range(w, text + 1, to);
+            put(w, upright);
+            text = to + 1;
+        } else if ((*text == '_' || *text == '^') && text + 1 < end && text[1] != ' ') {
+            text = put_shifted(w, text, end);
+        } else {
+            text = put_character(w, text);
+        }
+    }
+}
+
+/* `_x` or `^{xy}`. */
+static const char *put_shifted(struct writer *w, const char *text, const char *end)
+{
+    bool down = *text == '_';
+    const char *from = text + 1, *to = *from == '{' ? closing(from + 1, end) : NULL, *after = to ? to + 1 : NULL;
+    if (to)
+        from++;
+    else if (*from == '*' && (to = star(from + 1, end)) != NULL)
+        after = ++to;
+    else if (*from == '\\' && from + 1 < end)
+        after = to = from + 1 + character(from + 1);
+    else
+        after = to = from + character(from);
+    put(w, down ? lower : higher);
+    put_range(w, from, to);
+    put(w, "</span>");
+    return after;
+}
+
+size_t bead_markup_size(const char *text)
+{
+    /* Two characters with a `_` become 56 + 5 bytes at most, two stars 32, any other one 5. */
+    return 32 * strlen(text) + 1;
+}
+
+void bead_markup(const char *text, char *out, size_t size)
+{
+    struct writer w = {out, size, 0, size == 0};
+    if (size == 0)
+        return;
+    out[0] = '\0';
+    put_range(&w, text, text + strlen(text));
+    if (w.full)
+        bead_text_escape(text, out, size);
+}
+
+char *bead_markup_new(const char *text)
+{
+    size_t size = bead_markup_size(text);
+    char *markup = malloc(size);
+    if (markup)
+        bead_markup(text, markup, size);
+    return markup;
+}
+
+void bead_markup_quote(const char *text, char *out, size_t size)
+{
+    size_t used = 0;
+    for (size_t length; *text && size > 0; text += length) {
+        bool special = strchr("_^*\\{}", *text) != NULL;
+        length = character(text);
+        if (used + length + special >= size)
+            break;
+        if (special)
+            out[used++] = '\\';
+        memcpy(out + used, text, length);
+        used += length;
+    }
+    if (size > 0)
+        out[used] = '\0';
+}
+
+static bool is_letter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+static bool stands_alone(const char *text, const char *at)
+{
+    char before = at > text ? at[-1] : ' ', after = at[1];
+    bool joined = is_letter(before) || is_letter(after) || (before >= '0' && before <= '9') || (before && strchr("*_^{\\", before));
+    return is_letter(*at) && !joined && (*at != 'a' || after != ' ');
+}
+
+/* Bytes of the lowered letters and digits (U+2080 to U+209C) at the beginning. */
+static size_t lowered(const char *text)
+{
+    size_t length = 0;
+    while ((unsigned char)text[length] == 0xe2 && (unsigned char)text[length + 1] == 0x82 &&
+           (unsigned char)text[length + 2] >= 0x80 && (unsigned char)text[length + 2] <= 0x9c)
+        length += 3;
+    return length;
+}
+
+void bead_markup_symbols(const char *text, char *out, size_t size)
+{
+    size_t used = 0;
+    for (const char *at = text; *at && size > 0;) {
+        bool symbol = stands_alone(text, at);
+        size_t length = symbol ? 1 + lowered(at + 1) : character(at);
+        if (used + length + (symbol ? 2 : 0) >= size)
+            break;
+        if (symbol)
+            out[used++] = '*';
+        memcpy(out + used, at, length);
+        used += length;
+        if (symbol)
+            out[used++] = '*';
+        at += length;
+    }
+    if (size > 0)
+        out[used] = '\0';
+}

@@ -1,0 +1,126 @@
+#include "render/draw/page.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "render/draw/raster.h"
+
+static bool is_vector(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    return dot && (strcasecmp(dot, ".pdf") == 0 || strcasecmp(dot, ".svg") == 0);
+}
+
+/* As many pixels as cairo and memory take. */
+static const double largest_side = 32767, largest_area = 3e8;
+/* CSS's pixel, for vector files whose size is in pixels. */
+static const double screen_dpi = 96;
+static const double inch = 0.0254;
+
+enum bead_error bead_page_find(const struct bead_output *output, const char *file, struct bead_page *page, struct bead_message *msg)
+{
+    double size[2];
+    bool vector = is_vector(output->path), length = output->size_is_length;
+    for (int i = 0; i < 2; i++)
+        size[i] = round(length ? output->size[i] / inch * output->dpi : output->size[i]);
+    if (!(size[0] >= 1 && size[1] >= 1 && size[0] <= largest_side && size[1] <= largest_side && size[0] * size[1] <= largest_area))
+        return bead_fail(msg, BEAD_ERROR_SCENE,
+                         "%s:%zu:%zu: size: is %.0f x %.0f pixels; at most %.0f a side and %.0f million in all", file,
+                         output->place.line, output->place.column, size[0], size[1], largest_side, largest_area / 1e6);
+    bool screen = output->style == BEAD_STYLE_SLIDE || output->style == BEAD_STYLE_MOVIE;
+    bool paper = output->style == BEAD_STYLE_PAPER || (length && !screen);
+    double dpi = length || paper ? output->dpi : vector ? screen_dpi : 0;
+    *page = (struct bead_page){(int)size[0], (int)size[1], dpi, paper, vector, length};
+    return BEAD_OK;
+}
+
+const char *bead_page_size(const struct bead_page *page, char words[BEAD_SIZE_WORDS])
+{
+    double unit = page->length && page->dpi > 0 ? page->dpi / (1e3 * inch) : 1;
+    snprintf(words, BEAD_SIZE_WORDS, "%.5g x %.5g %s", round(10 * page->width / unit) / 10, round(10 * page->height / unit) / 10,
+             page->length ? "mm" : "pixels");
+    return words;
+}
+
+void bead_page_look(const struct bead_page *page, const struct bead_output *output, struct bead_look *look)
+{
+    bool automatic = output->theme == BEAD_THEME_AUTO;
+    bool dark = output->theme == BEAD_THEME_DARK || (automatic && output->style == BEAD_STYLE_MOVIE);
+    if (!page->paper && output->style == BEAD_STYLE_SLIDE) {
+        bead_look_slide(look, page->width, page->height, dark);
+        return;
+    }
+    if (!page->paper) {
+        bead_look_screen(look, page->width, page->height, dark);
+        return;
+    }
+    bead_look_paper(look, page->dpi);
+    if (dark) { /* type and lines of paper, colours of the screen */
+        struct bead_look screen;
+        bead_look_screen(&screen, page->width, page->height, true);
+        look->dark = true;
+        look->background = screen.background;
+        look->panel = screen.panel;
+        look->ink = screen.ink;
+        look->faint = screen.faint;
+        look->accent = screen.accent;
+        look->axis = screen.axis;
+    }
+}
+
+/* What the picture shows, in words. */
+static const char *subject_of(const struct bead_output *output, const struct bead_scene *scene)
+{
+    static const char *const plots[BEAD_SHOW_COUNT] = {
+        [BEAD_SHOW_SENSORS] = "force of sensors",          [BEAD_SHOW_PEAKS] = "peak force of contacts",
+        [BEAD_SHOW_SETUP] = "drawing of the experiment",   [BEAD_SHOW_CONTACT] = "drawing of a contact",
+        [BEAD_SHOW_CELL] = "drawing of the cells",         [BEAD_SHOW_MODES] = "energies of modes",
+        [BEAD_SHOW_PROFILES] = "profiles at several times"};
+    if (scene->sweep_count > 0)
+        return "results of a sweep";
+    if (output->kind == BEAD_OUTPUT_PLOT && output->show < BEAD_SHOW_COUNT && plots[output->show])
+        return plots[output->show];
+    return bead_field_info(output->field)->title;
+}
+
+void bead_page_notes(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
+                     char *description, size_t size, struct bead_picture_notes *notes)
+{
+    const char *what = subject_of(output, scene), *equation = scene->chains[0].equation.name;
+    if (equation)
+        snprintf(description, size, "%s of the equation %s", what, equation);
+    else
+        snprintf(description, size, "%s in %zu chain%s of beads", what, scene->chain_count, scene->chain_count == 1 ? "" : "s");
+    *notes = (struct bead_picture_notes){.dpi = page->dpi,
+                                         .title = scene->title,
+                                         .description = description,
+                                         .software = "beadreel " BEADREEL_VERSION,
+                                         .source = scene->text};
+}
+
+static enum bead_error write_raster(const struct bead_page *page, const struct bead_drawing *drawing, const char *path,
+                                    const struct bead_picture_notes *notes, uint64_t *bytes, struct bead_message *msg)
+{
+    struct bead_frame frame;
+    enum bead_error err = bead_frame_create(page->width, page->height, &frame, msg);
+    if (err)
+        return err;
+    err = drawing->raster ? drawing->raster(drawing->context, &frame, msg)
+                          : bead_raster_draw(&frame, drawing->draw, drawing->context, msg);
+    if (!err)
+        err = bead_png_write(path, &frame, notes, bytes, msg);
+    bead_frame_free(&frame);
+    return err;
+}
+
+enum bead_error bead_page_write(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
+                                const struct bead_drawing *drawing, const char *path, uint64_t *bytes, struct bead_message *msg)
+{
+    struct bead_picture_notes notes;
+    char description[512];
+    bead_page_notes(page, output, scene, description, sizeof description, &notes);
+    return page->vector ? bead_vector_write(path, page->width, page->height, drawing->draw, drawing->context, &notes, bytes, msg)
+                        : write_raster(page, drawing, path, &notes, bytes, msg);
+}

@@ -1,0 +1,38 @@
+/* Pages: size and look of a still, from its output's settings and file name. */
+#ifndef BEADREEL_RENDER_DRAW_PAGE_H
+#define BEADREEL_RENDER_DRAW_PAGE_H
+
+#include <stdbool.h>
+
+#include "beadreel/look.h"
+#include "beadreel/picture.h"
+#include "beadreel/scene.h"
+
+struct bead_page {
+    int width, height;          /* px */
+    double dpi;                 /* of these pixels; 0: unknown */
+    bool paper, vector, length; /* length: the scene has its size in mm, not px */
+};
+
+/* Errors: SCENE (with the output's place). */
+BEAD_CHECK enum bead_error bead_page_find(const struct bead_output *output, const char *file, struct bead_page *page,
+                                          struct bead_message *msg);
+enum { BEAD_SIZE_WORDS = 64 };
+/* The size of a picture as the scene has it, for messages: "86 x 64 mm", "1920 x 1080 pixels". Returns `words`. */
+const char *bead_page_size(const struct bead_page *page, char words[BEAD_SIZE_WORDS]);
+void bead_page_look(const struct bead_page *page, const struct bead_output *output, struct bead_look *look);
+/* What a picture file says about itself; `description` of `size` bytes must live as long as the notes. */
+void bead_page_notes(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
+                     char *description, size_t size, struct bead_picture_notes *notes);
+/* How to draw a page: into vector files; into frames, where these are drawn in another way (NULL: the same). */
+struct bead_drawing {
+    bead_draw draw;
+    enum bead_error (*raster)(void *context, struct bead_frame *frame, struct bead_message *msg);
+    void *context;
+};
+/* Draw the page and write it as PNG, PDF or SVG. Errors: those of the drawing, GRAPHICS, IO, MEMORY. */
+BEAD_CHECK enum bead_error bead_page_write(const struct bead_page *page, const struct bead_output *output,
+                                           const struct bead_scene *scene, const struct bead_drawing *drawing, const char *path,
+                                           uint64_t *bytes, struct bead_message *msg);
+
+#endif

@@ -1,0 +1,106 @@
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/look.h"
+#include "render/draw/quantity.h"
+
+static const struct prefix {
+    int exponent;
+    const char *sign;
+} prefixes[] = {{12, "T"}, {9, "G"},   {6, "M"},   {3, "k"},   {0, ""},    {-3, "m"}, {-6, "\u00b5"},
+                {-9, "n"}, {-12, "p"}, {-15, "f"}, {-18, "a"}, {-21, "z"}, {-24, "y"}};
+enum { PREFIXES = sizeof prefixes / sizeof prefixes[0] };
+
+/* Which prefixes are usual before a unit: nobody writes kiloseconds. Other units take none. */
+static const struct {
+    const char *unit;
+    int largest;
+} units[] = {{"s", 0}, {"m", 0}, {"m/s", 0}, {"N", 12}, {"J", 12}, {"Pa", 12}, {"Hz", 12}, {"W", 12}};
+
+double bead_power_of_ten(int exponent)
+{
+    return pow(10, exponent);
+}
+
+int bead_prefix_exponent(double value, const char *si_unit)
+{
+    size_t u = 0, count = sizeof units / sizeof units[0];
+    while (u < count && strcmp(units[u].unit, si_unit) != 0)
+        u++;
+    if (u == count || value == 0 || !isfinite(value))
+        return 0;
+    for (int i = 0; i < PREFIXES; i++) {
+        if (prefixes[i].exponent <= units[u].largest && fabs(value) >= bead_power_of_ten(prefixes[i].exponent) * (1 - 1e-9))
+            return prefixes[i].exponent;
+    }
+    return prefixes[PREFIXES - 1].exponent;
+}
+
+const char *bead_prefix_sign(int exponent)
+{
+    for (int i = 0; i < PREFIXES; i++) {
+        if (prefixes[i].exponent == exponent)
+            return prefixes[i].sign;
+    }
+    return "";
+}
+
+/* Append as much of `text` as there is room for. */
+static void append(char *out, size_t size, const char *text)
+{
+    size_t used = strlen(out);
+    if (used + 1 < size)
+        snprintf(out + used, size - used, "%s", text);
+}
+
+void bead_number(double number, int decimals, char *out, size_t size)
+{
+    char digits[64];
+    if (size == 0)
+        return;
+    out[0] = '\0';
+    if (!(fabs(number) < 1e15)) {
+        append(out, size, isnan(number) ? "\u2013" : number < 0 ? "\u2212\u221e" : "\u221e");
+        if (isfinite(number))
+            snprintf(out, size, "%.3g", number);
+        return;
+    }
+    snprintf(digits, sizeof digits, "%.*f", decimals, fabs(number));
+    size_t whole = strcspn(digits, ".");
+    if (number < 0 && strtod(digits, NULL) != 0)
+        append(out, size, "\u2212");
+    for (size_t i = 0; i < whole; i++) {
+        if (i > 0 && (whole - i) % 3 == 0 && whole >= 5)
+            append(out, size, "\u2009");
+        append(out, size, (char[]){digits[i], '\0'});
+    }
+    append(out, size, digits + whole);
+}
+
+/* Decimals that leave `digits` significant ones. */
+static int decimals_for(double shown, int digits)
+{
+    if (shown == 0 || !isfinite(shown))
+        return 0;
+    int before = (int)floor(log10(fabs(shown)) + 1e-12) + 1;
+    return digits > before ? digits - before : 0;
+}
+
+void bead_quantity(double value, const char *si_unit, int digits, char *out, size_t size)
+{
+    char number[64];
+    int exponent = bead_prefix_exponent(value, si_unit);
+    double shown = value / bead_power_of_ten(exponent);
+    int decimals = decimals_for(shown, digits);
+    double rounded = round(shown * bead_power_of_ten(decimals)) / bead_power_of_ten(decimals);
+    int rounded_exponent = bead_prefix_exponent(rounded * bead_power_of_ten(exponent), si_unit);
+    if (isfinite(value) && value != 0 && rounded != 0) { /* 999.96 may have become 1000: the next prefix then, and a digit less */
+        shown = value / bead_power_of_ten(rounded_exponent);
+        decimals = decimals_for(rounded * bead_power_of_ten(exponent) / bead_power_of_ten(rounded_exponent), digits);
+        exponent = rounded_exponent;
+    }
+    bead_number(shown, decimals, number, sizeof number);
+    snprintf(out, size, "%s%s%s%s", number, *si_unit ? "\u00a0" : "", bead_prefix_sign(exponent), si_unit);
+}

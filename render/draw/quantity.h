@@ -1,0 +1,16 @@
+/* Numbers and units as people write them. */
+#ifndef BEADREEL_RENDER_DRAW_QUANTITY_H
+#define BEADREEL_RENDER_DRAW_QUANTITY_H
+
+#include <stddef.h>
+
+/* Power of ten of the prefix that brings |value| to 1..1000 in `si_unit`, as far as the unit takes prefixes; a multiple of 3. */
+int bead_prefix_exponent(double value, const char *si_unit);
+/* "µ" for -6, "" for 0. */
+const char *bead_prefix_sign(int exponent);
+/* A number with a proper minus sign and thin spaces between thousands from five digits on. */
+void bead_number(double number, int decimals, char *out, size_t size);
+/* 10^exponent; shown values are SI values divided by it, exactly rounded for negative exponents too. */
+double bead_power_of_ten(int exponent);
+
+#endif

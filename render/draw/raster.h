@@ -1,0 +1,19 @@
+/* Drawing into the pixels of frames with cairo.
+ *
+ *   cairo_t *cr = bead_raster_begin(&frame);
+ *   ...
+ *   err = bead_raster_end(cr, "curves", &msg); */
+#ifndef BEADREEL_RENDER_DRAW_RASTER_H
+#define BEADREEL_RENDER_DRAW_RASTER_H
+
+#include "beadreel/picture.h"
+
+/* The frame's pixels must outlive the context. */
+cairo_t *bead_raster_begin(const struct bead_frame *frame);
+/* All that was drawn is in the frame; destroys the context. Errors: GRAPHICS where something was not drawn, `what` it was. */
+BEAD_CHECK enum bead_error bead_raster_end(cairo_t *cr, const char *what, struct bead_message *msg);
+/* Errors: those of `draw`, GRAPHICS. */
+BEAD_CHECK enum bead_error bead_raster_draw(const struct bead_frame *frame, bead_draw draw, void *context,
+                                            struct bead_message *msg);
+
+#endif

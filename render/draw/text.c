@@ -1,0 +1,227 @@
+/* Text through Pango, laid out without regard to the pixel grid, so that it is the same in rasters and vector files. */
+#include <math.h>
+#include <pango/pangocairo.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/look.h"
+#include "render/draw/markup.h"
+
+/* Middle of digits and capitals above the baseline, in units of the font size (STIX 0.34, Lato 0.36). */
+static const double digit_middle = 0.35;
+
+/* Symbols are set in STIX, whose letters are lower than Lato's by this. */
+static const char symbols[] = "STIX";
+static const double symbol_scale = 1.1;
+
+/* As high as the letters around them; within lowered and raised text, which has a size of its own, there is none to set. */
+static void match_symbols(PangoAttrList *attributes)
+{
+    GSList *all = pango_attr_list_get_attributes(attributes);
+    for (GSList *i = all; i; i = i->next) {
+        const PangoAttribute *face = i->data;
+        bool sized = false;
+        if (face->klass->type != PANGO_ATTR_FAMILY || strcmp(((const PangoAttrString *)i->data)->value, symbols) != 0)
+            continue;
+        for (GSList *k = all; k; k = k->next) {
+            const PangoAttribute *other = k->data;
+            bool size = other->klass->type == PANGO_ATTR_SCALE || other->klass->type == PANGO_ATTR_SIZE ||
+                        other->klass->type == PANGO_ATTR_ABSOLUTE_SIZE;
+            sized = sized || (size && other->start_index < face->end_index && other->end_index > face->start_index);
+        }
+        if (sized)
+            continue;
+        PangoAttribute *scale = pango_attr_scale_new(symbol_scale);
+        scale->start_index = face->start_index;
+        scale->end_index = face->end_index;
+        pango_attr_list_insert(attributes, scale);
+    }
+    g_slist_free_full(all, (GDestroyNotify)pango_attribute_destroy);
+}
+
+/* Broken markup is shown as it stands: Pango's own call would print a warning. */
+static void set_contents(PangoLayout *layout, const char *family, const char *markup)
+{
+    PangoAttrList *attributes = NULL;
+    char *text = NULL;
+    if (pango_parse_markup(markup, -1, 0, &attributes, &text, NULL, NULL)) {
+        pango_layout_set_text(layout, text, -1);
+        pango_attr_list_insert(attributes, pango_attr_font_features_new("liga=0")); /* Lato joins the t and i of "time" */
+        if (strcmp(family, symbols) != 0)
+            match_symbols(attributes);
+        pango_layout_set_attributes(layout, attributes);
+        pango_attr_list_unref(attributes);
+        g_free(text);
+    } else if (g_utf8_validate(markup, -1, NULL)) {
+        pango_layout_set_text(layout, markup, -1);
+    }
+}
+
+static PangoLayout *make_layout(cairo_t *cr, const struct bead_text_style *style, double wrap, const char *markup)
+{
+    PangoContext *context = pango_cairo_create_context(cr);
+    cairo_font_options_t *options = cairo_font_options_create();
+    cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_SLIGHT);
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+    pango_cairo_context_set_font_options(context, options);
+    cairo_font_options_destroy(options);
+    pango_context_set_round_glyph_positions(context, FALSE);
+
+    PangoLayout *layout = pango_layout_new(context);
+    g_object_unref(context);
+    PangoFontDescription *font = pango_font_description_new();
+    pango_font_description_set_family(font, style->family);
+    pango_font_description_set_absolute_size(font, style->size * PANGO_SCALE);
+    pango_font_description_set_weight(font, style->bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
+    pango_layout_set_font_description(layout, font);
+    pango_font_description_free(font);
+    if (wrap < 0) {
+        pango_layout_set_width(layout, (int)ceil(-wrap * PANGO_SCALE));
+        pango_layout_set_ellipsize(layout, PANGO_ELLIPSIZE_MIDDLE);
+        pango_layout_set_single_paragraph_mode(layout, TRUE);
+    }
+    if (wrap > 0) {
+        static const PangoAlignment alignments[] = {
+            [BEAD_ALIGN_START] = PANGO_ALIGN_LEFT, [BEAD_ALIGN_MIDDLE] = PANGO_ALIGN_CENTER, [BEAD_ALIGN_END] = PANGO_ALIGN_RIGHT};
+        pango_layout_set_width(layout, (int)ceil(wrap * PANGO_SCALE));
+        pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
+        pango_layout_set_alignment(layout, alignments[style->across]);
+    }
+    set_contents(layout, style->family, markup);
+    return layout;
+}
+
+/* Returns how far right of the layout's origin its text begins, px: more than 0 for centred lines. */
+static double layout_size(PangoLayout *layout, double *width, double *height)
+{
+    PangoRectangle box;
+    pango_layout_get_extents(layout, NULL, &box);
+    *width = (double)box.width / PANGO_SCALE;
+    *height = (double)box.height / PANGO_SCALE;
+    return (double)box.x / PANGO_SCALE;
+}
+
+static const cairo_user_data_key_t watch_key;
+
+bool bead_text_watch(cairo_surface_t *surface, const struct bead_text_watch *watch)
+{
+    return cairo_surface_set_user_data(surface, &watch_key, (void *)watch, NULL) == CAIRO_STATUS_SUCCESS;
+}
+
+/* Tell of the layout at the context's origin. */
+static void tell(cairo_t *cr, PangoLayout *layout, const char *markup)
+{
+    const struct bead_text_watch *watch = cairo_surface_get_user_data(cairo_get_target(cr), &watch_key);
+    PangoRectangle ink;
+    if (!watch)
+        return;
+    pango_layout_get_extents(layout, &ink, NULL);
+    double low[2] = {(double)ink.x / PANGO_SCALE, (double)ink.y / PANGO_SCALE};
+    double high[2] = {(double)(ink.x + ink.width) / PANGO_SCALE, (double)(ink.y + ink.height) / PANGO_SCALE};
+    cairo_user_to_device(cr, &low[0], &low[1]);
+    cairo_user_to_device(cr, &high[0], &high[1]);
+    watch->seen(watch->context, markup, fmin(low[0], high[0]), fmin(low[1], high[1]), fabs(high[0] - low[0]),
+                fabs(high[1] - low[1]));
+}
+
+/* From the box's start to (x, y), for an extent of the box. */
+static double aligned(enum bead_align align, double extent)
+{
+    return align == BEAD_ALIGN_MIDDLE ? extent / 2 : align == BEAD_ALIGN_END ? extent : 0;
+}
+
+void bead_text_draw(cairo_t *cr, const struct bead_text_style *style, double x, double y, const char *markup)
+{
+    bead_text_draw_lines(cr, style, 0, x, y, markup);
+}
+
+void bead_text_draw_lines(cairo_t *cr, const struct bead_text_style *style, double wrap, double x, double y, const char *markup)
+{
+    double width, height;
+    PangoLayout *layout = make_layout(cr, style, wrap, markup);
+    double begins = layout_size(layout, &width, &height);
+    double baseline = (double)pango_layout_get_baseline(layout) / PANGO_SCALE;
+    cairo_save(cr);
+    cairo_set_source_rgb(cr, style->colour.r, style->colour.g, style->colour.b);
+    if (style->upwards) {
+        double down = style->down == BEAD_ALIGN_BASELINE ? BEAD_ALIGN_MIDDLE : style->down;
+        cairo_translate(cr, x - aligned(style->across, height), y - aligned((enum bead_align)down, width) + width);
+        cairo_rotate(cr, -G_PI / 2);
+    } else {
+        double up = aligned(style->down, height);
+        if (style->down == BEAD_ALIGN_MIDDLE)
+            up = baseline - digit_middle * style->size;
+        if (style->down == BEAD_ALIGN_BASELINE)
+            up = baseline;
+        cairo_translate(cr, x - aligned(style->across, width), y - up);
+    }
+    cairo_translate(cr, -begins, 0);
+    tell(cr, layout, markup);
+    cairo_move_to(cr, 0, 0);
+    pango_cairo_update_layout(cr, layout);
+    pango_cairo_show_layout(cr, layout);
+    cairo_restore(cr);
+    g_object_unref(layout);
+}
+
+/* A context to measure with where there is none to draw with: the layout does not depend on it. */
+static cairo_t *measuring_context(void)
+{
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);
+    cairo_t *cr = cairo_create(surface);
+    cairo_surface_destroy(surface);
+    return cr;
+}
+
+void bead_text_size(cairo_t *cr, const struct bead_text_style *style, const char *markup, double *width, double *height)
+{
+    bead_text_size_lines(cr, style, 0, markup, width, height);
+}
+
+void bead_text_size_lines(cairo_t *cr, const struct bead_text_style *style, double wrap, const char *markup, double *width,
+                          double *height)
+{
+    cairo_t *used = cr ? cairo_reference(cr) : measuring_context();
+    PangoLayout *layout = make_layout(used, style, wrap, markup);
+    (void)layout_size(layout, width, height);
+    g_object_unref(layout);
+    cairo_destroy(used);
+}
+
+static const char *escaped(const char *c)
+{
+    return *c == '&' ? "&amp;" : *c == '<' ? "&lt;" : *c == '>' ? "&gt;" : (unsigned char)*c < ' ' ? " " : NULL;
+}
+
+void bead_text_escape(const char *text, char *out, size_t size)
+{
+    size_t used = 0;
+    for (const char *next; *text && size > 0; text = next) {
+        gunichar c = g_utf8_get_char_validated(text, -1);
+        bool valid = c != (gunichar)-1 && c != (gunichar)-2;
+        next = valid ? g_utf8_next_char(text) : text + 1;
+        const char *replaced = valid ? escaped(text) : "?", *from = replaced ? replaced : text;
+        size_t length = replaced ? strlen(replaced) : (size_t)(next - text);
+        if (used + length >= size)
+            break;
+        memcpy(out + used, from, length);
+        used += length;
+    }
+    if (size > 0)
+        out[used] = '\0';
+}
+
+void bead_text_magnetism(double magnetism, char *out, size_t size)
+{
+    char number[32];
+    snprintf(number, sizeof number, "%.2f", magnetism);
+    for (char *end = number + strlen(number) - 1; strchr(number, '.') && (*end == '0' || *end == '.'); end--) {
+        bool point = *end == '.';
+        *end = '\0';
+        if (point)
+            break;
+    }
+    snprintf(out, size, BEAD_SYMBOL("M") " = %s", number);
+}

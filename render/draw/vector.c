@@ -1,0 +1,145 @@
+/* PDF and SVG through cairo. PDF keeps text as text with its fonts embedded; SVG keeps it as outlines, the same everywhere. */
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <errno.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <time.h>
+
+#include "beadreel/file.h"
+#include "beadreel/picture.h"
+#include "render/draw/svg_ids.h"
+
+struct format {
+    const char *extension;
+    cairo_surface_t *(*create)(cairo_write_func_t write, void *closure, double width, double height);
+    void (*describe)(cairo_surface_t *surface, const struct bead_picture_notes *notes);
+    bool named; /* has names that must be made the same every time */
+};
+
+static void put(cairo_surface_t *surface, cairo_pdf_metadata_t key, const char *text)
+{
+    if (text && *text)
+        cairo_pdf_surface_set_metadata(surface, key, text);
+}
+
+/* The same file from the same scene: no clock, unless a packager sets one (reproducible-builds.org/specs/source-date-epoch). */
+static void put_date(cairo_surface_t *surface)
+{
+    const char *epoch = getenv("SOURCE_DATE_EPOCH");
+    time_t seconds = epoch ? (time_t)strtoll(epoch, NULL, 10) : 0;
+    struct tm utc;
+    char date[32];
+    if (gmtime_r(&seconds, &utc) && strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", &utc) > 0)
+        cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, date);
+}
+
+static void describe_pdf(cairo_surface_t *surface, const struct bead_picture_notes *notes)
+{
+    cairo_pdf_surface_restrict_to_version(surface, CAIRO_PDF_VERSION_1_5);
+    put(surface, CAIRO_PDF_METADATA_TITLE, notes->title);
+    put(surface, CAIRO_PDF_METADATA_SUBJECT, notes->description);
+    put(surface, CAIRO_PDF_METADATA_CREATOR, notes->software);
+    put_date(surface);
+}
+
+static void describe_svg(cairo_surface_t *surface, const struct bead_picture_notes *notes)
+{
+    (void)notes;
+    cairo_svg_surface_restrict_to_version(surface, CAIRO_SVG_VERSION_1_1);
+}
+
+static const struct format formats[] = {
+    {"pdf", cairo_pdf_surface_create_for_stream, describe_pdf, false},
+    {"svg", cairo_svg_surface_create_for_stream, describe_svg, true},
+};
+
+static const struct format *find_format(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    for (size_t i = 0; dot && i < sizeof formats / sizeof formats[0]; i++) {
+        if (strcasecmp(dot + 1, formats[i].extension) == 0)
+            return &formats[i];
+    }
+    return NULL;
+}
+
+static cairo_status_t write_bytes(void *closure, const unsigned char *data, unsigned int length)
+{
+    return fwrite(data, 1, length, closure) == length ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+}
+
+static enum bead_error failed(const char *part, cairo_status_t status, struct bead_message *msg)
+{
+    enum bead_error code = status == CAIRO_STATUS_NO_MEMORY ? BEAD_ERROR_MEMORY : BEAD_ERROR_IO;
+    return bead_fail(msg, code, "%s: %s", part,
+                     status == CAIRO_STATUS_WRITE_ERROR ? strerror(errno) : cairo_status_to_string(status));
+}
+
+struct page {
+    const struct format *format;
+    int width, height;
+    bead_draw draw;
+    void *context;
+    const struct bead_picture_notes *notes;
+};
+
+static enum bead_error draw_page(cairo_surface_t *surface, double scale, const struct page *page, struct bead_message *msg)
+{
+    cairo_t *cr = cairo_create(surface);
+    cairo_scale(cr, scale, scale);
+    enum bead_error err = page->draw(page->context, cr, msg);
+    if (!err)
+        cairo_show_page(cr);
+    cairo_destroy(cr);
+    return err;
+}
+
+static enum bead_error write_page(const struct page *page, FILE *file, const char *part, struct bead_message *msg)
+{
+    const struct bead_picture_notes *notes = page->notes;
+    double scale = 72 / notes->dpi;
+    cairo_surface_t *surface = page->format->create(write_bytes, file, page->width * scale, page->height * scale);
+    cairo_surface_set_fallback_resolution(surface, notes->dpi, notes->dpi);
+    page->format->describe(surface, notes);
+    enum bead_error err = draw_page(surface, scale, page, msg);
+    cairo_surface_finish(surface);
+    cairo_status_t status = cairo_surface_status(surface);
+    cairo_surface_destroy(surface);
+    return err ? err : status ? failed(part, status, msg) : BEAD_OK;
+}
+
+/* By way of memory. */
+static enum bead_error write_named(const struct page *page, FILE *file, const char *part, struct bead_message *msg)
+{
+    char *text = NULL;
+    size_t length = 0;
+    FILE *memory = open_memstream(&text, &length);
+    if (!memory)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", part);
+    enum bead_error err = write_page(page, memory, part, msg);
+    if (fclose(memory) != 0 && !err)
+        err = bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", part);
+    if (!err)
+        err = bead_svg_write(text, length, file, msg);
+    free(text);
+    return err;
+}
+
+static enum bead_error fill(void *context, FILE *file, const char *part, struct bead_message *msg)
+{
+    const struct page *page = context;
+    return page->format->named ? write_named(page, file, part, msg) : write_page(page, file, part, msg);
+}
+
+enum bead_error bead_vector_write(const char *path, int width, int height, bead_draw draw, void *context,
+                                  const struct bead_picture_notes *notes, uint64_t *bytes, struct bead_message *msg)
+{
+    struct page page = {find_format(path), width, height, draw, context, notes};
+    if (!page.format || !(notes->dpi > 0))
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: a vector file is .pdf or .svg, with dots per inch > 0", path);
+    return bead_file_write(path, fill, &page, bytes, msg);
+}

@@ -1,0 +1,202 @@
+#include "beadreel/movie.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/file.h"
+#include "render/encode/movie_engine.h"
+
+enum { MOST_PIXELS = 16384 };
+
+static enum bead_error unknown_extension(const char *path, struct bead_message *msg)
+{
+    char list[256] = "";
+    size_t used = 0;
+    for (const struct bead_codec_info *info = bead_movie_codecs(); info->extension; info++) {
+        int length = snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "", info->extension);
+        if (length < 0 || (size_t)length >= sizeof list - used)
+            break;
+        used += (size_t)length;
+    }
+    return bead_fail(msg, BEAD_ERROR_SCENE, "%s: no movie can be written by this name; it may end in: %s", path, list);
+}
+
+/* Formats with a colour for every 2 x 2 pixels need even sizes. */
+static bool needs_even(enum AVPixelFormat format)
+{
+    return format == AV_PIX_FMT_YUV420P;
+}
+
+static enum bead_error check_size(const char *path, const struct bead_codec *codec, const struct bead_movie_settings *settings,
+                                  struct bead_message *msg)
+{
+    int w = settings->width, h = settings->height;
+    if (w < 1 || h < 1 || w > MOST_PIXELS || h > MOST_PIXELS)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: size %d x %d is not between 1 x 1 and %d x %d", path, w, h, MOST_PIXELS,
+                         MOST_PIXELS);
+    if (codec->presets && needs_even(codec->presets[settings->quality].format) && (w % 2 || h % 2))
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: size %d x %d is odd, and this codec needs even sizes; the nearest is %d x %d",
+                         path, w, h, w + w % 2, h + h % 2);
+    return BEAD_OK;
+}
+
+static enum bead_error check_engine(const char *path, const struct bead_preset *preset, struct bead_message *msg)
+{
+    struct bead_av av;
+    struct bead_message why;
+    enum bead_error err = bead_av_open(&av, &why);
+    if (!err)
+        err = preset->engine->check(&av, preset->encoder, &why);
+    return err ? bead_fail(msg, err, "%s: %s", path, why.text) : BEAD_OK;
+}
+
+static enum bead_error check(const char *path, const struct bead_movie_settings *settings, const struct bead_codec **codec,
+                             struct bead_message *msg)
+{
+    *codec = bead_codec_find(path);
+    if (!*codec)
+        return unknown_extension(path, msg);
+    if ((int)settings->quality < 0 || settings->quality > BEAD_QUALITY_LOSSLESS)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: unknown quality %d", path, (int)settings->quality);
+    enum bead_error err = check_size(path, *codec, settings, msg);
+    if (err)
+        return err;
+    if (!(settings->fps >= 0.01 && settings->fps <= 1000))
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %g frames a second are not between 0.01 and 1000", path, settings->fps);
+    return (*codec)->presets ? check_engine(path, &(*codec)->presets[settings->quality], msg) : BEAD_OK;
+}
+
+enum bead_error bead_movie_check(const char *path, const struct bead_movie_settings *settings, struct bead_message *msg)
+{
+    const struct bead_codec *codec;
+    return check(path, settings, &codec, msg);
+}
+
+static void destroy(struct bead_movie *movie)
+{
+    movie->codec->way->destroy(movie);
+    free(movie->part);
+    free(movie->path);
+    free(movie);
+}
+
+enum bead_error bead_movie_open(const char *path, const struct bead_movie_settings *settings, struct bead_movie **movie,
+                                struct bead_message *msg)
+{
+    *movie = NULL;
+    const struct bead_codec *codec;
+    enum bead_error err = check(path, settings, &codec, msg);
+    if (err)
+        return err;
+    struct bead_movie *m = calloc(1, sizeof *m);
+    if (!m)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", path);
+    m->codec = codec;
+    m->settings = *settings;
+    err = bead_file_join(NULL, path, &m->path, msg);
+    if (!err)
+        err = bead_file_part_name(path, &m->part, msg);
+    if (!err)
+        err = codec->way->open(m, msg);
+    m->settings.title = m->settings.comment = NULL;
+    if (err) {
+        bead_movie_abort(m);
+        return err;
+    }
+    *movie = m;
+    return BEAD_OK;
+}
+
+static enum bead_error check_frame(const struct bead_movie *movie, const struct bead_frame *frame, struct bead_message *msg)
+{
+    const struct bead_movie_settings *s = &movie->settings;
+    if (frame->width != s->width || frame->height != s->height || !frame->pixels || frame->stride % 64 ||
+        frame->stride / 4 < (size_t)frame->width)
+        return bead_fail(msg, BEAD_ERROR_CODEC, "%s: a frame of %d x %d (stride %zu) in a movie of %d x %d", movie->path,
+                         frame->width, frame->height, frame->stride, s->width, s->height);
+    return BEAD_OK;
+}
+
+enum bead_error bead_movie_add(struct bead_movie *movie, const struct bead_frame *frame, const struct bead_changes *changes,
+                               struct bead_message *msg)
+{
+    const struct bead_changes whole = {1, {{0, 0, frame->width, frame->height}}};
+    enum bead_error err = check_frame(movie, frame, msg);
+    if (!err)
+        err = movie->codec->way->add(movie, frame, movie->shown && changes ? changes : &whole, msg);
+    movie->shown += !err;
+    movie->failed |= err != BEAD_OK;
+    return err;
+}
+
+enum bead_error bead_movie_reserve(struct bead_movie *movie, size_t slots, bool *reserved, struct bead_message *msg)
+{
+    *reserved = false;
+    return movie->codec->way->reserve ? movie->codec->way->reserve(movie, slots, reserved, msg) : BEAD_OK;
+}
+
+enum bead_error bead_movie_convert(struct bead_movie *movie, size_t slot, const struct bead_frame *frame,
+                                   const struct bead_changes *missing, struct bead_message *msg)
+{
+    enum bead_error err = check_frame(movie, frame, msg);
+    return err ? err : movie->codec->way->convert(movie, slot, frame, missing, msg);
+}
+
+enum bead_error bead_movie_add_slot(struct bead_movie *movie, size_t slot, const struct bead_changes *changes,
+                                    struct bead_message *msg)
+{
+    const struct bead_changes whole = {1, {{0, 0, movie->settings.width, movie->settings.height}}};
+    enum bead_error err = movie->codec->way->add_slot(movie, slot, movie->shown ? changes : &whole, msg);
+    movie->shown += !err;
+    movie->failed |= err != BEAD_OK;
+    return err;
+}
+
+enum bead_error bead_movie_cover(struct bead_movie *movie, const uint8_t *png, size_t bytes, struct bead_message *msg)
+{
+    if (!movie->codec->covers || !movie->codec->way->cover || !movie->settings.cover)
+        return BEAD_OK;
+    return movie->codec->way->cover(movie, png, bytes, msg);
+}
+
+uint64_t bead_movie_frames(const struct bead_movie *movie)
+{
+    return movie->shown;
+}
+
+uint64_t bead_movie_encoded(const struct bead_movie *movie)
+{
+    return movie->encoded;
+}
+
+static enum bead_error finish(struct bead_movie *movie, struct bead_message *msg)
+{
+    if (movie->failed)
+        return bead_fail(msg, BEAD_ERROR_CODEC, "%s: not finished, for a frame could not be written", movie->path);
+    if (!movie->shown)
+        return bead_fail(msg, BEAD_ERROR_CODEC, "%s: a movie without frames", movie->path);
+    enum bead_error err = movie->codec->way->finish(movie, msg);
+    return err ? err : bead_file_commit(movie->part, movie->path, msg);
+}
+
+enum bead_error bead_movie_close(struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg)
+{
+    enum bead_error err = finish(movie, msg);
+    if (err) {
+        bead_movie_abort(movie);
+        return err;
+    }
+    if (bytes)
+        *bytes = bead_file_bytes(movie->path);
+    destroy(movie);
+    return BEAD_OK;
+}
+
+void bead_movie_abort(struct bead_movie *movie)
+{
+    if (!movie)
+        return;
+    bead_file_discard(movie->part);
+    destroy(movie);
+}

@@ -1,0 +1,43 @@
+#include "render/encode/movie_av.h"
+
+#include <string.h>
+
+#include "beadreel/library.h"
+
+#define TEXT(x)                TEXT_OF(x)
+#define TEXT_OF(x)             #x
+#define FILE_OF(name, version) "lib" name ".so." TEXT(version)
+#define NAME(function)         #function,
+
+static const char *const names[] = {BEAD_AV_FUNCTIONS(NAME)};
+#define COUNT(function) +1
+enum {
+    AVUTIL = 0 BEAD_AVUTIL_FUNCTIONS(COUNT),
+    AVCODEC = 0 BEAD_AVCODEC_FUNCTIONS(COUNT),
+    AVFORMAT = 0 BEAD_AVFORMAT_FUNCTIONS(COUNT),
+    FUNCTIONS = AVUTIL + AVCODEC + AVFORMAT
+};
+
+/* The structures' layout goes with the major version. */
+static const struct {
+    const char *files[2];
+    size_t first, count;
+} libraries[] = {
+    {{FILE_OF("avutil", LIBAVUTIL_VERSION_MAJOR), NULL}, 0, AVUTIL},
+    {{FILE_OF("avcodec", LIBAVCODEC_VERSION_MAJOR), NULL}, AVUTIL, AVCODEC},
+    {{FILE_OF("avformat", LIBAVFORMAT_VERSION_MAJOR), NULL}, AVUTIL + AVCODEC, AVFORMAT},
+};
+
+enum bead_error bead_av_open(struct bead_av *av, struct bead_message *msg)
+{
+    void (*loaded[FUNCTIONS])(void);
+    struct bead_message why;
+    _Static_assert(sizeof loaded == sizeof *av, "nothing but functions");
+    for (size_t i = 0; i < sizeof libraries / sizeof *libraries; i++) {
+        size_t first = libraries[i].first;
+        if (bead_library_load(libraries[i].files, names + first, libraries[i].count, loaded + first, &why))
+            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "movies need FFmpeg's libraries: %s", why.text);
+    }
+    memcpy(av, loaded, sizeof *av);
+    return BEAD_OK;
+}

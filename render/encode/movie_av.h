@@ -1,0 +1,76 @@
+/* FFmpeg's libraries, opened when a movie is made: they pull in a hundred others, which pictures need not wait for. */
+#ifndef BEADREEL_RENDER_ENCODE_MOVIE_AV_H
+#define BEADREEL_RENDER_ENCODE_MOVIE_AV_H
+
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libavutil/opt.h>
+
+#include "beadreel/error.h"
+
+#define BEAD_AVUTIL_FUNCTIONS(X) \
+    X(av_d2q)                    \
+    X(av_dict_count)             \
+    X(av_dict_free)              \
+    X(av_dict_get)               \
+    X(av_dict_parse_string)      \
+    X(av_dict_set)               \
+    X(av_frame_alloc)            \
+    X(av_frame_copy)             \
+    X(av_frame_copy_props)       \
+    X(av_frame_free)             \
+    X(av_frame_get_buffer)       \
+    X(av_frame_is_writable)      \
+    X(av_frame_move_ref)         \
+    X(av_frame_unref)            \
+    X(av_log_get_level)          \
+    X(av_log_set_level)          \
+    X(av_mallocz)                \
+    X(av_mul_q)                  \
+    X(av_opt_set_int)            \
+    X(av_opt_set_q)              \
+    X(av_rescale_q)              \
+    X(av_strerror)
+
+#define BEAD_AVCODEC_FUNCTIONS(X)      \
+    X(av_new_packet)                   \
+    X(av_packet_alloc)                 \
+    X(av_packet_free)                  \
+    X(av_packet_move_ref)              \
+    X(av_packet_rescale_ts)            \
+    X(av_packet_unref)                 \
+    X(avcodec_alloc_context3)          \
+    X(avcodec_find_encoder_by_name)    \
+    X(avcodec_free_context)            \
+    X(avcodec_open2)                   \
+    X(avcodec_parameters_from_context) \
+    X(avcodec_receive_packet)          \
+    X(avcodec_send_frame)
+
+#define BEAD_AVFORMAT_FUNCTIONS(X)    \
+    X(av_write_frame)                 \
+    X(av_write_trailer)               \
+    X(avformat_alloc_output_context2) \
+    X(avformat_free_context)          \
+    X(avformat_new_stream)            \
+    X(avformat_write_header)          \
+    X(avio_closep)                    \
+    X(avio_flush)                     \
+    X(avio_open)
+
+#define BEAD_AV_FUNCTIONS(X)  \
+    BEAD_AVUTIL_FUNCTIONS(X)  \
+    BEAD_AVCODEC_FUNCTIONS(X) \
+    BEAD_AVFORMAT_FUNCTIONS(X)
+
+/* Each function by its own name. */
+struct bead_av {
+#define BEAD_AV_MEMBER(name) __typeof__(name) *name;
+    BEAD_AV_FUNCTIONS(BEAD_AV_MEMBER)
+#undef BEAD_AV_MEMBER
+};
+
+/* Errors: UNSUPPORTED (a library, of the version that this program was built with, or a function is missing). */
+BEAD_CHECK enum bead_error bead_av_open(struct bead_av *av, struct bead_message *msg);
+
+#endif

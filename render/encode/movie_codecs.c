@@ -1,0 +1,79 @@
+#include "render/encode/movie_private.h"
+
+#include <string.h>
+#include <strings.h>
+
+enum { MP4, MKV, WEBM, GIF, APNG, PNG, HASH, CODECS };
+
+static const struct bead_codec_info infos[CODECS + 1] = {
+    [MP4] = {"mp4", "H.264, plays everywhere (lossless: RGB, not in all players)"},
+    [MKV] = {"mkv", "H.264 in Matroska; lossless: FFV1"},
+    [WEBM] = {"webm", "VP9, plays in browsers (lossless: RGB)"},
+    [GIF] = {"gif", "animated GIF, 255 colours, at most 50 frames a second"},
+    [APNG] = {"apng", "animated PNG, lossless"},
+    [PNG] = {"png", "animated PNG, lossless"},
+    [HASH] = {"hash", "one line a frame: hash of its pixels, to compare runs"},
+};
+
+/* Most of a bead movie never changes, and there the search for a better encoding is the cost, not the picture:
+ * constant QP, no lookahead and no B-frames take a third of the time of the presets they start from. Transforms and intra blocks of
+ * both sizes buy more than a better search for motion, and QP 26 with them is as far from the picture as the usual rate factor 18.
+ * What stands still keeps what the key frames gave it: these are 12 QP better (ipratio=4; high: 9), which makes colour bars true to
+ * two levels and text sharp for 1 % of the size.
+ */
+#define X264_LEAN     "x264-params=bframes=0:rc-lookahead=0:sync-lookahead=0:mbtree=0:scenecut=0:weightp=0"
+#define X264_DRAFT    "preset=ultrafast qp=28 " X264_LEAN ":ipratio=4:cabac=1"
+#define X264_STANDARD "preset=ultrafast qp=26 " X264_LEAN ":ipratio=4:cabac=1:8x8dct=1:partitions=i4x4,i8x8"
+#define X264_HIGH     "preset=fast qp=17 " X264_LEAN ":ipratio=2.83"
+#define X264_LOSSLESS "preset=ultrafast qp=0 " X264_LEAN ":cabac=1"
+#define VP9_LEAN      "lag-in-frames=0 auto-alt-ref=0 row-mt=0 tile-columns=0 frame-parallel=0 aq-mode=0 b=0 "
+
+/* By quality: draft, standard, high, lossless. */
+static const struct bead_preset h264[] = {{&bead_engine_x264, "libx264", AV_PIX_FMT_YUV420P, X264_DRAFT},
+                                          {&bead_engine_x264, "libx264", AV_PIX_FMT_YUV420P, X264_STANDARD},
+                                          {&bead_engine_x264, "libx264", AV_PIX_FMT_YUV420P, X264_HIGH},
+                                          {&bead_engine_av, "libx264rgb", AV_PIX_FMT_BGR0, X264_LOSSLESS}};
+static const struct bead_preset h264_or_ffv1[] = {
+    {&bead_engine_x264, "libx264", AV_PIX_FMT_YUV420P, X264_DRAFT},
+    {&bead_engine_x264, "libx264", AV_PIX_FMT_YUV420P, X264_STANDARD},
+    {&bead_engine_x264, "libx264", AV_PIX_FMT_YUV420P, X264_HIGH},
+    {&bead_engine_av, "ffv1", AV_PIX_FMT_BGR0, "level=3 coder=rice context=0 slices=4 slicecrc=1"}};
+static const struct bead_preset vp9[] = {
+    {&bead_engine_av, "libvpx-vp9", AV_PIX_FMT_YUV420P, VP9_LEAN "deadline=realtime cpu-used=8 crf=32"},
+    {&bead_engine_av, "libvpx-vp9", AV_PIX_FMT_YUV420P, VP9_LEAN "deadline=realtime cpu-used=7 crf=24"},
+    {&bead_engine_av, "libvpx-vp9", AV_PIX_FMT_YUV420P, VP9_LEAN "deadline=good cpu-used=4 crf=15"},
+    {&bead_engine_av, "libvpx-vp9", AV_PIX_FMT_GBRP, VP9_LEAN "deadline=realtime cpu-used=8 lossless=1"}};
+/* The same pixels at every quality: only the work on the size differs. */
+static const struct bead_preset apng[] = {{&bead_engine_av, "apng", AV_PIX_FMT_RGB24, "pred=sub compression_level=1"},
+                                          {&bead_engine_av, "apng", AV_PIX_FMT_RGB24, "pred=sub compression_level=3"},
+                                          {&bead_engine_av, "apng", AV_PIX_FMT_RGB24, "pred=sub compression_level=6"},
+                                          {&bead_engine_av, "apng", AV_PIX_FMT_RGB24, "pred=sub compression_level=6"}};
+static const struct bead_preset gif[] = {{&bead_engine_av, "gif", AV_PIX_FMT_PAL8, ""},
+                                         {&bead_engine_av, "gif", AV_PIX_FMT_PAL8, ""},
+                                         {&bead_engine_av, "gif", AV_PIX_FMT_PAL8, ""},
+                                         {&bead_engine_av, "gif", AV_PIX_FMT_PAL8, ""}};
+
+static const struct bead_codec codecs[CODECS] = {
+    [MP4] = {&bead_movie_libav, "mp4", "movflags=+faststart", h264, 0, true, 0},
+    [MKV] = {&bead_movie_libav, "matroska", "", h264_or_ffv1, 0, false, 0},
+    [WEBM] = {&bead_movie_libav, "webm", "", vp9, 0, false, 0},
+    [GIF] = {&bead_movie_libav, "gif", "loop=0", gif, 100, false, 50},
+    [APNG] = {&bead_movie_libav, "apng", "plays=0", apng, 1, false, 0},
+    [PNG] = {&bead_movie_libav, "apng", "plays=0", apng, 1, false, 0},
+    [HASH] = {&bead_movie_hashes, NULL, NULL, NULL, 0, false, 0},
+};
+
+const struct bead_codec_info *bead_movie_codecs(void)
+{
+    return infos;
+}
+
+const struct bead_codec *bead_codec_find(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    for (int i = 0; dot && i < CODECS; i++) {
+        if (strcasecmp(dot + 1, infos[i].extension) == 0)
+            return &codecs[i];
+    }
+    return NULL;
+}

@@ -1,0 +1,363 @@
+/* Frames into a file through libavformat: one video stream, times in frames, a picture kept and changed in place. */
+#include <errno.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/file.h"
+#include "render/encode/movie_engine.h"
+
+struct bead_encoder {
+    struct bead_av av;
+    AVFormatContext *format;
+    const struct bead_engine_type *type;
+    struct bead_engine *engine;
+    struct bead_blocks blocks;     /* against the picture encoded last */
+    struct bead_pictures pictures; /* frames as converted so far; the first is that of movies added at once */
+    size_t now;                    /* the one added last */
+    AVPacket *packet, *held;       /* a packet waits in `held` until the time of the next tells its duration */
+    AVPacket *cover;               /* written at the end; NULL: none */
+    AVRational frame_time;         /* s: unit of all times here */
+    int64_t group;                 /* frames shown as one, to stay below the container's rate; usually 1 */
+    int64_t last;                  /* time of the picture encoded last */
+    bool dirty;                    /* what is shown has changed since */
+    bool holding;
+    bool begun; /* the header is written, the trailer not */
+};
+
+/* One clear line out of libav's number. Where the file could not be written, that is the reason for all else. */
+static enum bead_error fail(const struct bead_movie *movie, const char *what, int code, struct bead_message *msg)
+{
+    const struct bead_encoder *e = movie->encoder;
+    const AVFormatContext *format = e->format;
+    int written = format && format->pb ? format->pb->error : 0;
+    char text[AV_ERROR_MAX_STRING_SIZE] = "";
+    e->av.av_strerror(written < 0 ? written : code, text, sizeof text);
+    if (code == AVERROR(ENOMEM))
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", movie->path);
+    if (written < 0)
+        return bead_fail(msg, BEAD_ERROR_IO, "%s: writing failed: %s", movie->path, text);
+    return bead_fail(msg, BEAD_ERROR_CODEC, "%s: %s: %s", movie->path, what, text);
+}
+
+static enum bead_error no_memory(const struct bead_movie *movie, struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", movie->path);
+}
+
+/* Libav's log has no place for its owner: it is the process's. Ours are messages. */
+static void silence(struct bead_encoder *e)
+{
+    if (e->av.av_log_get_level() > AV_LOG_QUIET)
+        e->av.av_log_set_level(AV_LOG_QUIET);
+}
+
+static enum bead_error open_engine(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    const struct bead_movie_settings *settings = &movie->settings;
+    const struct bead_preset *preset = &movie->codec->presets[settings->quality];
+    const struct bead_engine_setup setup = {.av = &e->av,
+                                            .preset = preset,
+                                            .pictures = bead_picture_format(settings->width, settings->height, preset->format),
+                                            .frame_time = e->frame_time,
+                                            .global_header = e->format->oformat->flags & AVFMT_GLOBALHEADER};
+    e->type = preset->engine;
+    int code = e->type->open(&setup, &e->engine);
+    if (code < 0)
+        return fail(movie, "the encoder cannot be opened", code, msg);
+    enum bead_error err = bead_blocks_create(settings->width, settings->height, &e->blocks, msg);
+    return err ? err : bead_pictures_open(&e->av, &setup.pictures, movie->path, &e->pictures, msg);
+}
+
+static enum bead_error open_packets(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    e->packet = e->av.av_packet_alloc();
+    e->held = e->av.av_packet_alloc();
+    return e->packet && e->held ? BEAD_OK : no_memory(movie, msg);
+}
+
+static int open_stream(struct bead_movie *movie)
+{
+    struct bead_encoder *e = movie->encoder;
+    AVStream *stream = e->av.avformat_new_stream(e->format, NULL);
+    if (!stream)
+        return AVERROR(ENOMEM);
+    stream->time_base = e->frame_time;
+    stream->avg_frame_rate = av_inv_q(e->frame_time);
+    stream->sample_aspect_ratio = (AVRational){1, 1};
+    int code = e->type->describe(e->engine, stream->codecpar);
+    if (code >= 0 && movie->settings.title)
+        code = e->av.av_dict_set(&e->format->metadata, "title", movie->settings.title, 0);
+    if (code >= 0 && movie->settings.comment)
+        code = e->av.av_dict_set(&e->format->metadata, "comment", movie->settings.comment, 0);
+    return code;
+}
+
+/* A picture beside the movie is a stream of its own, of one packet. */
+static int open_cover(struct bead_movie *movie)
+{
+    struct bead_encoder *e = movie->encoder;
+    AVStream *stream = e->av.avformat_new_stream(e->format, NULL);
+    if (!stream)
+        return AVERROR(ENOMEM);
+    stream->time_base = e->frame_time;
+    stream->disposition = AV_DISPOSITION_ATTACHED_PIC;
+    stream->codecpar->codec_type = AVMEDIA_TYPE_VIDEO;
+    stream->codecpar->codec_id = AV_CODEC_ID_PNG;
+    stream->codecpar->width = movie->settings.width;
+    stream->codecpar->height = movie->settings.height;
+    return 0;
+}
+
+static enum bead_error libav_cover(struct bead_movie *movie, const uint8_t *png, size_t bytes, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    e->av.av_packet_free(&e->cover);
+    e->cover = e->av.av_packet_alloc();
+    if (!e->cover || bytes > INT_MAX / 2 || e->av.av_new_packet(e->cover, (int)bytes) < 0)
+        return no_memory(movie, msg);
+    memcpy(e->cover->data, png, bytes);
+    e->cover->stream_index = 1;
+    e->cover->flags = AV_PKT_FLAG_KEY;
+    e->cover->pts = e->cover->dts = 0;
+    return BEAD_OK;
+}
+
+static enum bead_error open_file(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    int code = open_stream(movie);
+    if (code >= 0 && movie->settings.cover && movie->codec->covers)
+        code = open_cover(movie);
+    if (code < 0)
+        return fail(movie, "no stream", code, msg);
+    code = e->av.avio_open(&e->format->pb, e->format->url, AVIO_FLAG_WRITE);
+    if (code < 0) {
+        char text[AV_ERROR_MAX_STRING_SIZE] = "";
+        e->av.av_strerror(code, text, sizeof text);
+        return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be written: %s", movie->path, text);
+    }
+    AVDictionary *options = NULL;
+    code = bead_engine_options(&e->av, movie->codec->muxer_options, &options);
+    if (code >= 0)
+        code = e->av.avformat_write_header(e->format, &options);
+    e->begun = code >= 0;
+    if (code >= 0 && e->av.av_dict_count(options))
+        code = AVERROR_OPTION_NOT_FOUND;
+    e->av.av_dict_free(&options);
+    return code < 0 ? fail(movie, "the file cannot be begun", code, msg) : BEAD_OK;
+}
+
+/* The name ends in .part: the container comes from the table; `file:` keeps libav from reading protocols into names. */
+static enum bead_error open_format(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    size_t size = strlen(movie->part) + sizeof "file:";
+    char *url = malloc(size);
+    if (!url)
+        return no_memory(movie, msg);
+    snprintf(url, size, "file:%s", movie->part);
+    int code = e->av.avformat_alloc_output_context2(&e->format, NULL, movie->codec->muxer, url);
+    free(url);
+    if (code < 0)
+        return fail(movie, "libavformat does not write this container", code, msg);
+    e->format->flags |= AVFMT_FLAG_BITEXACT; /* no dates, no random identifiers */
+    return BEAD_OK;
+}
+
+static enum bead_error libav_open(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_av av;
+    enum bead_error err = bead_av_open(&av, msg);
+    if (err)
+        return err;
+    struct bead_encoder *e = movie->encoder = calloc(1, sizeof *e);
+    if (!e)
+        return no_memory(movie, msg);
+    e->av = av;
+    silence(e);
+    double fps = movie->settings.fps;
+    e->frame_time = av_inv_q(e->av.av_d2q(fps, 100100));
+    e->group = movie->codec->most_fps ? (int64_t)((fps + movie->codec->most_fps - 1e-6) / movie->codec->most_fps) : 1;
+    e->group = e->group < 1 ? 1 : e->group;
+    err = open_format(movie, msg);
+    if (!err)
+        err = open_engine(movie, msg);
+    if (!err)
+        err = open_packets(movie, msg);
+    return err ? err : open_file(movie, msg);
+}
+
+/* Write the packet that waited; the next one, or the end, comes at time `next`. */
+static int release(struct bead_encoder *e, int64_t next)
+{
+    if (!e->holding)
+        return 0;
+    e->holding = false;
+    e->held->duration = next - e->held->pts;
+    e->av.av_packet_rescale_ts(e->held, e->frame_time, e->format->streams[0]->time_base);
+    e->held->stream_index = 0;
+    int code = e->av.av_write_frame(e->format, e->held);
+    e->av.av_packet_unref(e->held);
+    return code;
+}
+
+static enum bead_error drain(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    for (;;) {
+        int code = e->type->receive(e->engine, e->packet);
+        if (code == AVERROR(EAGAIN) || code == AVERROR_EOF)
+            return BEAD_OK;
+        if (code < 0)
+            return fail(movie, "encoding failed", code, msg);
+        code = release(e, e->packet->pts);
+        if (code >= 0 && e->format->pb->error < 0)
+            code = e->format->pb->error;
+        if (code < 0)
+            return fail(movie, "writing failed", code, msg);
+        e->av.av_packet_move_ref(e->held, e->packet);
+        e->holding = true;
+    }
+}
+
+static enum bead_error encode(struct bead_movie *movie, int64_t time, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    AVFrame *picture = e->pictures.slots[e->now].picture;
+    picture->pts = e->last = time;
+    e->dirty = false;
+    int code = e->type->send(e->engine, picture, &e->blocks);
+    if (code < 0)
+        return fail(movie, "encoding failed", code, msg);
+    bead_blocks_encoded(&e->blocks);
+    movie->encoded++;
+    return drain(movie, msg);
+}
+
+static enum bead_error libav_reserve(struct bead_movie *movie, size_t slots, bool *reserved, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    *reserved = !e->pictures.palette;
+    return *reserved ? bead_pictures_reserve(&e->pictures, slots, msg) : BEAD_OK;
+}
+
+static enum bead_error libav_convert(struct bead_movie *movie, size_t slot, const struct bead_frame *frame,
+                                     const struct bead_changes *missing, struct bead_message *msg)
+{
+    return bead_pictures_convert(&movie->encoder->pictures, slot, frame, missing, msg);
+}
+
+/* Of a group of frames the last is shown, at the time of the first; but the movie begins with its first. */
+static enum bead_error libav_add_slot(struct bead_movie *movie, size_t slot, const struct bead_changes *changes,
+                                      struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    int64_t time = (int64_t)movie->shown, place = time % e->group;
+    const struct bead_changes aligned = bead_pictures_align(&e->pictures, changes);
+    e->now = slot;
+    e->dirty = e->dirty || aligned.count > 0;
+    bead_blocks_change(&e->blocks, &aligned);
+    if (!e->dirty)
+        return BEAD_OK;
+    if (time == 0)
+        return encode(movie, 0, msg);
+    return place == e->group - 1 && time >= e->group ? encode(movie, time - place, msg) : BEAD_OK;
+}
+
+static enum bead_error libav_add(struct bead_movie *movie, const struct bead_frame *frame, const struct bead_changes *changes,
+                                 struct bead_message *msg)
+{
+    enum bead_error err = libav_convert(movie, 0, frame, changes, msg);
+    return err ? err : libav_add_slot(movie, 0, changes, msg);
+}
+
+/* What is not on the screen yet, and the last frame again where it was only shown for longer: players and tools
+ * disagree about the duration of a last picture, unless it is one frame. */
+static enum bead_error last_frame(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    int64_t time = (int64_t)movie->shown - 1, start = time - time % e->group;
+    if (e->last >= start && !e->dirty)
+        return BEAD_OK;
+    return encode(movie, start > e->last ? start : time, msg);
+}
+
+static int set_final_delay(const struct bead_movie *movie)
+{
+    struct bead_encoder *e = movie->encoder;
+    int64_t unit = movie->codec->delay_unit;
+    if (!unit)
+        return 0;
+    AVRational base = {1, (int)unit};
+    if (unit == 1) { /* an exact fraction of a second */
+        AVRational delay = e->av.av_mul_q((AVRational){(int)((int64_t)movie->shown - e->last), 1}, e->frame_time);
+        return e->av.av_opt_set_q(e->format->priv_data, "final_delay", delay, 0);
+    }
+    int64_t end = e->av.av_rescale_q((int64_t)movie->shown, e->frame_time, base),
+            last = e->av.av_rescale_q(e->last, e->frame_time, base);
+    int64_t least = movie->codec->most_fps ? unit / movie->codec->most_fps : 1;
+    return e->av.av_opt_set_int(e->format->priv_data, "final_delay", end - last > least ? end - last : least, 0);
+}
+
+static enum bead_error libav_finish(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    enum bead_error err = last_frame(movie, msg);
+    if (err)
+        return err;
+    int code = e->type->send(e->engine, NULL, NULL);
+    if (code < 0)
+        return fail(movie, "encoding failed", code, msg);
+    err = drain(movie, msg);
+    if (err)
+        return err;
+    code = release(e, (int64_t)movie->shown);
+    if (code >= 0)
+        code = set_final_delay(movie);
+    if (code >= 0 && e->cover)
+        code = e->av.av_write_frame(e->format, e->cover);
+    if (code >= 0) {
+        e->begun = false;
+        code = e->av.av_write_trailer(e->format);
+    }
+    e->av.avio_flush(e->format->pb);
+    if (code >= 0)
+        code = e->format->pb->error;
+    if (code < 0)
+        return fail(movie, "the file cannot be finished", code, msg);
+    code = e->av.avio_closep(&e->format->pb);
+    return code < 0 ? bead_fail(msg, BEAD_ERROR_IO, "%s: closing failed", movie->path) : BEAD_OK;
+}
+
+static void libav_destroy(struct bead_movie *movie)
+{
+    struct bead_encoder *e = movie->encoder;
+    if (!e)
+        return;
+    bead_pictures_close(&e->pictures);
+    bead_blocks_free(&e->blocks);
+    e->av.av_packet_free(&e->cover);
+    e->av.av_packet_free(&e->held);
+    e->av.av_packet_free(&e->packet);
+    if (e->type)
+        e->type->close(e->engine);
+    /* Muxers that set delays keep a packet back, and some free it only with the trailer. */
+    if (e->begun && movie->codec->delay_unit)
+        e->av.av_write_trailer(e->format);
+    if (e->format)
+        e->av.avio_closep(&e->format->pb);
+    e->av.avformat_free_context(e->format);
+    free(e);
+}
+
+const struct bead_movie_way bead_movie_libav = {.open = libav_open,
+                                                .add = libav_add,
+                                                .reserve = libav_reserve,
+                                                .convert = libav_convert,
+                                                .add_slot = libav_add_slot,
+                                                .cover = libav_cover,
+                                                .finish = libav_finish,
+                                                .destroy = libav_destroy};

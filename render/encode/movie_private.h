@@ -1,0 +1,78 @@
+/* Parts of a movie: the table of codecs, and the two ways to write frames (libav's encoders; lines of hashes). */
+#ifndef BEADREEL_RENDER_ENCODE_MOVIE_PRIVATE_H
+#define BEADREEL_RENDER_ENCODE_MOVIE_PRIVATE_H
+
+#include <libavutil/pixfmt.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "beadreel/movie.h"
+
+struct bead_encoder;     /* libav's part */
+struct bead_engine_type; /* movie_engine.h */
+
+/* A way to write frames. */
+struct bead_movie_way {
+    enum bead_error (*open)(struct bead_movie *movie, struct bead_message *msg);
+    enum bead_error (*add)(struct bead_movie *movie, const struct bead_frame *frame, const struct bead_changes *changes,
+                           struct bead_message *msg);
+    /* The same in two steps, for two threads: see bead_movie_reserve. NULL: there is no such thing. */
+    enum bead_error (*reserve)(struct bead_movie *movie, size_t slots, bool *reserved, struct bead_message *msg);
+    enum bead_error (*convert)(struct bead_movie *movie, size_t slot, const struct bead_frame *frame,
+                               const struct bead_changes *missing, struct bead_message *msg);
+    enum bead_error (*add_slot)(struct bead_movie *movie, size_t slot, const struct bead_changes *changes,
+                                struct bead_message *msg);
+    /* The movie's cover; NULL: movies of this kind have none. */
+    enum bead_error (*cover)(struct bead_movie *movie, const uint8_t *png, size_t bytes, struct bead_message *msg);
+    /* Everything that was added is in the file, and the file closed. */
+    enum bead_error (*finish)(struct bead_movie *movie, struct bead_message *msg);
+    void (*destroy)(struct bead_movie *movie);
+};
+
+extern const struct bead_movie_way bead_movie_libav, bead_movie_hashes;
+extern const struct bead_engine_type bead_engine_av, bead_engine_x264;
+
+/* How one quality is encoded. */
+struct bead_preset {
+    const struct bead_engine_type *engine;
+    const char *encoder; /* libav's name */
+    enum AVPixelFormat format;
+    const char *options; /* of the encoder, as libav has them: "key=value key=value" */
+};
+
+struct bead_codec {
+    const struct bead_movie_way *way;
+    const char *muxer;                 /* libav's name; NULL, like all behind it, where the way has no codec */
+    const char *muxer_options;         /* "key=value key=value" */
+    const struct bead_preset *presets; /* by enum bead_quality */
+    int delay_unit;                    /* 1/s: of the muxer's option final_delay; 0: durations are the packets' own */
+    bool covers;                       /* the container has room for a picture beside the movie */
+    int most_fps;                      /* 1/s: more are thinned out, because players slow such files down; 0: no limit */
+};
+
+/* By the extension of `path`, in any case of letters; NULL: none. */
+const struct bead_codec *bead_codec_find(const char *path);
+
+struct bead_movie {
+    const struct bead_codec *codec;
+    struct bead_movie_settings settings; /* title and comment: only within open */
+    char *path, *part;
+    struct bead_encoder *encoder; /* bead_movie_libav */
+    FILE *lines;                  /* bead_movie_hashes */
+    uint64_t shown, encoded;
+    bool failed;
+};
+
+/* Frames in two steps: one thread converts them into pictures as the encoder wants them, another one encodes these. A slot is a
+ * picture, and belongs to one of the two at a time. *reserved is false where frames are better added at once: palettes go from one
+ * frame to the next, hashes need no conversion. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_movie_reserve(struct bead_movie *movie, size_t slots, bool *reserved, struct bead_message *msg);
+/* Bring a slot up to date with the frame: what changed since the slot was up to date, the first time all. Errors: CODEC, MEMORY. */
+BEAD_CHECK enum bead_error bead_movie_convert(struct bead_movie *movie, size_t slot, const struct bead_frame *frame,
+                                              const struct bead_changes *missing, struct bead_message *msg);
+/* As bead_movie_add. `changes`: since the frame before. */
+BEAD_CHECK enum bead_error bead_movie_add_slot(struct bead_movie *movie, size_t slot, const struct bead_changes *changes,
+                                               struct bead_message *msg);
+
+#endif

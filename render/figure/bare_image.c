@@ -1,0 +1,204 @@
+#include "render/figure/bare_image.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/colormap.h"
+#include "render/draw/colour_range.h"
+#include "render/draw/page.h"
+#include "render/figure/figure.h"
+#include "render/view/area_colours.h"
+#include "sim/base/large.h"
+
+struct bead_bare {
+    const struct bead_output *output;
+    struct bead_stage stage;
+    struct bead_page page;
+    struct bead_colormap map;
+    struct bead_area **areas; /* [chains] */
+    int *tops;                /* [chains + 1], px */
+    struct bead_grid grid;
+    struct bead_span beads;
+    char why[96];
+};
+
+void bead_bare_destroy(struct bead_bare *b)
+{
+    if (!b)
+        return;
+    for (size_t c = 0; b->areas && c < b->stage.chain_count; c++)
+        bead_area_destroy(b->areas[c]);
+    free(b->areas);
+    free(b->tops);
+    free(b);
+}
+
+static enum bead_error scene_error(const struct bead_bare *b, const char *text, struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s", b->stage.scene->file, b->output->place.line, b->output->place.column,
+                     text);
+}
+
+static size_t count_of(const struct bead_bare *b, size_t chain)
+{
+    const struct bead_chain *c = b->stage.chains[chain];
+    return bead_field_info(b->output->field)->of_contacts ? bead_chain_contacts(c) : bead_chain_beads(c);
+}
+
+static enum bead_error make_areas(struct bead_bare *b, const double time[2], struct bead_message *msg)
+{
+    size_t chains = b->stage.chain_count;
+    b->areas = calloc(chains, sizeof(struct bead_area *));
+    b->tops = calloc(chains + 1, sizeof *b->tops);
+    if (!b->areas || !b->tops)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image");
+    if ((size_t)b->page.height < chains)
+        return scene_error(b, "size: fewer rows of pixels than chains", msg);
+    enum bead_error err = BEAD_OK;
+    b->beads = (struct bead_span){b->output->beads.first, 0};
+    for (size_t c = 0; !err && c < chains; c++) {
+        struct bead_area_setup setup = {b->output->beads, {time[0], time[1]}, 0, b->page.width, b->output->sampling};
+        size_t count = count_of(b, c);
+        setup.beads.last = setup.beads.last < count ? setup.beads.last : count - 1;
+        if (setup.beads.first > setup.beads.last)
+            return scene_error(b, "beads: begin behind the end of the chain", msg);
+        b->beads.last = setup.beads.last > b->beads.last ? setup.beads.last : b->beads.last;
+        b->tops[c + 1] = (int)((long long)b->page.height * (long long)(c + 1) / (long long)chains);
+        setup.across = b->tops[c + 1] - b->tops[c];
+        err = bead_area_create(&setup, &b->areas[c], msg);
+    }
+    return err;
+}
+
+static enum bead_error prepare(struct bead_bare *b, struct bead_message *msg)
+{
+    const struct bead_output *output = b->output;
+    double end = b->stage.end;
+    const double time[2] = {isnan(output->time[0]) ? 0 : output->time[0],
+                            isnan(output->time[1]) ? end : fmin(output->time[1], end)};
+    enum bead_error err = bead_page_find(output, b->stage.scene->file, &b->page, msg);
+    if (!err && (!(time[1] > time[0]) || !isfinite(time[1])))
+        err = scene_error(b, "time: there is nothing to show; the run ends before", msg);
+    if (!err)
+        err = bead_colour_range_check(output, b->stage.scene->file, msg);
+    if (!err)
+        err = bead_colour_range_map(output, b->stage.chains[0], "viridis", &b->map, msg);
+    if (!err)
+        err = make_areas(b, time, msg);
+    if (err)
+        return err;
+    b->grid = bead_figure_grid(&b->stage, output, time, b->page.width);
+    snprintf(b->why, sizeof b->why, "%d x %d bare pixels", b->page.width, b->page.height);
+    return BEAD_OK;
+}
+
+static struct bead_colour_range find_range(const struct bead_bare *b)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (size_t c = 0; c < b->stage.chain_count; c++) {
+        double one[2];
+        bead_area_extremes(b->areas[c], &one[0], &one[1]);
+        low = fmin(low, one[0]);
+        high = fmax(high, one[1]);
+    }
+    return bead_colour_range_find(b->output, b->stage.chains[0], low, high);
+}
+
+static enum bead_error fill_indices(const struct bead_bare *b, uint8_t *indices, struct bead_message *msg)
+{
+    struct bead_colour_range range = find_range(b);
+    struct bead_colours colours = {&b->map, b->output->scale, range.low, range.high};
+    struct bead_colour_table table;
+    enum bead_error err = BEAD_OK;
+    bead_colour_table_make(&colours, &table);
+    for (size_t c = 0; c < b->stage.chain_count; c++) {
+        struct bead_area_image image = {indices + (size_t)b->tops[c] * (size_t)b->page.width, 1, b->page.width};
+        for (int x = 0, done; !err && x < b->page.width; x = done + 1) /* past a column that no sample touched */
+            err = bead_area_colour(b->areas[c], &table, x, b->page.width, &image, &done, msg);
+    }
+    return err;
+}
+
+/* What draw_pixels puts into a vector file. */
+struct pixels {
+    const struct bead_page *page;
+    const uint8_t *indices;
+    const struct bead_colormap *map;
+};
+
+static enum bead_error draw_pixels(void *context, cairo_t *cr, struct bead_message *msg)
+{
+    const struct pixels *p = context;
+    cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_RGB24, p->page->width, p->page->height);
+    unsigned char *data = cairo_image_surface_get_data(image);
+    size_t stride = (size_t)cairo_image_surface_get_stride(image);
+    for (int y = 0; data && y < p->page->height; y++) {
+        for (int x = 0; x < p->page->width; x++) {
+            const uint8_t *rgb = p->map->rgb[p->indices[(size_t)y * (size_t)p->page->width + (size_t)x]];
+            unsigned char *pixel = data + (size_t)y * stride + 4 * (size_t)x;
+            pixel[0] = rgb[2];
+            pixel[1] = rgb[1];
+            pixel[2] = rgb[0];
+        }
+    }
+    cairo_surface_mark_dirty(image);
+    cairo_set_source_surface(cr, image, 0, 0);
+    cairo_pattern_set_filter(cairo_get_source(cr), CAIRO_FILTER_NEAREST);
+    cairo_paint(cr);
+    cairo_surface_destroy(image);
+    cairo_status_t status = cairo_status(cr);
+    return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "image: %s", cairo_status_to_string(status)) : BEAD_OK;
+}
+
+enum bead_error bead_bare_write(const struct bead_bare *b, const char *path, uint64_t *bytes, struct bead_message *msg)
+{
+    struct bead_picture_notes notes;
+    char description[512];
+    const size_t count = (size_t)b->page.width * (size_t)b->page.height;
+    uint8_t *indices = bead_large_take(count);
+    if (!indices)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for an image", path);
+    memset(indices, 0, count);
+    bead_page_notes(&b->page, b->output, b->stage.scene, description, sizeof description, &notes);
+    enum bead_error err = fill_indices(b, indices, msg);
+    struct pixels pixels = {&b->page, indices, &b->map};
+    if (!err && b->page.vector)
+        err = bead_vector_write(path, b->page.width, b->page.height, draw_pixels, &pixels, &notes, bytes, msg);
+    else if (!err)
+        err = bead_png_write_indexed(path, b->page.width, b->page.height, indices, b->map.rgb, &notes, bytes, msg);
+    free(indices);
+    return err;
+}
+
+enum bead_error bead_bare_create(const struct bead_output *output, const struct bead_stage *stage, struct bead_bare **bare,
+                                 struct bead_message *msg)
+{
+    struct bead_bare *b = *bare = calloc(1, sizeof *b);
+    if (!b)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image");
+    b->output = output;
+    b->stage = *stage;
+    enum bead_error err = prepare(b, msg);
+    if (err) {
+        bead_bare_destroy(b);
+        *bare = NULL;
+    }
+    return err;
+}
+
+void bead_bare_needs(const struct bead_bare *b, struct bead_needs *needs)
+{
+    *needs = (struct bead_needs){
+        .fields = BEAD_FIELD_BIT(b->output->field), .beads = b->beads, .grid = b->grid, .until = b->grid.end, .why = b->why};
+}
+
+enum bead_error bead_bare_feed(struct bead_bare *b, const struct bead_sample *sample, struct bead_message *msg)
+{
+    const double *values = sample->field[b->output->field];
+    if (!values)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no %s", bead_field_info(b->output->field)->title);
+    bead_area_feed(b->areas[sample->chain], sample->time, values, sample->active);
+    return BEAD_OK;
+}

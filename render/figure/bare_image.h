@@ -1,0 +1,20 @@
+/* Bare pixels, `axes: false`: they lie as those of imagesc, bead 0 in the top row, beads downwards, time to the right; several
+ * chains stand one below the other. The picture has exactly the size asked for, and its palette is the colour map. */
+#ifndef BEADREEL_RENDER_FIGURE_BARE_IMAGE_H
+#define BEADREEL_RENDER_FIGURE_BARE_IMAGE_H
+
+#include "beadreel/sink.h"
+
+struct bead_bare;
+
+/* `output` is borrowed. Errors: SCENE (with its place), MEMORY, IO and FORMAT of colour maps. */
+BEAD_CHECK enum bead_error bead_bare_create(const struct bead_output *output, const struct bead_stage *stage,
+                                            struct bead_bare **bare, struct bead_message *msg);
+void bead_bare_needs(const struct bead_bare *bare, struct bead_needs *needs);
+BEAD_CHECK enum bead_error bead_bare_feed(struct bead_bare *bare, const struct bead_sample *sample, struct bead_message *msg);
+/* To a .png, .pdf or .svg. Errors: IO, MEMORY, GRAPHICS. */
+BEAD_CHECK enum bead_error bead_bare_write(const struct bead_bare *bare, const char *path, uint64_t *bytes,
+                                           struct bead_message *msg);
+void bead_bare_destroy(struct bead_bare *bare);
+
+#endif

@@ -1,0 +1,178 @@
+/* Life of a contact sheet: configurations are chosen, run until their fronts arrive, run again into their pictures, and drawn. */
+#include "render/figure/contact_sheet.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "beadreel/render.h"
+#include "render/sinks.h"
+
+/* Samples for each row of pixels: between them values are linear in time. */
+enum { SAMPLES_A_PIXEL = 4 };
+
+static void destroy(struct contact_sheet *s)
+{
+    for (size_t i = 0; s->images && i < s->image_count; i++) {
+        bead_area_destroy(s->images[i].area);
+        free(s->images[i].spin);
+    }
+    free(s->images);
+    free(s->watches);
+    free(s->rows);
+    free(s->means);
+}
+
+/* Which beads belong to cells that are up, or reversed; and where the chain begins to be a picture. */
+static enum bead_error read_chain(struct contact_sheet *s, struct contact_image *image, struct bead_message *msg)
+{
+    struct bead_sweep_chain *made = NULL;
+    enum bead_error err = bead_sweep_chain_create(s->sweep, image->panel, image->index, &made, msg);
+    if (err)
+        return err;
+    const struct bead_chain *chain = bead_sweep_chain_of(made);
+    const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    const char *spin = bead_chain_spins(chain);
+    size_t j = 1;
+    image->magnetism = bead_chain_magnetism(chain);
+    image->beads = bead_chain_beads(chain);
+    image->spin = malloc(image->beads);
+    for (size_t i = 0; image->spin && i < image->beads; i++)
+        image->spin[i] = -1;
+    for (size_t g = 0; image->spin && g < spec->segment_count; g++) {
+        for (size_t c = 0; c < spec->segments[g].count; c++) {
+            signed char of_cell = spec->segments[g].cell_beads > 1 ? (signed char)(*spin++ == '1') : -1;
+            for (size_t b = 0; b < spec->segments[g].cell_beads; b++)
+                image->spin[j++] = of_cell;
+        }
+    }
+    const size_t values = s->of_contacts ? bead_chain_contacts(chain) : image->beads;
+    const struct bead_area_setup setup = {
+        {0, values - 1}, {0, s->end}, image->picture.width, image->picture.height, BEAD_SAMPLING_AREA};
+    err =
+        image->spin ? bead_area_create(&setup, &image->area, msg) : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
+    bead_sweep_chain_destroy(made);
+    return err;
+}
+
+/* The field as a number, behind the pictures' own pointers. */
+struct taking {
+    struct contact_image *image;
+    enum bead_field field;
+};
+
+static enum bead_error take(void *context, const struct bead_sample *sample, struct bead_message *msg)
+{
+    const struct taking *t = context;
+    (void)msg;
+    bead_area_feed(t->image->area, sample->time, sample->field[t->field], sample->active);
+    return BEAD_OK;
+}
+
+/* All fronts, and what the runs are like; the last arrival is the end of all pictures, where the scene gives none. */
+static enum bead_error measure(struct contact_sheet *s, const struct bead_sweep_settings *settings, struct bead_message *msg)
+{
+    const double until = bead_sweep_scene(s->sweep)->simulate.until;
+    for (size_t i = 0; i < s->image_count; i++)
+        s->watches[i] =
+            (struct bead_sweep_watch){.panel = s->images[i].panel, .index = s->images[i].index, .end = isnan(until) ? 0 : until};
+    s->end = isnan(until) ? 0 : until;
+    if (!isnan(until))
+        return BEAD_OK; /* the run with samples is all that is needed */
+    enum bead_error err = bead_sweep_watch(s->sweep, s->watches, s->image_count, settings, msg);
+    for (size_t i = 0; i < s->image_count; i++)
+        s->end = fmax(s->end, s->watches[i].arrival);
+    return err;
+}
+
+static enum bead_error take_pictures(struct contact_sheet *s, const struct bead_sweep_settings *settings, struct bead_message *msg)
+{
+    struct taking *taking = calloc(s->image_count, sizeof *taking);
+    enum bead_error err = taking ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
+    for (size_t i = 0; i < s->image_count && !err; i++) {
+        struct contact_image *image = &s->images[i];
+        taking[i] = (struct taking){image, s->output->field};
+        err = read_chain(s, image, msg);
+        s->watches[i] = (struct bead_sweep_watch){.panel = image->panel,
+                                                  .index = image->index,
+                                                  .end = s->end,
+                                                  .fields = BEAD_FIELD_BIT(s->output->field),
+                                                  .every = s->end / (SAMPLES_A_PIXEL * (double)image->picture.height),
+                                                  .take = take,
+                                                  .context = &taking[i]};
+    }
+    if (!err)
+        err = bead_sweep_watch(s->sweep, s->watches, s->image_count, settings, msg);
+    free(taking);
+    return err;
+}
+
+static enum bead_error find_colours(struct contact_sheet *s, struct bead_message *msg)
+{
+    struct bead_sweep_chain *made = NULL;
+    enum bead_error err = bead_sweep_chain_create(s->sweep, 0, BEAD_SWEEP_CLEAN, &made, msg);
+    double low = INFINITY, high = -INFINITY;
+    if (err)
+        return err;
+    for (size_t i = 0; i < s->image_count && s->images && s->images[i].area; i++) {
+        double one[2];
+        bead_area_extremes(s->images[i].area, &one[0], &one[1]);
+        low = fmin(low, one[0]);
+        high = fmax(high, one[1]);
+    }
+    s->range = bead_colour_range_find(s->output, bead_sweep_chain_of(made), low, high);
+    s->colours = (struct bead_colours){&s->map, s->output->scale, s->range.low, s->range.high};
+    bead_sweep_chain_destroy(made);
+    return BEAD_OK;
+}
+
+/* Page, look and colour map. */
+static enum bead_error prepare(struct contact_sheet *s, struct bead_message *msg)
+{
+    const struct bead_scene *scene = bead_sweep_scene(s->sweep);
+    static const double smaller = 0.85;
+    struct bead_sweep_chain *made = NULL;
+    enum bead_error err = bead_page_find(s->output, scene->file, &s->page, msg);
+    if (!err)
+        err = bead_colour_range_check(s->output, scene->file, msg);
+    if (!err)
+        err = bead_sweep_chain_create(s->sweep, 0, BEAD_SWEEP_CLEAN, &made, msg);
+    if (err)
+        return err;
+    bead_page_look(&s->page, s->output, &s->look);
+    s->small = smaller * s->look.tick;
+    s->of_contacts = bead_field_info(s->output->field)->of_contacts;
+    s->behind = bead_sweep_panel(s->sweep, 0)->spec->measures.sensor_count == 0;
+    err = bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark ? "inferno" : "viridis", &s->map, msg);
+    bead_sweep_chain_destroy(made);
+    return err;
+}
+
+static enum bead_error run(const struct bead_output *output, const struct bead_sweep *sweep,
+                           const struct bead_sweep_settings *settings, const char *path, uint64_t *bytes, struct bead_message *msg)
+{
+    struct contact_sheet s = {.output = output, .sweep = sweep};
+    enum bead_error err = prepare(&s, msg);
+    if (!err)
+        err = contact_sheet_arrange(&s, msg);
+    if (!err) {
+        s.means = calloc((size_t)s.page.width, sizeof *s.means);
+        err = s.means ? measure(&s, settings, msg) : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
+    }
+    if (!err)
+        err = take_pictures(&s, settings, msg);
+    if (!err)
+        err = find_colours(&s, msg);
+    if (!err)
+        err = bead_page_write(&s.page, output, bead_sweep_scene(sweep), &(struct bead_drawing){contact_sheet_draw, NULL, &s}, path,
+                              bytes, msg);
+    destroy(&s);
+    return err;
+}
+
+static const char *why(const struct bead_output *output)
+{
+    (void)output;
+    return "small pictures of many configurations, rows by magnetism; nothing but these is run for it";
+}
+
+const struct bead_sweep_sink bead_contact_sheet_sink = {"sheet", BEAD_OUTPUT_SHEET, bead_still_extensions, why, NULL, run};

@@ -1,0 +1,67 @@
+/* Contact sheets of sweeps: small space-time images of many configurations, rows by magnetism, with one range of colours.
+ * contact_sheet.c (life), contact_sheet_layout.c (which and where), contact_sheet_words.c, contact_sheet_draw.c. */
+#ifndef BEADREEL_RENDER_FIGURE_CONTACT_SHEET_H
+#define BEADREEL_RENDER_FIGURE_CONTACT_SHEET_H
+
+#include <stdint.h>
+
+#include "beadreel/colormap.h"
+#include "beadreel/look.h"
+#include "beadreel/sweep.h"
+#include "render/draw/colour_range.h"
+#include "render/draw/page.h"
+#include "render/view/area.h"
+
+/* Pictures that stand beside each other; of one magnetism where the panel has several. */
+struct contact_row {
+    size_t panel, first, count; /* configurations first .. first + count - 1 */
+    double magnetism;           /* NaN: they differ */
+};
+
+struct contact_image {
+    size_t panel, index, row;
+    double magnetism;
+    struct bead_rect picture, spins; /* px */
+    struct bead_rect words;          /* below: numbers, and the bar of the index */
+    signed char *spin;               /* [beads]: 1 up, 0 reversed, -1: no cell */
+    size_t beads;
+    struct bead_area *area;
+};
+
+struct contact_sheet {
+    const struct bead_output *output;
+    const struct bead_sweep *sweep;
+    struct bead_page page;
+    struct bead_look look;
+    double small; /* px: type of the numbers */
+    struct contact_row *rows;
+    size_t row_count, columns;
+    struct contact_image *images;
+    struct bead_sweep_watch *watches; /* [image_count] */
+    size_t image_count;
+    struct bead_rect intro, bar; /* title and how to read the sheet; colours */
+    double label_width;          /* of the rows */
+    bool several;                /* sweeps */
+    double end;                  /* s */
+    bool of_contacts, behind;    /* values of contacts; forces are those behind the random cells */
+    double *means;               /* [page.width]: a row of pixels */
+    struct bead_colormap map;
+    struct bead_colours colours;
+    struct bead_colour_range range;
+};
+
+/* Rows, images and their places. Errors: SCENE (no room), MEMORY. */
+BEAD_CHECK enum bead_error contact_sheet_arrange(struct contact_sheet *sheet, struct bead_message *msg);
+/* A bead_draw. */
+BEAD_CHECK enum bead_error contact_sheet_draw(void *sheet, cairo_t *cr, struct bead_message *msg);
+/* Title and how to read the sheet into sheet->intro; returns the height, px; cr NULL: measures only. */
+double contact_sheet_intro(const struct contact_sheet *sheet, cairo_t *cr, double width);
+/* Name of a row: markup. */
+void contact_sheet_row_name(const struct contact_sheet *sheet, const struct contact_row *row, char *text, size_t size);
+/* Of a cell: 1 up, 0 reversed, -1 none. */
+struct bead_rgb contact_sheet_spin_colour(const struct contact_sheet *sheet, int spin);
+/* From a to b. */
+struct bead_rgb contact_sheet_mix(struct bead_rgb a, struct bead_rgb b, double part);
+void contact_sheet_fill(cairo_t *cr, struct bead_rgb colour, double x, double y, double width, double height);
+
+#endif

@@ -1,0 +1,132 @@
+/* Contact sheets: pictures, spins, numbers and what explains them. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "render/draw/markup.h"
+#include "render/figure/contact_sheet.h"
+
+/* ---- words ---- */
+
+static void draw_row_names(const struct contact_sheet *s, cairo_t *cr)
+{
+    const struct bead_text_style style = {
+        .family = s->look.family, .size = s->look.tick, .colour = s->look.ink, .bold = true, .down = BEAD_ALIGN_MIDDLE};
+    size_t before = (size_t)-1;
+    for (size_t i = 0; i < s->image_count; i++) {
+        const struct contact_image *image = &s->images[i];
+        char text[400];
+        if (image->row == before)
+            continue;
+        before = image->row;
+        contact_sheet_row_name(s, &s->rows[image->row], text, sizeof text);
+        if (*text)
+            bead_text_draw(cr, &style, s->look.margin, image->picture.y + image->picture.height / 2.0, text);
+    }
+}
+
+/* Left and right of a line where both fit, else only left. */
+static void draw_pair(const struct contact_sheet *s, cairo_t *cr, const struct bead_rect *box, double y, bool strong,
+                      const char *left, const char *right)
+{
+    struct bead_text_style style = {
+        .family = s->look.family, .size = s->small, .colour = strong ? s->look.ink : s->look.faint, .down = BEAD_ALIGN_BASELINE};
+    double width[2], height;
+    bead_text_size(NULL, &style, left, &width[0], &height);
+    bead_text_size(NULL, &style, right, &width[1], &height);
+    bead_text_draw(cr, &style, box->x, y, left);
+    style.across = BEAD_ALIGN_END;
+    if (width[0] + width[1] + 0.5 * s->small <= box->width)
+        bead_text_draw(cr, &style, box->x + box->width, y, right);
+}
+
+static void draw_words(const struct contact_sheet *s, cairo_t *cr, size_t index)
+{
+    const struct contact_image *image = &s->images[index];
+    const struct bead_sweep_watch *found = &s->watches[index];
+    const double small = s->small, meter = fmax(1, round(0.16 * small));
+    char left[320], right[160], force[64], name[160] = "";
+    double y = image->words.y + round(0.3 * small);
+    contact_sheet_fill(cr, contact_sheet_mix(s->look.background, s->look.faint, 0.25), image->words.x, y, image->words.width,
+                       meter);
+    if (found->order > 0)
+        contact_sheet_fill(cr, s->look.accent, image->words.x, y, fmax(1, found->order * image->words.width), meter);
+    if (s->several)
+        bead_text_escape(bead_sweep_panel(s->sweep, image->panel)->name, name, sizeof name);
+    snprintf(left, sizeof left, "<b>%s%s%zu</b>", name, *name ? ":" : "#", image->index);
+    if (isnan(s->rows[image->row].magnetism) && isfinite(image->magnetism))
+        snprintf(left + strlen(left), sizeof left - strlen(left), "  " BEAD_SYMBOL("M") " %.3g", image->magnetism);
+    snprintf(right, sizeof right, BEAD_SYMBOL("C") " %.2f", found->order);
+    if (isnan(found->order))
+        right[0] = '\0';
+    draw_pair(s, cr, &image->words, y + meter + 1.25 * small, true, left, right);
+    bead_quantity(found->force, "N", 3, force, sizeof force);
+    snprintf(left, sizeof left, BEAD_SYMBOL("F") " %s", force);
+    snprintf(right, sizeof right, BEAD_SYMBOL("P") " %.*f", found->participation < 9.95 ? 1 : 0, found->participation);
+    if (isnan(found->participation))
+        right[0] = '\0';
+    draw_pair(s, cr, &image->words, y + meter + 2.55 * small, false, left, right);
+}
+
+/* ---- pictures ---- */
+
+static void draw_spins(const struct contact_sheet *s, cairo_t *cr, const struct contact_image *image)
+{
+    const struct bead_rect *box = &image->spins;
+    const double step = (double)box->width / (double)image->beads;
+    contact_sheet_fill(cr, contact_sheet_spin_colour(s, -1), box->x, box->y, box->width, box->height);
+    for (size_t j = 0; j < image->beads;) {
+        size_t next = j + 1;
+        while (next < image->beads && image->spin[next] == image->spin[j])
+            next++;
+        if (image->spin[j] >= 0)
+            contact_sheet_fill(cr, contact_sheet_spin_colour(s, image->spin[j]), box->x + (double)j * step, box->y,
+                               (double)(next - j) * step, box->height);
+        j = next;
+    }
+}
+
+static enum bead_error draw_picture(const struct contact_sheet *s, cairo_t *cr, const struct contact_image *image, double *means,
+                                    struct bead_message *msg)
+{
+    const struct bead_rect *box = &image->picture;
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, box->width, box->height);
+    unsigned char *data = cairo_image_surface_get_data(surface);
+    size_t stride = (size_t)cairo_image_surface_get_stride(surface);
+    for (int y = 0; data && y < box->height; y++) {
+        bool there = bead_area_column(image->area, y, means);
+        for (int x = 0; x < box->width; x++) {
+            const uint8_t *rgb = s->map.rgb[there ? bead_colours_index(&s->colours, means[x]) : 0];
+            unsigned char *pixel = data + (size_t)y * stride + 4 * (size_t)x;
+            pixel[0] = rgb[2];
+            pixel[1] = rgb[1];
+            pixel[2] = rgb[0];
+        }
+    }
+    cairo_surface_mark_dirty(surface);
+    cairo_set_source_surface(cr, surface, box->x, box->y);
+    cairo_pattern_set_filter(cairo_get_source(cr), CAIRO_FILTER_NEAREST);
+    cairo_paint(cr);
+    cairo_status_t status = cairo_surface_status(surface);
+    cairo_surface_destroy(surface);
+    return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "sheet: %s", cairo_status_to_string(status)) : BEAD_OK;
+}
+
+enum bead_error contact_sheet_draw(void *context, cairo_t *cr, struct bead_message *msg)
+{
+    const struct contact_sheet *s = context;
+    const struct bead_field_info *field = bead_field_info(s->output->field);
+    enum bead_error err = BEAD_OK;
+    cairo_set_source_rgb(cr, s->look.background.r, s->look.background.g, s->look.background.b);
+    cairo_paint(cr);
+    contact_sheet_intro(s, cr, s->intro.width);
+    draw_row_names(s, cr);
+    for (size_t i = 0; i < s->image_count && !err; i++) {
+        err = draw_picture(s, cr, &s->images[i], s->means, msg);
+        draw_spins(s, cr, &s->images[i]);
+        draw_words(s, cr, i);
+    }
+    bead_colour_bar_draw(cr, &s->look, &s->colours, field->unit, field->title, s->bar, s->range.over, s->range.under);
+    cairo_status_t status = cairo_status(cr);
+    return err ? err : status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "sheet: %s", cairo_status_to_string(status)) : BEAD_OK;
+}

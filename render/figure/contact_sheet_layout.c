@@ -1,0 +1,231 @@
+/* Which configurations a contact sheet shows, and where. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/figure/contact_sheet.h"
+
+/* In units of the numbers' type: pictures that are wanted where there is room for them, those that are too small, what stands above
+ * and below of one. */
+static const double wanted_width = 11.5, wanted_height = 5.8, least_width = 6, least_height = 2.5;
+static const double spins_height = 0.55, spins_gap = 0.22, words_height = 3.3, between = 1.1;
+
+/* ---- rows ---- */
+
+static size_t groups_of(const struct bead_sweep_panel *panel)
+{
+    const struct bead_sweep_spec *spec = panel->spec;
+    return spec->spins || spec->own_magnetism ? 1 : spec->group_count;
+}
+
+/* The number of a group's first configuration. */
+static size_t group_first(const struct bead_sweep_spec *spec, size_t group)
+{
+    size_t first = 0;
+    for (size_t g = 0; g < group; g++)
+        first += spec->groups[g].configurations;
+    return first;
+}
+
+/* The group with the magnetism nearest to this. */
+static size_t nearest_group(const struct bead_sweep_spec *spec, double magnetism)
+{
+    size_t nearest = 0;
+    for (size_t g = 1; g < spec->group_count; g++) {
+        if (fabs(spec->groups[g].magnetism - magnetism) < fabs(spec->groups[nearest].magnetism - magnetism))
+            nearest = g;
+    }
+    return nearest;
+}
+
+static void add_row(struct contact_sheet *s, size_t panel, size_t first, size_t count, double magnetism)
+{
+    size_t shown = count < s->columns ? count : s->columns;
+    s->rows[s->row_count++] = (struct contact_row){panel, first, shown, magnetism};
+    s->image_count += shown;
+}
+
+/* Configurations one after the other, in as many rows as they take and have room. */
+static void add_wrapped(struct contact_sheet *s, size_t panel, size_t room)
+{
+    size_t all = bead_sweep_panel(s->sweep, panel)->configurations;
+    for (size_t row = 0; row < room && row * s->columns < all; row++)
+        add_row(s, panel, row * s->columns, all - row * s->columns, NAN);
+}
+
+/* From the cleanest on. Forces fall with 1 - M^2: rows are evenly spaced in that, closer to each other where waves are clean. */
+static void add_spaced(struct contact_sheet *s, size_t panel, size_t room)
+{
+    const struct bead_sweep_spec *spec = bead_sweep_panel(s->sweep, panel)->spec;
+    const double low = spec->groups[0].magnetism, high = spec->groups[spec->group_count - 1].magnetism;
+    size_t above = spec->group_count; /* rows before are of higher magnetism */
+    for (size_t row = 0; row < room && above > 0; row++) {
+        double part = room > 1 ? pow((double)row / (double)(room - 1), 1.5) : 0;
+        size_t group = spec->group_count <= room ? spec->group_count - 1 - row
+                                                 : nearest_group(spec, sqrt(high * high - part * (high * high - low * low)));
+        group = group < above ? group : above - 1;
+        group = group + 1 < room - row && spec->group_count > room ? room - row - 1 : group; /* one left for each row below */
+        above = group;
+        add_row(s, panel, group_first(spec, group), spec->groups[group].configurations, spec->groups[group].magnetism);
+    }
+}
+
+static bool shown(const struct contact_sheet *s, size_t panel, size_t first)
+{
+    for (size_t r = 0; r < s->row_count; r++) {
+        if (s->rows[r].panel == panel && s->rows[r].first == first)
+            return true;
+    }
+    return false;
+}
+
+/* Those asked for, in the order asked; a sweep without the magnetism has no such row. */
+static void add_asked(struct contact_sheet *s, size_t panel)
+{
+    static const double near = 0.05;
+    const struct bead_sweep_spec *spec = bead_sweep_panel(s->sweep, panel)->spec;
+    for (size_t i = 0; i < s->output->magnetism_count; i++) {
+        size_t group = nearest_group(spec, s->output->magnetism[i]), first = group_first(spec, group);
+        double magnetism = spec->groups[group].magnetism;
+        if (fabs(magnetism - s->output->magnetism[i]) <= near && !shown(s, panel, first))
+            add_row(s, panel, first, spec->groups[group].configurations, magnetism);
+    }
+}
+
+static enum bead_error choose(struct contact_sheet *s, size_t room, struct bead_message *msg)
+{
+    const size_t panels = bead_sweep_panels(s->sweep);
+    const size_t most = panels * (room + s->output->magnetism_count + 1);
+    s->rows = calloc(most, sizeof *s->rows);
+    if (!s->rows)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
+    s->row_count = s->image_count = 0;
+    for (size_t p = 0; p < panels; p++) {
+        size_t share = room / panels > 0 ? room / panels : 1;
+        if (groups_of(bead_sweep_panel(s->sweep, p)) == 1)
+            add_wrapped(s, p, share);
+        else if (s->output->magnetism_count > 0)
+            add_asked(s, p);
+        else
+            add_spaced(s, p, share);
+    }
+    return BEAD_OK;
+}
+
+/* ---- places ---- */
+
+static double find_label_width(const struct contact_sheet *s)
+{
+    double most = 0, width, height;
+    for (size_t r = 0; r < s->row_count; r++) {
+        char text[400];
+        const struct bead_text_style style = {.family = s->look.family, .size = s->look.tick, .bold = true};
+        contact_sheet_row_name(s, &s->rows[r], text, sizeof text);
+        bead_text_size(NULL, &style, text, &width, &height);
+        most = fmax(most, *text ? width : 0);
+    }
+    return most > 0 ? most + s->look.gap : 0;
+}
+
+/* What the bar, its ticks and title take at the right. */
+static double find_bar_width(const struct contact_sheet *s)
+{
+    const struct bead_rect bar = {0, 0, (int)round(0.8 * s->look.label), s->page.height / 2};
+    const struct bead_field_info *field = bead_field_info(s->output->field);
+    const struct bead_colours colours = {&s->map, s->output->scale, 0, 1.234};
+    return 1.5 * s->look.gap + bar.width +
+           bead_colour_bar_draw(NULL, &s->look, &colours, field->unit, field->title, bar, false, false);
+}
+
+static void place_image(struct contact_sheet *s, struct contact_image *image, double left, double top, double width, double height)
+{
+    int x = (int)round(left), w = (int)round(left + width) - x, y = (int)round(top);
+    int bar = (int)fmax(2, round(spins_height * s->small)), gap = (int)fmax(1, round(spins_gap * s->small));
+    image->spins = (struct bead_rect){x, y, w, bar};
+    image->picture = (struct bead_rect){x, y + bar + gap, w, (int)round(height) - bar - gap};
+    image->words = (struct bead_rect){x, image->picture.y + image->picture.height, w, (int)round(words_height * s->small)};
+}
+
+static enum bead_error make_images(struct contact_sheet *s, double left, double top, double width, double height,
+                                   struct bead_message *msg)
+{
+    size_t i = 0;
+    s->images = calloc(s->image_count + 1, sizeof *s->images);
+    s->watches = calloc(s->image_count + 1, sizeof *s->watches);
+    if (!s->images || !s->watches)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
+    const double gap = between * s->small, step = width + gap, down = height + (words_height + between) * s->small;
+    for (size_t r = 0; r < s->row_count; r++) {
+        for (size_t c = 0; c < s->rows[r].count; c++, i++) {
+            struct contact_image *image = &s->images[i];
+            *image = (struct contact_image){.panel = s->rows[r].panel, .index = s->rows[r].first + c, .row = r};
+            place_image(s, image, left + (double)c * step, top + (double)r * down, width, height);
+        }
+    }
+    return BEAD_OK;
+}
+
+static enum bead_error no_room(const struct contact_sheet *s, struct bead_message *msg)
+{
+    char size[BEAD_SIZE_WORDS];
+    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: size: %s have no room for %zu row%s of %zu picture%s",
+                     bead_sweep_scene(s->sweep)->file, s->output->place.line, s->output->place.column,
+                     bead_page_size(&s->page, size), s->row_count, s->row_count == 1 ? "" : "s", s->columns,
+                     s->columns == 1 ? "" : "s");
+}
+
+/* Most configurations of one magnetism. */
+static size_t most_configurations(const struct contact_sheet *s)
+{
+    size_t most = 1;
+    for (size_t p = 0; p < bead_sweep_panels(s->sweep); p++) {
+        const struct bead_sweep_panel *panel = bead_sweep_panel(s->sweep, p);
+        if (groups_of(panel) == 1)
+            most = panel->configurations > most ? panel->configurations : most;
+        for (size_t g = 0; groups_of(panel) > 1 && g < panel->spec->group_count; g++)
+            most = panel->spec->groups[g].configurations > most ? panel->spec->groups[g].configurations : most;
+    }
+    return most;
+}
+
+enum bead_error contact_sheet_arrange(struct contact_sheet *s, struct bead_message *msg)
+{
+    const double margin = s->look.margin, gap = between * s->small, lines = (words_height + between) * s->small;
+    double width = s->page.width - 2 * margin - find_bar_width(s), height = s->page.height - 2 * margin;
+    size_t most = most_configurations(s);
+    s->several = bead_sweep_panels(s->sweep) > 1;
+    s->columns = (size_t)fmax(1, floor((width - 5 * s->small + gap) / (wanted_width * s->small + gap)));
+    if (s->output->configurations > 0)
+        s->columns = s->output->configurations;
+    s->columns = s->columns < most ? s->columns : most;
+    enum bead_error err = choose(s, (size_t)fmax(1, floor((height + gap) / (wanted_height * s->small + lines))), msg);
+    if (err)
+        return err;
+    s->label_width = find_label_width(s);
+    width = (width - s->label_width + gap) / (double)s->columns - gap;
+    const double left = margin + s->label_width;
+    double top = margin;
+    /* Beside the only picture of the first row there is room for the words; else they stand above. */
+    bool beside = s->rows[0].count == 1 && s->columns >= 3 && s->row_count > 1;
+    double words = beside ? left + width + 2 * gap : margin, across = left + (double)s->columns * (width + gap) - gap - words;
+    double words_high = contact_sheet_intro(s, NULL, across);
+    if (beside) {
+        double row = (height + gap) / (double)s->row_count - gap;
+        beside = words_high <= row;
+    }
+    if (!beside) {
+        words = margin;
+        across = left + (double)s->columns * (width + gap) - gap - words;
+        words_high = contact_sheet_intro(s, NULL, across);
+        top += words_high + 1.5 * gap;
+        height -= words_high + 1.5 * gap;
+    }
+    s->intro = (struct bead_rect){(int)round(words), (int)round(margin), (int)round(across), (int)ceil(words_high)};
+    height = (height + gap) / (double)s->row_count - lines;
+    if (width < least_width * s->small || height < least_height * s->small)
+        return no_room(s, msg);
+    s->bar = (struct bead_rect){(int)round(left + (double)s->columns * (width + gap) - gap + 1.5 * s->look.gap), (int)round(top),
+                                (int)round(0.8 * s->look.label), (int)round((double)s->row_count * (height + lines) - lines)};
+    return make_images(s, left, top, width, height, msg);
+}

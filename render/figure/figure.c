@@ -1,0 +1,384 @@
+/* Life of a figure: made, fed, written. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/figure/figure_private.h"
+#include "render/view/magnify.h"
+
+bool bead_tile_collects(const struct bead_tile *panel)
+{
+    return panel->type->kind == BEAD_VIEW_SPACETIME || panel->type->kind == BEAD_VIEW_SENSORS;
+}
+
+void bead_figure_destroy(struct bead_figure *f)
+{
+    if (!f)
+        return;
+    for (size_t c = 0; f->cells && c < f->cell_count; c++) {
+        struct bead_cell *cell = &f->cells[c];
+        for (size_t v = 0; v < f->view_count; v++) {
+            if (cell->panel[v].view)
+                cell->panel[v].type->destroy(cell->panel[v].view);
+        }
+        for (size_t m = 0; m < 2; m++) {
+            for (size_t field = 0; field < BEAD_FIELD_COUNT; field++)
+                free((double *)cell->moment[m].field[field]);
+        }
+    }
+    free(f->cells);
+    free(f);
+}
+
+static enum bead_error find_span(const struct bead_figure *f, size_t chain, struct bead_span *span, struct bead_message *msg)
+{
+    const struct bead_output *output = f->output;
+    bool contacts = bead_field_info(output->field)->of_contacts;
+    size_t count = contacts ? bead_chain_contacts(f->stage.chains[chain]) : bead_chain_beads(f->stage.chains[chain]);
+    *span = output->beads;
+    span->last = span->last < count ? span->last : count - 1;
+    if (span->first > span->last)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: beads: begin at %zu, but the chain has %zu %s", f->stage.scene->file,
+                         output->place.line, output->place.column, span->first, count, contacts ? "contacts" : "beads");
+    return BEAD_OK;
+}
+
+enum bead_error bead_figure_times(const struct bead_output *output, const struct bead_stage *stage, double time[2],
+                                  struct bead_message *msg)
+{
+    double end = stage->end;
+    time[0] = isnan(output->time[0]) ? 0 : output->time[0];
+    time[1] = isnan(output->time[1]) ? end : fmin(output->time[1], end);
+    if (!(time[1] > time[0]) || !isfinite(time[1]))
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: time: from %g to %g there is nothing to show; the run ends at %g",
+                         stage->scene->file, output->place.line, output->place.column, time[0], time[1], end);
+    return BEAD_OK;
+}
+
+/* Chains of a plot of sensors are those that have some. */
+static bool is_shown(const struct bead_figure *f, size_t chain, const enum bead_view_kind *views, size_t view_count)
+{
+    size_t sensors;
+    if (f->set.chain != SIZE_MAX && f->set.chain != chain)
+        return false;
+    (void)bead_chain_sensors(f->stage.chains[chain], &sensors);
+    return sensors > 0 || view_count != 1 || views[0] != BEAD_VIEW_SENSORS;
+}
+
+static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, const enum bead_view_kind *views, double magnify,
+                                 struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    bool moments = false;
+    for (size_t v = 0; v < f->view_count; v++)
+        moments = moments || (views[v] != BEAD_VIEW_SPACETIME && views[v] != BEAD_VIEW_SENSORS);
+    for (size_t v = 0; !err && v < f->view_count; v++) {
+        struct bead_tile *panel = &cell->panel[v];
+        panel->type = bead_view_find(views[v]);
+        if (!panel->type)
+            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "this build has no view of kind %d", (int)views[v]);
+        panel->setup = (struct bead_view_setup){.chain = f->stage.chains[cell->chain],
+                                                .chain_index = cell->chain,
+                                                .field = f->output->field,
+                                                .time = {f->time[0], f->time[1]},
+                                                .colours = f->colours,
+                                                .look = &f->look,
+                                                .axes = f->output->axes,
+                                                .bead_labels = true,
+                                                .time_down = moments,
+                                                .sampling = f->output->sampling,
+                                                .marked = moments,
+                                                .mark = f->at,
+                                                .magnify = magnify,
+                                                .trust = f->output->trust};
+        err = find_span(f, cell->chain, &panel->setup.beads, msg);
+        f->coloured = f->coloured || views[v] == BEAD_VIEW_SPACETIME || views[v] == BEAD_VIEW_BEADS;
+        f->collects = f->collects || bead_tile_collects(panel);
+    }
+    f->stills = f->stills || moments;
+    return err;
+}
+
+static enum bead_error make_cells(struct bead_figure *f, const enum bead_view_kind *views, struct bead_message *msg)
+{
+    f->cells = calloc(f->stage.chain_count, sizeof *f->cells);
+    if (!f->cells)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
+    double magnify = f->output->magnify > 0 ? f->output->magnify : bead_magnify_auto(f->stage.chains, f->stage.chain_count);
+    enum bead_error err = BEAD_OK;
+    for (size_t c = 0; !err && c < f->stage.chain_count; c++) {
+        if (!is_shown(f, c, views, f->view_count))
+            continue;
+        struct bead_cell *cell = &f->cells[f->cell_count++];
+        cell->chain = c;
+        err = fill_cell(f, cell, views, magnify, msg);
+    }
+    if (!err && f->cell_count == 0)
+        err = bead_fail(msg, BEAD_ERROR_SCENE,
+                        "%s:%zu:%zu: there is no sensor to show; give a bead one: {bead: steel, sensor: first}",
+                        f->stage.scene->file, f->output->place.line, f->output->place.column);
+    return err;
+}
+
+enum bead_error bead_figure_views(struct bead_figure *f, bool collecting, struct bead_canvas *canvas, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t c = 0; c < f->cell_count; c++) {
+        for (size_t v = 0; !err && v < f->view_count; v++) {
+            struct bead_tile *panel = &f->cells[c].panel[v];
+            if (bead_tile_collects(panel) != collecting)
+                continue;
+            err = panel->type->create(&panel->setup, &panel->view, msg);
+            if (!err)
+                err = panel->type->place(panel->view, panel->plot, panel->type->canvas ? canvas : NULL, msg);
+        }
+    }
+    return err;
+}
+
+/* Pixels of the time axis of the figure's space-time images; 2000 where curves are all there is. */
+static double time_pixels(const struct bead_figure *f)
+{
+    for (size_t v = 0; v < f->view_count; v++) {
+        const struct bead_tile *panel = &f->cells[0].panel[v];
+        if (panel->type->kind == BEAD_VIEW_SPACETIME)
+            return panel->setup.time_down ? panel->plot.height : panel->plot.width;
+    }
+    return 2000;
+}
+
+struct bead_grid bead_figure_grid(const struct bead_stage *stage, const struct bead_output *output, const double time[2],
+                                  double pixels)
+{
+    const struct bead_grid *native = &stage->native;
+    if (native->every > 0) { /* from the sample before the beginning to the one behind the end */
+        double first = fmax(0, floor((time[0] - native->start) / native->every + 1e-6));
+        double last = ceil((time[1] - native->start) / native->every - 1e-6);
+        return (struct bead_grid){native->start + first * native->every, native->every,
+                                  fmin(native->end, native->start + last * native->every)};
+    }
+    double pixel = (time[1] - time[0]) / pixels, resolution = stage->resolution;
+    double parts = resolution > 0 && isfinite(resolution) ? ceil(pixel / resolution) : 2;
+    double every = output->every > 0 ? output->every : pixel / fmax(2, parts);
+    return (struct bead_grid){time[0], every > 0 ? every : 1, time[1]};
+}
+
+static void choose_grid(struct bead_figure *f)
+{
+    const double times[2] = {f->collects ? f->time[0] : f->at, f->collects ? fmax(f->time[1], f->stills ? f->at : 0) : f->at};
+    double pixels = time_pixels(f) * (f->collects ? (times[1] - times[0]) / (f->time[1] - f->time[0]) : 1);
+    f->grid = bead_figure_grid(&f->stage, f->output, times, pixels);
+}
+
+static void explain(struct bead_figure *f)
+{
+    char pixel[64];
+    bead_quantity((f->time[1] - f->time[0]) / time_pixels(f), bead_chain_time_unit(f->stage.chains[0]), 3, pixel, sizeof pixel);
+    if (f->collects)
+        snprintf(f->why, sizeof f->why, "%d x %d pixels, %s each along time", f->page.width, f->page.height, pixel);
+    else
+        snprintf(f->why, sizeof f->why, "%d x %d pixels, one moment", f->page.width, f->page.height);
+}
+
+/* All but the places of things. */
+static enum bead_error prepare(struct bead_figure *f, const enum bead_view_kind *views, struct bead_message *msg)
+{
+    const struct bead_output *output = f->output;
+    bool is_signed = bead_chain_signed(f->stage.chains[0], output->field);
+    enum bead_error err = bead_colour_range_check(output, f->stage.scene->file, msg);
+    if (!err)
+        err = bead_figure_times(output, &f->stage, f->time, msg);
+    f->at = isnan(output->at) ? f->time[1] : output->at;
+    if (!err && f->at > f->stage.end * (1 + 1e-9))
+        err = bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: at: is %g; the run ends at %g", f->stage.scene->file,
+                        output->place.line, output->place.column, f->at, f->stage.end);
+    f->at = fmin(f->at, f->stage.end);
+    if (!err)
+        err = bead_colour_range_map(output, f->stage.chains[0], "viridis", &f->map, msg);
+    if (err)
+        return err;
+    /* as wide as labels get; found at the end */
+    f->range = bead_colour_range_find(output, f->stage.chains[0], is_signed ? -888 : 0, 888);
+    f->colours = (struct bead_colours){&f->map, output->scale, f->range.low, f->range.high};
+    return make_cells(f, views, msg);
+}
+
+static enum bead_error new_figure(const struct bead_output *output, const struct bead_stage *stage, size_t view_count,
+                                  struct bead_figure **figure, struct bead_message *msg)
+{
+    *figure = NULL;
+    if (view_count < 1 || view_count > FIGURE_VIEWS)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a figure has 1 to %d views of each chain", FIGURE_VIEWS);
+    struct bead_figure *f = *figure = calloc(1, sizeof *f);
+    if (!f)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
+    f->output = output;
+    f->stage = *stage;
+    f->view_count = view_count;
+    f->set.chain = SIZE_MAX;
+    return BEAD_OK;
+}
+
+static enum bead_error keep_or_destroy(struct bead_figure **figure, enum bead_error err)
+{
+    if (err) {
+        bead_figure_destroy(*figure);
+        *figure = NULL;
+    }
+    return err;
+}
+
+enum bead_error bead_figure_start(struct bead_figure *f, struct bead_message *msg)
+{
+    enum bead_error err = bead_figure_views(f, true, NULL, msg);
+    choose_grid(f);
+    explain(f);
+    return err;
+}
+
+enum bead_error bead_figure_create(const struct bead_output *output, const struct bead_stage *stage,
+                                   const enum bead_view_kind *views, size_t view_count, struct bead_figure **figure,
+                                   struct bead_message *msg)
+{
+    enum bead_error err = new_figure(output, stage, view_count, figure, msg);
+    struct bead_figure *f = *figure;
+    if (!err)
+        err = bead_page_find(output, stage->scene->file, &f->page, msg);
+    if (!err) {
+        bead_page_look(&f->page, output, &f->look);
+        f->area = (struct bead_rect){0, 0, f->page.width, f->page.height};
+        f->margin = output->axes ? f->look.margin : 0;
+        err = prepare(f, views, msg);
+    }
+    if (!err)
+        err = bead_figure_arrange(f, &(struct bead_insets){0}, msg);
+    if (!err)
+        err = bead_figure_start(f, msg);
+    return keep_or_destroy(figure, err);
+}
+
+enum bead_error bead_figure_create_part(const struct bead_output *output, const struct bead_stage *stage,
+                                        const struct bead_page *page, const struct bead_look *look,
+                                        const struct bead_part_settings *settings, struct bead_figure **figure,
+                                        struct bead_message *msg)
+{
+    enum bead_error err = new_figure(output, stage, output->view_count, figure, msg);
+    struct bead_figure *f = *figure;
+    if (err)
+        return err;
+    f->part = true;
+    f->page = *page;
+    f->look = *look;
+    f->set = *settings;
+    return keep_or_destroy(figure, prepare(f, output->views, msg));
+}
+
+void bead_figure_change(struct bead_figure *f, const struct bead_part_settings *settings)
+{
+    f->set = *settings;
+}
+
+void bead_figure_regrid(struct bead_figure *f, const struct bead_grid *grid)
+{
+    f->grid = *grid;
+}
+
+static unsigned fields_of(const struct bead_figure *f, bool collecting)
+{
+    unsigned fields = 0;
+    for (size_t v = 0; v < f->view_count; v++) {
+        const struct bead_tile *panel = &f->cells[0].panel[v];
+        if (bead_tile_collects(panel) == collecting)
+            fields |= panel->type->fields(&panel->setup);
+    }
+    return fields;
+}
+
+/* Beads that are shown, and those with sensors. */
+static struct bead_span all_beads(const struct bead_figure *f)
+{
+    struct bead_span all = {SIZE_MAX, 0};
+    for (size_t c = 0; c < f->cell_count; c++) {
+        for (size_t v = 0; v < f->view_count; v++) {
+            const struct bead_tile *panel = &f->cells[c].panel[v];
+            size_t count = 0;
+            const struct bead_sensor *sensors = bead_chain_sensors(panel->setup.chain, &count);
+            bool plotted = panel->type->kind == BEAD_VIEW_SENSORS;
+            for (size_t s = 0; plotted && s < count; s++) {
+                all.first = sensors[s].bead < all.first ? sensors[s].bead : all.first;
+                all.last = sensors[s].bead > all.last ? sensors[s].bead : all.last;
+            }
+            if (!plotted) {
+                all.first = panel->setup.beads.first < all.first ? panel->setup.beads.first : all.first;
+                all.last = panel->setup.beads.last > all.last ? panel->setup.beads.last : all.last;
+            }
+        }
+    }
+    /* Drawn beads take a contact's value from both sides, and stand where their displacement says. */
+    if (f->stills && bead_field_info(f->output->field)->of_contacts)
+        all.last++;
+    return all;
+}
+
+void bead_figure_needs(const struct bead_figure *f, struct bead_needs *needs)
+{
+    *needs = (struct bead_needs){.fields = fields_of(f, true) | fields_of(f, false),
+                                 .beads = all_beads(f),
+                                 .grid = f->grid,
+                                 .twin = f->output->trust ? fields_of(f, true) : 0,
+                                 .until = f->grid.end,
+                                 .why = f->why};
+}
+
+/* Keep a copy of the samples about the moment: the last one before it and the first one behind. */
+static enum bead_error keep_moment(struct bead_figure *f, struct bead_cell *cell, const struct bead_sample *sample,
+                                   struct bead_message *msg)
+{
+    double slack = 1e-6 * f->grid.every;
+    bool enough = cell->moments > 0 && cell->moment[1].time >= f->at - slack;
+    if (enough || sample->time < f->at - 1.5 * f->grid.every)
+        return BEAD_OK;
+    struct bead_sample spare = cell->moment[0];
+    cell->moment[0] = cell->moment[1];
+    const struct bead_chain *chain = f->stage.chains[cell->chain];
+    unsigned fields = fields_of(f, false);
+    struct bead_span span = all_beads(f);
+    for (size_t i = 0; i < BEAD_FIELD_COUNT; i++) {
+        size_t count = bead_field_info((enum bead_field)i)->of_contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain);
+        double *copy = (double *)spare.field[i];
+        if (!(fields & BEAD_FIELD_BIT(i)) || !sample->field[i])
+            continue;
+        copy = copy ? copy : calloc(count, sizeof *copy);
+        if (!copy)
+            return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a still of %zu beads", count);
+        size_t last = span.last < count ? span.last : count - 1;
+        if (span.first <= last)
+            memcpy(copy + span.first, sample->field[i] + span.first, (last - span.first + 1) * sizeof *copy);
+        spare.field[i] = copy;
+    }
+    spare.chain = sample->chain;
+    spare.index = sample->index;
+    spare.time = sample->time;
+    spare.active = sample->active;
+    cell->moment[1] = spare;
+    cell->moments += cell->moments < 2;
+    return BEAD_OK;
+}
+
+enum bead_error bead_figure_feed(struct bead_figure *f, const struct bead_sample *sample, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t c = 0; !err && c < f->cell_count; c++) {
+        struct bead_cell *cell = &f->cells[c];
+        if (cell->chain != sample->chain)
+            continue;
+        for (size_t v = 0; !err && v < f->view_count; v++) {
+            if (cell->panel[v].view)
+                err = cell->panel[v].type->feed(cell->panel[v].view, sample, msg);
+        }
+        if (!err && f->stills)
+            err = keep_moment(f, cell, sample, msg);
+    }
+    return err;
+}

@@ -1,0 +1,91 @@
+/* Figures: stills of one or more views of every chain, with axes, headings and a colour bar.
+ *
+ *   bead_figure_create -> bead_figure_needs -> bead_figure_feed, repeated -> bead_figure_write
+ *
+ * The layout is fixed when the figure is made, so that images can be summed into their pixels; colours, curves and text are
+ * drawn at the end, when their ranges are known. PNG, PDF and SVG come from the same drawing. */
+#ifndef BEADREEL_RENDER_FIGURE_FIGURE_H
+#define BEADREEL_RENDER_FIGURE_FIGURE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/canvas.h"
+#include "beadreel/sink.h"
+#include "render/draw/page.h"
+
+struct bead_figure;
+
+/* `views` from top to bottom. Errors: SCENE (with the output's place), MEMORY, IO and FORMAT of colour maps. */
+BEAD_CHECK enum bead_error bead_figure_create(const struct bead_output *output, const struct bead_stage *stage,
+                                              const enum bead_view_kind *views, size_t view_count, struct bead_figure **figure,
+                                              struct bead_message *msg);
+void bead_figure_needs(const struct bead_figure *figure, struct bead_needs *needs);
+BEAD_CHECK enum bead_error bead_figure_feed(struct bead_figure *figure, const struct bead_sample *sample, struct bead_message *msg);
+/* To a .png, .pdf or .svg. Errors: IO, MEMORY, GRAPHICS. */
+BEAD_CHECK enum bead_error bead_figure_write(struct bead_figure *figure, const char *path, uint64_t *bytes,
+                                             struct bead_message *msg);
+
+/* ---- figures as parts of a sheet ----
+ *
+ *   bead_figure_create_part -> bead_figure_put, repeated -> bead_figure_start -> needs, feed -> bead_figure_extremes ->
+ *   bead_figure_set_range -> bead_figure_finish -> bead_figure_decorate and bead_figure_draw (or bead_figure_vector) */
+
+/* How far axes, headings and bar reach out of the plots, px. */
+struct bead_insets {
+    double left, top, right, bottom;
+};
+
+struct bead_part_settings {
+    size_t chain;               /* the only one; SIZE_MAX: all */
+    char letter[16];            /* "(a)"; "": none */
+    const char *title;          /* instead of the chain's name; NULL */
+    bool no_bar;                /* another part has it */
+    bool no_across, no_upwards; /* no labels at the level (the upright) axis at the outer side: another part has them */
+};
+
+/* On the sheet's page with its look. Errors: as create. */
+BEAD_CHECK enum bead_error bead_figure_create_part(const struct bead_output *output, const struct bead_stage *stage,
+                                                   const struct bead_page *page, const struct bead_look *look,
+                                                   const struct bead_part_settings *settings, struct bead_figure **figure,
+                                                   struct bead_message *msg);
+void bead_figure_change(struct bead_figure *figure, const struct bead_part_settings *settings);
+/* Lay out in an area, plots at least `least` away from its borders; *insets: how far they are. Errors: SCENE (too small), MEMORY.
+ */
+BEAD_CHECK enum bead_error bead_figure_put(struct bead_figure *figure, struct bead_rect area, const struct bead_insets *least,
+                                           struct bead_insets *insets, struct bead_message *msg);
+/* Ready for samples. */
+BEAD_CHECK enum bead_error bead_figure_start(struct bead_figure *figure, struct bead_message *msg);
+/* The grid that samples really come on. */
+void bead_figure_regrid(struct bead_figure *figure, const struct bead_grid *grid);
+/* Widens the ranges of what is shown in colours and by sensors. */
+void bead_figure_extremes(const struct bead_figure *figure, double colours[2], double sensors[2]);
+void bead_figure_set_range(struct bead_figure *figure, const double colours[2], const double sensors[2]);
+/* The bar reaches down to this y, px. */
+void bead_figure_stretch_bar(struct bead_figure *figure, int bottom);
+bool bead_figure_needs_canvas(const struct bead_figure *figure);
+BEAD_CHECK enum bead_error bead_figure_finish(struct bead_figure *figure, struct bead_canvas *canvas, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_figure_decorate(struct bead_figure *figure, cairo_t *cr, struct bead_message *msg);
+/* What decorate has drawn is in `frame` and, where a view draws over it, in `background`. */
+BEAD_CHECK enum bead_error bead_figure_draw(struct bead_figure *figure, struct bead_frame *frame,
+                                            const struct bead_frame *background, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_figure_vector(struct bead_figure *figure, cairo_t *cr, struct bead_message *msg);
+/* Views that draw on the canvas go before it. */
+void bead_figure_release_canvas(struct bead_figure *figure);
+/* What a part's level or upright axis shows, for sharing its labels. */
+struct bead_axis_kind {
+    const char *title; /* NULL: nothing that could be shared */
+    double low, high;
+};
+struct bead_axis_kind bead_figure_axis(const struct bead_figure *figure, bool upright);
+
+/* From when to when an output shows the run. Errors: SCENE (with the output's place). */
+BEAD_CHECK enum bead_error bead_figure_times(const struct bead_output *output, const struct bead_stage *stage, double time[2],
+                                             struct bead_message *msg);
+/* Times at which a picture with `pixels` along `time` wants samples: two or more a pixel, and every oscillation; those there are
+ * where the stage has given ones. */
+struct bead_grid bead_figure_grid(const struct bead_stage *stage, const struct bead_output *output, const double time[2],
+                                  double pixels);
+void bead_figure_destroy(struct bead_figure *figure);
+
+#endif

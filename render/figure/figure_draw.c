@@ -1,0 +1,300 @@
+/* The parts of a figure that are not views: headings, title and time, the colour bar. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "render/draw/markup.h"
+#include "render/draw/quantity.h"
+#include "render/figure/figure_private.h"
+#include "render/movie/movie_words.h"
+#include "render/view/trust_words.h"
+
+static struct bead_text_style style_of(const struct bead_look *look, double size, struct bead_rgb colour)
+{
+    return (struct bead_text_style){
+        .family = look->family, .size = size, .colour = colour, .across = BEAD_ALIGN_START, .down = BEAD_ALIGN_BASELINE};
+}
+
+static double width_of(cairo_t *cr, const struct bead_text_style *style, const char *markup)
+{
+    double width = 0, height;
+    if (*markup)
+        bead_text_size(cr, style, markup, &width, &height);
+    return width;
+}
+
+static void to_markup(const char *text, bool marked, char *markup, size_t size)
+{
+    if (marked)
+        bead_markup(text, markup, size);
+    else
+        bead_text_escape(text, markup, size);
+}
+
+/* Text that fits into `room`: cut with an ellipsis where it must be. False: nothing fits. */
+static bool fit(cairo_t *cr, const struct bead_text_style *style, const char *text, bool marked, double room, char *markup,
+                size_t size)
+{
+    char cut[512];
+    snprintf(cut, sizeof cut, "%.500s", text);
+    to_markup(cut, marked, markup, size);
+    size_t length = strlen(cut);
+    while (width_of(cr, style, markup) > room) {
+        while (length > 0 && ((unsigned char)cut[length - 1] & 0xC0) == 0x80)
+            length--;
+        length -= length > 0;
+        if (length == 0)
+            return false;
+        snprintf(cut + length, sizeof cut - length, "\u2026");
+        to_markup(cut, marked, markup, size);
+        cut[length] = '\0';
+    }
+    return *markup != '\0';
+}
+
+struct words {
+    char letter[128], magnetism[128], moment[160];
+    const char *name, *label;
+    bool marked; /* the name is for bead_markup: a panel's title */
+};
+
+/* No more digits than the time needs, five at most. */
+static void time_words(double time, const char *unit, char *text, size_t size)
+{
+    int exponent = bead_prefix_exponent(time, unit), digits = 1;
+    double shown = time / bead_power_of_ten(exponent);
+    int whole = shown >= 100 ? 3 : shown >= 10 ? 2 : 1;
+    for (digits = whole; digits < whole + 3; digits++) {
+        double part = bead_power_of_ten(digits - whole);
+        if (fabs(round(shown * part) / part - shown) < 1e-6 * shown)
+            break;
+    }
+    bead_quantity(time, unit, digits, text, size);
+}
+
+/* A part says what the whole page says elsewhere: letter, title, and the moment. */
+static void part_words(const struct bead_figure *f, struct words *words)
+{
+    char time[64];
+    bool alone = f->cell_count == 1;
+    if (alone && f->set.title)
+        words->name = f->set.title;
+    words->marked = words->name == f->set.title;
+    snprintf(words->letter, sizeof words->letter, "%s%s%s", f->set.letter, !alone && f->set.title && *f->set.letter ? " " : "",
+             !alone && f->set.title ? f->set.title : "");
+    if (!f->stills)
+        return;
+    time_words(f->at, bead_chain_time_unit(f->stage.chains[0]), time, sizeof time);
+    snprintf(words->moment, sizeof words->moment, BEAD_SYMBOL("t") " = %s", time);
+}
+
+static bool words_of(const struct bead_figure *f, const struct bead_cell *cell, struct words *words)
+{
+    const struct bead_chain *chain = f->stage.chains[cell->chain];
+    size_t index = (size_t)(cell - f->cells);
+    *words = (struct words){.name = bead_chain_name(chain), .label = bead_chain_spec(chain)->label};
+    if (f->part && index == 0)
+        part_words(f, words);
+    if (!f->part && f->page.paper && f->cell_count > 1 && index < 26)
+        snprintf(words->letter, sizeof words->letter, "(%c)", (char)('a' + (int)index));
+    if (*bead_chain_spins(chain) && words->name == bead_chain_name(chain))
+        bead_text_magnetism(bead_chain_magnetism(chain), words->magnetism, sizeof words->magnetism);
+    return f->output->axes && (*words->letter || *words->name || *words->magnetism || *words->moment);
+}
+
+/* How much is said, from all to a shortened name; the same in all cells, as far as the longest has room. Several chains keep
+ * their names, be they cut: else nobody knows which is which. */
+enum terseness { NAME_M_LABEL, NAME_M, NAME, CUT_NAME_M, M, CUT_NAME };
+
+static const double shortest_cut = 3; /* of a name beside M, in units of its font size */
+
+struct heading {
+    struct words words;
+    struct bead_text_style letter, name, magnetism, label;
+    double gap;
+};
+
+static void make_heading(const struct bead_figure *f, const struct bead_cell *cell, struct heading *h)
+{
+    const struct bead_look *look = &f->look;
+    (void)words_of(f, cell, &h->words);
+    h->letter = h->name = style_of(look, look->title, look->ink);
+    h->magnetism = style_of(look, look->title, f->page.paper ? look->ink : look->accent);
+    h->label = style_of(look, look->label, look->faint);
+    h->name.bold = !f->page.paper;
+    h->gap = 0.7 * look->label;
+    h->letter.bold = f->part;
+    if (f->page.paper || f->part)
+        h->words.label = h->words.moment;
+}
+
+/* What a cell says of its words at this terseness. */
+static void shorten(struct words *words, enum terseness terse)
+{
+    bool name = *words->name, magnetism = *words->magnetism;
+    if (terse > NAME_M_LABEL)
+        words->label = words->moment;
+    if ((terse == NAME || terse == CUT_NAME) && name)
+        words->magnetism[0] = '\0';
+    if (terse == M && magnetism)
+        words->name = "";
+}
+
+/* Width of the heading, its name no longer than `longest`; draws it where cr is there and `draw` says so. */
+static double put_heading(cairo_t *cr, const struct heading *h, double x, double y, double room, double longest, bool draw)
+{
+    char name[4096], label[1024], letters[2048];
+    const struct bead_text_style *styles[] = {&h->letter, &h->name, &h->magnetism, &h->label};
+    const double after[] = {h->gap, h->gap, 2 * h->gap, 0};
+    if (h->words.label == h->words.moment)
+        snprintf(label, sizeof label, "%s", h->words.moment);
+    else
+        bead_text_escape(h->words.label, label, sizeof label);
+    bead_markup(h->words.letter, letters, sizeof letters);
+    to_markup(h->words.name, h->words.marked, name, sizeof name);
+    double letter = *h->words.letter ? width_of(cr, &h->letter, letters) + h->gap : 0;
+    double after_name = *h->words.magnetism ? h->gap + width_of(cr, &h->magnetism, h->words.magnetism) : 0;
+    after_name += *label ? 2 * h->gap + width_of(cr, &h->label, label) : 0;
+    if (draw && !fit(cr, &h->name, h->words.name, h->words.marked, room - letter - after_name, name, sizeof name))
+        name[0] = '\0';
+    const char *words[] = {letters, name, h->words.magnetism, label};
+    double begin = x, end = x;
+    for (size_t i = 0; i < 4; i++) {
+        if (!*words[i])
+            continue;
+        if (draw)
+            bead_text_draw(cr, styles[i], x, y, words[i]);
+        double width = width_of(cr, styles[i], words[i]);
+        end = x + (i == 1 ? fmin(width, longest) : width);
+        x = end + after[i];
+    }
+    return end - begin;
+}
+
+static enum terseness find_terseness(const struct bead_figure *f, cairo_t *cr)
+{
+    enum terseness terse = NAME_M_LABEL;
+    for (size_t c = 0; c < f->cell_count; c++) {
+        for (; terse < CUT_NAME; terse++) {
+            struct heading h;
+            make_heading(f, &f->cells[c], &h);
+            shorten(&h.words, terse);
+            if (terse == CUT_NAME_M && f->cell_count == 1)
+                continue;
+            double longest = terse == CUT_NAME_M ? shortest_cut * f->look.title : INFINITY;
+            if (put_heading(cr, &h, 0, 0, 0, longest, false) <= f->cells[c].heading.width)
+                break;
+        }
+    }
+    return terse;
+}
+
+bool bead_figure_heading(const struct bead_figure *f, const struct bead_cell *cell, cairo_t *cr)
+{
+    struct heading h;
+    bool any = words_of(f, cell, &h.words);
+    if (!any || !cr)
+        return any;
+    const struct bead_rect *box = &cell->heading;
+    make_heading(f, cell, &h);
+    shorten(&h.words, find_terseness(f, cr));
+    put_heading(cr, &h, box->x, box->y + box->height - 0.6 * f->look.label, box->width, INFINITY, true);
+    return true;
+}
+
+/* "t = 1.64 ms, displacements x 60": what beads and profiles are drawn with. */
+static void moment_words(const struct bead_figure *f, char *markup, size_t size)
+{
+    char time[64], magnify[64];
+    markup[0] = '\0';
+    if (!f->stills)
+        return;
+    time_words(f->at, bead_chain_time_unit(f->stage.chains[0]), time, sizeof time);
+    snprintf(markup, size, BEAD_SYMBOL("t") " = %s", time);
+    for (size_t v = 0; v < f->view_count; v++) {
+        const struct bead_tile *panel = &f->cells[0].panel[v];
+        if (panel->type->kind != BEAD_VIEW_BEADS)
+            continue;
+        bead_round_number(panel->setup.magnify, magnify, sizeof magnify);
+        size_t used = strlen(markup);
+        snprintf(markup + used, size - used, "  \u00b7  displacements \u00d7 %s", magnify);
+        break;
+    }
+}
+
+bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
+{
+    const struct bead_look *look = &f->look;
+    const int least = 240; /* px of height where a title is worth its room */
+    const char *title = !f->page.paper && f->page.height >= least ? f->stage.scene->title : "";
+    if (f->part || !f->output->axes || (!*title && !f->stills))
+        return false;
+    if (!cr)
+        return true;
+    char markup[1024], moment[256];
+    moment_words(f, moment, sizeof moment);
+    struct bead_text_style bold = style_of(look, 1.2 * look->title, look->ink), right = style_of(look, look->label, look->ink);
+    bold.bold = true;
+    right.across = *title ? BEAD_ALIGN_END : BEAD_ALIGN_START;
+    double y = f->line.y + look->title, taken = width_of(cr, &right, moment);
+    if (*title && fit(cr, &bold, title, false, f->line.width - (taken > 0 ? taken + 2 * look->label : 0), markup, sizeof markup))
+        bead_text_draw(cr, &bold, f->line.x, y, markup);
+    if (*moment)
+        bead_text_draw(cr, &right, *title ? f->line.x + f->line.width : f->line.x, y, moment);
+    return true;
+}
+
+/* Up to when the two runs of a cell's chain agree. */
+static void draw_trust(const struct bead_figure *f, const struct bead_cell *cell, cairo_t *cr)
+{
+    struct bead_trust trust = bead_trust_make(f->stage.chains[0], f->stage.twin);
+    trust.from = f->time[0];
+    trust.until = cell->horizon;
+    trust.bold = !f->page.paper;
+    bead_trust_draw(cr, &f->look, &trust, cell->trust, false);
+}
+
+void bead_figure_bar_title(const struct bead_figure *f, char *title, size_t size)
+{
+    const char *name = bead_chain_field(f->stage.chains[0], f->output->field)->title;
+    bool largest = false;
+    for (size_t v = 0; v < f->view_count; v++)
+        largest = largest || f->cells[0].panel[v].type->kind == BEAD_VIEW_SPACETIME;
+    largest = largest && f->output->sampling == BEAD_SAMPLING_MAX;
+    snprintf(title, size, largest ? "largest %s" : "%s", name);
+}
+
+/* The bar gives up what its points take, so that it ends where the images do. */
+static void draw_bar(const struct bead_figure *f, cairo_t *cr)
+{
+    struct bead_rect bar = f->bar;
+    int point = (int)ceil(0.9 * bar.width);
+    const struct bead_field_info *field = bead_chain_field(f->stage.chains[0], f->output->field);
+    bar.y += f->range.over ? point : 0;
+    bar.height -= (f->range.over + f->range.under) * point;
+    char title[64];
+    bead_figure_bar_title(f, title, sizeof title);
+    if (bar.height > 0)
+        bead_colour_bar_draw(cr, &f->look, &f->colours, field->unit, title, bar, f->range.over, f->range.under);
+}
+
+enum bead_error bead_figure_decorate(struct bead_figure *f, cairo_t *cr, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    if (!f->part) {
+        cairo_set_source_rgb(cr, f->look.background.r, f->look.background.g, f->look.background.b);
+        cairo_paint(cr);
+    }
+    bead_figure_line(f, cr);
+    for (size_t c = 0; !err && c < f->cell_count; c++) {
+        bead_figure_heading(f, &f->cells[c], cr);
+        if (f->cells[c].trust.height > 0)
+            draw_trust(f, &f->cells[c], cr);
+        for (size_t v = 0; !err && v < f->view_count; v++)
+            err = f->cells[c].panel[v].type->decorate(f->cells[c].panel[v].view, cr, msg);
+    }
+    if (f->bar.width > 0)
+        draw_bar(f, cr);
+    cairo_status_t status = cairo_status(cr);
+    return err ? err : status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "figure: %s", cairo_status_to_string(status)) : BEAD_OK;
+}

@@ -1,0 +1,204 @@
+/* The end of a figure: ranges are known now, views of one moment are made, everything is drawn. */
+#include <math.h>
+
+#include "beadreel/canvas.h"
+#include "render/draw/raster.h"
+#include "render/figure/figure_private.h"
+#include "render/view/view_sensors.h"
+#include "render/view/view_spacetime.h"
+
+static void widen(double low, double high, double all[2])
+{
+    all[0] = fmin(all[0], low);
+    all[1] = fmax(all[1], high);
+}
+
+/* Values shown as colours: pixels of images where there are any, else the values of the moment. */
+void bead_figure_extremes(const struct bead_figure *f, double colours[2], double sensors[2])
+{
+    double low, high, moment[2] = {INFINITY, -INFINITY};
+    bool images = false;
+    for (size_t c = 0; c < f->cell_count; c++) {
+        const struct bead_cell *cell = &f->cells[c];
+        for (size_t v = 0; v < f->view_count; v++) {
+            const struct bead_tile *panel = &cell->panel[v];
+            if (panel->type->kind == BEAD_VIEW_SPACETIME) {
+                bead_spacetime_extremes(panel->view, &low, &high);
+                widen(low, high, colours);
+                images = images || low <= high;
+            } else if (panel->type->kind == BEAD_VIEW_SENSORS) {
+                bead_sensors_extremes(panel->view, &low, &high);
+                widen(low, high, sensors);
+            }
+        }
+        const double *values = cell->moments ? cell->moment[1].field[f->output->field] : NULL;
+        const struct bead_span *span = &cell->panel[0].setup.beads;
+        for (size_t i = span->first; values && i <= span->last; i++)
+            widen(values[i], values[i], moment);
+    }
+    if (!images)
+        widen(moment[0], moment[1], colours);
+}
+
+void bead_figure_set_range(struct bead_figure *f, const double colours[2], const double sensors[2])
+{
+    f->range = bead_colour_range_find(f->output, f->stage.chains[0], colours[0], colours[1]);
+    f->colours.low = f->range.low;
+    f->colours.high = f->range.high;
+    for (size_t c = 0; c < f->cell_count; c++) {
+        for (size_t v = 0; v < f->view_count; v++) {
+            struct bead_tile *panel = &f->cells[c].panel[v];
+            panel->setup.colours = f->colours;
+            if (panel->type->kind == BEAD_VIEW_SPACETIME)
+                bead_spacetime_recolour(panel->view, &f->colours);
+            else if (panel->type->kind == BEAD_VIEW_SENSORS)
+                bead_sensors_set_range(panel->view, sensors[0], sensors[1]);
+        }
+    }
+}
+
+/* The earliest horizon of each cell's views. */
+static void find_horizons(struct bead_figure *f)
+{
+    for (size_t c = 0; c < f->cell_count; c++) {
+        struct bead_cell *cell = &f->cells[c];
+        cell->horizon = INFINITY;
+        for (size_t v = 0; f->output->trust && v < f->view_count; v++) {
+            struct bead_tile *panel = &cell->panel[v];
+            if (panel->type->kind == BEAD_VIEW_SPACETIME)
+                cell->horizon = fmin(cell->horizon, bead_spacetime_horizon(panel->view));
+            else if (panel->type->kind == BEAD_VIEW_SENSORS)
+                cell->horizon = fmin(cell->horizon, bead_sensors_horizon(panel->view));
+        }
+    }
+}
+
+static enum bead_error feed_moments(struct bead_figure *f, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t c = 0; c < f->cell_count; c++) {
+        struct bead_cell *cell = &f->cells[c];
+        for (size_t v = 0; v < f->view_count; v++) {
+            struct bead_tile *panel = &cell->panel[v];
+            if (bead_tile_collects(panel))
+                continue;
+            for (size_t m = 2 - cell->moments; !err && m < 2; m++)
+                err = panel->type->feed(panel->view, &cell->moment[m], msg);
+        }
+    }
+    return err;
+}
+
+/* The moment as far as there are samples: between the last two. */
+static double moment_of(const struct bead_figure *f, const struct bead_cell *cell)
+{
+    if (cell->moments == 0)
+        return f->at;
+    double first = cell->moment[2 - cell->moments].time, last = cell->moment[1].time;
+    return fmin(last, fmax(first, f->at));
+}
+
+/* ---- raster ---- */
+
+static enum bead_error decorate(void *context, cairo_t *cr, struct bead_message *msg)
+{
+    return bead_figure_decorate(context, cr, msg);
+}
+
+enum bead_error bead_figure_draw(struct bead_figure *f, struct bead_frame *frame, const struct bead_frame *background,
+                                 struct bead_message *msg)
+{
+    struct bead_changes changes = {0};
+    enum bead_error err = BEAD_OK;
+    for (size_t c = 0; c < f->cell_count; c++) {
+        const struct bead_cell *cell = &f->cells[c];
+        for (size_t v = 0; !err && v < f->view_count; v++) {
+            const struct bead_tile *panel = &cell->panel[v];
+            err = panel->type->draw(panel->view, moment_of(f, cell), frame, background, &changes, msg);
+        }
+    }
+    return err;
+}
+
+static enum bead_error draw_frame(void *context, struct bead_frame *frame, struct bead_message *msg)
+{
+    struct bead_figure *f = context;
+    struct bead_frame background = {0};
+    enum bead_error err = bead_raster_draw(frame, decorate, f, msg);
+    if (!err && f->stills) { /* only those views draw over what was there */
+        err = bead_frame_create(frame->width, frame->height, &background, msg);
+        if (!err)
+            bead_frame_copy(&background, frame, (struct bead_rect){0, 0, frame->width, frame->height});
+    }
+    if (!err)
+        err = bead_figure_draw(f, frame, f->stills ? &background : frame, msg);
+    bead_frame_free(&background);
+    return err;
+}
+
+bool bead_figure_needs_canvas(const struct bead_figure *f)
+{
+    for (size_t v = 0; v < f->view_count; v++) {
+        if (f->cells[0].panel[v].type->canvas)
+            return !f->page.vector;
+    }
+    return false;
+}
+
+/* ---- vector ---- */
+
+enum bead_error bead_figure_vector(struct bead_figure *f, cairo_t *cr, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t c = 0; c < f->cell_count; c++) {
+        const struct bead_cell *cell = &f->cells[c];
+        for (size_t v = 0; !err && v < f->view_count; v++) {
+            const struct bead_tile *panel = &cell->panel[v];
+            err = panel->type->vector(panel->view, moment_of(f, cell), cr, msg);
+        }
+    }
+    return err;
+}
+
+static enum bead_error draw_vector(void *context, cairo_t *cr, struct bead_message *msg)
+{
+    enum bead_error err = bead_figure_decorate(context, cr, msg);
+    return err ? err : bead_figure_vector(context, cr, msg);
+}
+
+enum bead_error bead_figure_finish(struct bead_figure *f, struct bead_canvas *canvas, struct bead_message *msg)
+{
+    find_horizons(f);
+    enum bead_error err = bead_figure_views(f, false, canvas, msg);
+    return err ? err : feed_moments(f, msg);
+}
+
+void bead_figure_release_canvas(struct bead_figure *f)
+{
+    for (size_t c = 0; c < f->cell_count; c++) {
+        for (size_t v = 0; v < f->view_count; v++) {
+            struct bead_tile *panel = &f->cells[c].panel[v];
+            if (panel->type->canvas && panel->view)
+                panel->type->destroy(panel->view);
+            panel->view = panel->type->canvas ? NULL : panel->view;
+        }
+    }
+}
+
+enum bead_error bead_figure_write(struct bead_figure *f, const char *path, uint64_t *bytes, struct bead_message *msg)
+{
+    struct bead_canvas *canvas = NULL;
+    const struct bead_drawing drawing = {draw_vector, draw_frame, f};
+    double colours[2] = {INFINITY, -INFINITY}, sensors[2] = {INFINITY, -INFINITY};
+    bead_figure_extremes(f, colours, sensors);
+    bead_figure_set_range(f, colours, sensors);
+    enum bead_error err =
+        bead_figure_needs_canvas(f) ? bead_canvas_create(f->stage.canvas, f->page.width, f->page.height, &canvas, msg) : BEAD_OK;
+    if (!err)
+        err = bead_figure_finish(f, canvas, msg);
+    if (!err)
+        err = bead_page_write(&f->page, f->output, f->stage.scene, &drawing, path, bytes, msg);
+    bead_figure_release_canvas(f);
+    bead_canvas_destroy(canvas);
+    return err;
+}

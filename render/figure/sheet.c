@@ -1,0 +1,176 @@
+/* Life of a sheet. */
+#include "render/figure/sheet_private.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/draw/markup.h"
+
+bool bead_sheet_wanted(const struct bead_output *output)
+{
+    return output->panel_count > 0 || (output->caption && output->kind == BEAD_OUTPUT_IMAGE);
+}
+
+void bead_sheet_destroy(struct bead_sheet *sheet)
+{
+    if (!sheet)
+        return;
+    for (size_t p = 0; sheet->panels && p < sheet->count; p++) {
+        bead_figure_destroy(sheet->panels[p].figure);
+        bead_plot_data_destroy(sheet->panels[p].plot);
+    }
+    free(sheet->panels);
+    free(sheet->title);
+    free(sheet->caption);
+    free(sheet);
+}
+
+/* Title of screens, and caption. */
+static enum bead_error make_words(struct bead_sheet *s, struct bead_message *msg)
+{
+    const int least = 240; /* px of height where a title is worth its room */
+    const char *title = s->stage.scene->title, *caption = s->output->caption;
+    if (!s->page.paper && s->page.height >= least && *title) {
+        size_t size = 6 * strlen(title) + 1;
+        s->title = malloc(size);
+        if (s->title)
+            bead_text_escape(title, s->title, size);
+        if (!s->title)
+            return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
+    }
+    if (caption && *caption)
+        s->caption = bead_markup_new(caption);
+    return !caption || !*caption || s->caption ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
+}
+
+static void make_letter(const struct bead_sheet *s, size_t index, char *letter, size_t size)
+{
+    letter[0] = '\0';
+    if (!s->output->letters || s->count < 2)
+        return;
+    if (index < 26)
+        snprintf(letter, size, "(%c)", (char)('a' + index));
+    else
+        snprintf(letter, size, "(%c%c)", (char)('a' + index / 26 - 1), (char)('a' + index % 26));
+}
+
+static enum bead_error make_panel(struct bead_sheet *s, size_t index, struct bead_message *msg)
+{
+    struct sheet_panel *panel = &s->panels[index];
+    bool own = s->output->panel_count == 0; /* an image with a caption is its only panel */
+    panel->output = own ? s->output : &s->output->panels[index];
+    panel->row = own ? 0 : panel->output->row;
+    for (size_t p = 0; p < index; p++)
+        panel->column += s->panels[p].row == panel->row;
+    s->rows = panel->row + 1;
+    panel->set = (struct bead_part_settings){.chain = own ? SIZE_MAX : panel->output->chain, .title = panel->output->panel_title};
+    make_letter(s, index, panel->set.letter, sizeof panel->set.letter);
+    if (panel->output->panel_title)
+        snprintf(panel->title, sizeof panel->title, "%s", panel->output->panel_title);
+    if (panel->output->kind == BEAD_OUTPUT_PLOT)
+        return bead_plot_data_create(panel->output, &s->stage, panel->set.chain, &panel->plot, msg);
+    return bead_figure_create_part(panel->output, &s->stage, &s->page, &s->look, &panel->set, &panel->figure, msg);
+}
+
+/* One grid for all: as close as the finest, from the first to the last time that anything shows. Profiles lie between its times, on
+ * straight lines. */
+static void join_grids(struct bead_sheet *s)
+{
+    struct bead_grid all = {INFINITY, INFINITY, -INFINITY};
+    bool profiles = false;
+    size_t grids = 0;
+    for (size_t p = 0; p < s->count; p++) {
+        const struct bead_grid *grid = &s->panels[p].needs.grid;
+        if (!(grid->every > 0))
+            continue;
+        all.start = fmin(all.start, grid->start);
+        all.every = fmin(all.every, grid->every);
+        all.end = fmax(all.end, grid->end);
+        grids++;
+        profiles = profiles || (s->panels[p].plot && s->panels[p].output->show == BEAD_SHOW_PROFILES);
+    }
+    if (profiles && grids > 1 && s->stage.resolution > 0 && !(s->stage.native.every > 0))
+        all.every = fmin(all.every, s->stage.resolution / 8);
+    s->grid = all.end >= all.start ? all : (struct bead_grid){0, 0, 0};
+    for (size_t p = 0; p < s->count; p++) {
+        if (s->panels[p].figure)
+            bead_figure_regrid(s->panels[p].figure, &s->grid);
+    }
+}
+
+enum bead_error bead_sheet_create(const struct bead_output *output, const struct bead_stage *stage, struct bead_sheet **sheet,
+                                  struct bead_message *msg)
+{
+    struct bead_sheet *s = *sheet = calloc(1, sizeof *s);
+    size_t count = output->panel_count > 0 ? output->panel_count : 1;
+    if (s)
+        s->panels = calloc(count, sizeof *s->panels);
+    if (!s || !s->panels) {
+        bead_sheet_destroy(s);
+        *sheet = NULL;
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
+    }
+    s->output = output;
+    s->stage = *stage;
+    s->count = count;
+    enum bead_error err = bead_page_find(output, stage->scene->file, &s->page, msg);
+    if (!err) {
+        bead_page_look(&s->page, output, &s->look);
+        err = make_words(s, msg);
+    }
+    for (size_t p = 0; !err && p < count; p++)
+        err = make_panel(s, p, msg);
+    if (!err)
+        err = sheet_arrange(s, msg);
+    for (size_t p = 0; !err && p < count; p++) {
+        struct sheet_panel *panel = &s->panels[p];
+        if (panel->figure) {
+            err = bead_figure_start(panel->figure, msg);
+            bead_figure_needs(panel->figure, &panel->needs);
+        } else {
+            bead_plot_data_needs(panel->plot, &panel->needs);
+        }
+    }
+    if (err) {
+        bead_sheet_destroy(s);
+        *sheet = NULL;
+        return err;
+    }
+    join_grids(s);
+    snprintf(s->why, sizeof s->why, "%d x %d pixels, %zu panel%s", s->page.width, s->page.height, count, count == 1 ? "" : "s");
+    return BEAD_OK;
+}
+
+void bead_sheet_needs(const struct bead_sheet *sheet, struct bead_needs *needs)
+{
+    *needs = (struct bead_needs){.beads = {SIZE_MAX, 0}, .grid = sheet->grid, .why = sheet->why};
+    for (size_t p = 0; p < sheet->count; p++) {
+        const struct bead_needs *more = &sheet->panels[p].needs;
+        needs->fields |= more->fields;
+        needs->twin |= more->twin;
+        needs->contact_peaks = needs->contact_peaks || more->contact_peaks;
+        needs->until = fmax(needs->until, more->until);
+        if (!more->fields)
+            continue;
+        needs->beads.first = more->beads.first < needs->beads.first ? more->beads.first : needs->beads.first;
+        needs->beads.last = more->beads.last > needs->beads.last ? more->beads.last : needs->beads.last;
+    }
+    if (!needs->fields)
+        needs->beads = (struct bead_span){0, 0};
+}
+
+enum bead_error bead_sheet_feed(struct bead_sheet *sheet, const struct bead_sample *sample, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t p = 0; !err && p < sheet->count; p++) {
+        struct sheet_panel *panel = &sheet->panels[p];
+        const struct bead_grid *grid = &panel->needs.grid;
+        double slack = 1.5 * sheet->grid.every; /* one sample before and behind */
+        if (!panel->needs.fields || sample->time < grid->start - slack || sample->time > grid->end + slack)
+            continue;
+        err = panel->figure ? bead_figure_feed(panel->figure, sample, msg) : bead_plot_data_feed(panel->plot, sample, msg);
+    }
+    return err;
+}

@@ -1,0 +1,125 @@
+/* The end of a sheet: ranges are known now, everything is drawn. */
+#include <math.h>
+#include <string.h>
+
+#include "beadreel/canvas.h"
+#include "render/draw/raster.h"
+#include "render/figure/sheet_private.h"
+
+/* Panels of one group have one range. */
+static void set_ranges(struct bead_sheet *s)
+{
+    for (size_t p = 0; p < s->count; p++) {
+        double colours[2] = {INFINITY, -INFINITY}, sensors[2] = {INFINITY, -INFINITY};
+        for (size_t q = 0; s->panels[p].figure && q < s->count; q++) {
+            if (s->panels[q].figure && s->panels[q].group == s->panels[p].group)
+                bead_figure_extremes(s->panels[q].figure, colours, sensors);
+        }
+        if (s->panels[p].figure)
+            bead_figure_set_range(s->panels[p].figure, colours, sensors);
+    }
+}
+
+static enum bead_error draw_plot(const struct bead_sheet *s, const struct sheet_panel *panel, cairo_t *cr, struct bead_message *msg)
+{
+    struct bead_panel plots[SHEET_PLOTS];
+    struct bead_graph graph = sheet_graph(panel, plots);
+    struct graph_frame frame = {.least = panel->insets, .letter = panel->set.letter, .no_across = panel->set.no_across};
+    struct graph_layout layout;
+    enum bead_error err = graph_layout_make(&graph, &s->look, panel->area.width, panel->area.height, &frame, &layout, msg);
+    if (err)
+        return err;
+    cairo_save(cr);
+    cairo_translate(cr, panel->area.x, panel->area.y);
+    graph_draw_all(cr, &layout);
+    cairo_restore(cr);
+    graph_layout_free(&layout);
+    return BEAD_OK;
+}
+
+static void draw_words(const struct bead_sheet *s, cairo_t *cr)
+{
+    double margin = s->look.margin, wrap = s->page.width - 2 * margin;
+    struct bead_text_style style = graph_text(&s->look);
+    if (s->caption)
+        bead_text_draw_lines(cr, &style, wrap, margin, s->page.height - margin - s->caption_height, s->caption);
+    style.size = graph_title_size(&s->look);
+    style.bold = true;
+    if (s->title)
+        bead_text_draw_lines(cr, &style, wrap, margin, margin, s->title);
+}
+
+static enum bead_error decorate(void *context, cairo_t *cr, struct bead_message *msg)
+{
+    const struct bead_sheet *s = context;
+    enum bead_error err = BEAD_OK;
+    graph_set_colour(cr, s->look.background);
+    cairo_paint(cr);
+    draw_words(s, cr);
+    for (size_t p = 0; !err && p < s->count; p++) {
+        const struct sheet_panel *panel = &s->panels[p];
+        err = panel->figure ? bead_figure_decorate(panel->figure, cr, msg) : draw_plot(s, panel, cr, msg);
+    }
+    cairo_status_t status = cairo_status(cr);
+    return err ? err : status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "figure: %s", cairo_status_to_string(status)) : BEAD_OK;
+}
+
+static enum bead_error draw_vector(void *context, cairo_t *cr, struct bead_message *msg)
+{
+    const struct bead_sheet *s = context;
+    enum bead_error err = decorate(context, cr, msg);
+    for (size_t p = 0; !err && p < s->count; p++) {
+        if (s->panels[p].figure)
+            err = bead_figure_vector(s->panels[p].figure, cr, msg);
+    }
+    return err;
+}
+
+static enum bead_error draw_frame(void *context, struct bead_frame *frame, struct bead_message *msg)
+{
+    struct bead_sheet *s = context;
+    struct bead_frame background = {0};
+    enum bead_error err = bead_raster_draw(frame, decorate, s, msg);
+    if (!err)
+        err = bead_frame_create(frame->width, frame->height, &background, msg);
+    if (!err)
+        bead_frame_copy(&background, frame, (struct bead_rect){0, 0, frame->width, frame->height});
+    for (size_t p = 0; !err && p < s->count; p++) {
+        if (s->panels[p].figure)
+            err = bead_figure_draw(s->panels[p].figure, frame, &background, msg);
+    }
+    bead_frame_free(&background);
+    return err;
+}
+
+static enum bead_error finish(struct bead_sheet *s, const struct bead_outcome *outcomes, struct bead_canvas **canvas,
+                              struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    set_ranges(s);
+    for (size_t p = 0; !err && p < s->count; p++) {
+        struct sheet_panel *panel = &s->panels[p];
+        if (panel->figure && bead_figure_needs_canvas(panel->figure) && !*canvas)
+            err = bead_canvas_create(s->stage.canvas, s->page.width, s->page.height, canvas, msg);
+        if (!err)
+            err =
+                panel->figure ? bead_figure_finish(panel->figure, *canvas, msg) : bead_plot_data_finish(panel->plot, outcomes, msg);
+    }
+    return err;
+}
+
+enum bead_error bead_sheet_write(struct bead_sheet *s, const struct bead_outcome *outcomes, const char *path, uint64_t *bytes,
+                                 struct bead_message *msg)
+{
+    struct bead_canvas *canvas = NULL;
+    const struct bead_drawing drawing = {draw_vector, draw_frame, s};
+    enum bead_error err = finish(s, outcomes, &canvas, msg);
+    if (!err)
+        err = bead_page_write(&s->page, s->output, s->stage.scene, &drawing, path, bytes, msg);
+    for (size_t p = 0; p < s->count; p++) {
+        if (s->panels[p].figure)
+            bead_figure_release_canvas(s->panels[p].figure);
+    }
+    bead_canvas_destroy(canvas);
+    return err;
+}

@@ -1,0 +1,177 @@
+#include "render/movie/captions.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "render/draw/markup.h"
+
+enum { MOST_LINES = 2, LONGEST = 1024, MARKUP = 32 * LONGEST + 1 /* see bead_markup_size */ };
+static const double line_height = 1.4;                /* in units of the font size */
+static const double least_time = 2.5, reading = 15.0; /* s of the film; characters a second */
+static const double smaller[] = {0.86, 0.74};         /* sizes to try */
+static const char ellipsis[] = "\u2026";
+
+static double font_size(const struct bead_look *look)
+{
+    return fmax(14, look->title);
+}
+
+double bead_caption_height(const struct bead_look *look)
+{
+    return ceil(line_height * font_size(look));
+}
+
+/* s of the motion. */
+static double end_of(const struct bead_output *output, double slowed, size_t i)
+{
+    const struct bead_caption *c = &output->captions[i];
+    bool last = i + 1 == output->caption_count;
+    double next = last ? INFINITY : c[1].at;
+    if (!isnan(c->until))
+        return fmin(c->until, next);
+    if (!isnan(c->lasting))
+        return fmin(c->at + c->lasting / slowed, next);
+    return last ? c->at + fmax(least_time, (double)strlen(c->text) / reading) / slowed : next;
+}
+
+size_t bead_captions_find(const struct bead_output *output, double slowed, double time)
+{
+    size_t found = SIZE_MAX;
+    for (size_t i = 0; i < output->caption_count && output->captions[i].at <= time; i++)
+        found = i;
+    return found != SIZE_MAX && time < end_of(output, slowed, found) ? found : SIZE_MAX;
+}
+
+enum bead_error bead_captions_check(const struct bead_output *output, const struct bead_scene *scene, double end, const char *unit,
+                                    struct bead_message *msg)
+{
+    const char *space = *unit ? " " : "";
+    for (size_t i = 0; i < output->caption_count; i++) {
+        const struct bead_caption *c = &output->captions[i];
+        if (c->at >= end)
+            return bead_fail(msg, BEAD_ERROR_SCENE,
+                             "%s:%zu:%zu: captions.%zu.at: is %g%s%s; must be before the end of what is shown, at %g%s%s",
+                             scene->file, c->place.line, c->place.column, i, c->at, space, unit, end, space, unit);
+    }
+    if (output->poster_at > end)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: poster-at: is %g%s%s; the movie ends at %g%s%s", scene->file,
+                         output->place.line, output->place.column, output->poster_at, space, unit, end, space, unit);
+    return BEAD_OK;
+}
+
+static struct bead_text_style style_of(const struct bead_look *look, double size)
+{
+    return (struct bead_text_style){
+        .family = look->family, .size = size, .colour = look->ink, .across = BEAD_ALIGN_MIDDLE, .down = BEAD_ALIGN_MIDDLE};
+}
+
+static double width_of(cairo_t *cr, const struct bead_text_style *style, const char *text, size_t length)
+{
+    char part[LONGEST], markup[MARKUP];
+    double width, height;
+    length = length < sizeof part - 1 ? length : sizeof part - 1;
+    memcpy(part, text, length);
+    part[length] = '\0';
+    bead_markup(part, markup, sizeof markup);
+    bead_text_size(cr, style, markup, &width, &height);
+    return width;
+}
+
+/* The next place after `from` where a line may end: a space outside of braces and italics, or the end. */
+static size_t next_break(const char *text, size_t from)
+{
+    int depth = 0;
+    bool italics = false;
+    size_t i = 0;
+    for (; text[i]; i++) {
+        if (text[i] == '\\' && text[i + 1])
+            i++;
+        else if (text[i] == '*')
+            italics = !italics;
+        else if (text[i] == ' ' && depth == 0 && !italics && i > from)
+            break;
+        else
+            depth += (text[i] == '{') - (text[i] == '}' && depth > 0);
+    }
+    return i;
+}
+
+/* Lines of a caption: first bytes and lengths. */
+struct lines {
+    const char *text[MOST_LINES];
+    size_t length[MOST_LINES], count;
+    bool whole; /* all of it fits */
+};
+
+/* In one line where that has room, else in two of about the same length. */
+static struct lines wrap(cairo_t *cr, const struct bead_text_style *style, const char *text, double room, size_t most)
+{
+    size_t all = strlen(text), best = 0, fullest = 0;
+    double least = INFINITY;
+    struct lines one = {.text = {text}, .length = {all}, .count = 1, .whole = width_of(cr, style, text, all) <= room};
+    if (one.whole || most < 2)
+        return one;
+    for (size_t at = next_break(text, 0); at < all; at = next_break(text, at + 1)) {
+        double first = width_of(cr, style, text, at), second = width_of(cr, style, text + at + 1, all - at - 1);
+        if (first <= room)
+            fullest = at;
+        if (fmax(first, second) < least) {
+            least = fmax(first, second);
+            best = at;
+        }
+    }
+    if (least > room) /* the end will be cut, and nothing in between */
+        best = fullest;
+    if (best == 0)
+        return one;
+    return (struct lines){.text = {text, text + best + 1}, .length = {best, all - best - 1}, .count = 2, .whole = least <= room};
+}
+
+int bead_captions_lines(const struct bead_output *output, const struct bead_look *look, int width)
+{
+    struct bead_text_style style = style_of(look, font_size(look));
+    double room = width - 2 * ceil(1.3 * look->gap);
+    size_t most = 0;
+    for (size_t i = 0; i < output->caption_count; i++) {
+        struct lines lines = wrap(NULL, &style, output->captions[i].text, room, MOST_LINES);
+        most = lines.count > most ? lines.count : most;
+    }
+    return (int)most;
+}
+
+static void draw_line(cairo_t *cr, const struct bead_text_style *style, const char *text, size_t length, double x, double y,
+                      double room)
+{
+    char part[LONGEST + sizeof ellipsis], markup[MARKUP];
+    length = length < LONGEST - 1 ? length : LONGEST - 1;
+    memcpy(part, text, length);
+    part[length] = '\0';
+    while (length > 0 && width_of(cr, style, part, strlen(part)) > room) {
+        do
+            length--;
+        while (length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80);
+        memcpy(part + length, ellipsis, sizeof ellipsis);
+    }
+    bead_markup(part, markup, sizeof markup);
+    bead_text_draw(cr, style, x, y, markup);
+}
+
+void bead_caption_draw(cairo_t *cr, const struct bead_look *look, const char *text, struct bead_rect rect)
+{
+    size_t most = (size_t)fmax(1, floor(rect.height / bead_caption_height(look) + 1e-6));
+    most = most < MOST_LINES ? most : MOST_LINES;
+    struct bead_text_style style = style_of(look, font_size(look));
+    struct lines lines = wrap(cr, &style, text, rect.width, most);
+    for (size_t i = 0; i < sizeof smaller / sizeof smaller[0] && !lines.whole; i++) {
+        style.size = smaller[i] * font_size(look);
+        lines = wrap(cr, &style, text, rect.width, most);
+    }
+    double step = line_height * style.size, y = rect.y + 0.5 * (rect.height - step * (double)(lines.count - 1));
+    cairo_save(cr);
+    cairo_rectangle(cr, rect.x, rect.y, rect.width, rect.height);
+    cairo_clip(cr);
+    for (size_t i = 0; i < lines.count; i++)
+        draw_line(cr, &style, lines.text[i], lines.length[i], rect.x + 0.5 * rect.width, y + step * (double)i, rect.width);
+    cairo_restore(cr);
+}

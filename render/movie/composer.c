@@ -1,0 +1,450 @@
+#include "render/draw/chain_axis.h"
+#include "render/movie/composer_private.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "render/draw/colour_range.h"
+#include "render/draw/raster.h"
+#include "render/movie/captions.h"
+#include "render/movie/movie_card.h"
+#include "render/view/camera.h"
+#include "render/view/magnify.h"
+#include "render/view/view_beads.h"
+
+unsigned bead_composer_fields(const struct bead_output *output, const struct bead_chain *chain)
+{
+    struct bead_view_setup setup = {.chain = chain, .field = output->field};
+    unsigned fields = 0;
+    for (size_t i = 0; i < output->view_count; i++) {
+        const struct bead_view_type *type = bead_view_find(output->views[i]);
+        fields |= type ? type->fields(&setup) : 0;
+    }
+    return fields | (output->follow == BEAD_FOLLOW_FRONT ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0);
+}
+
+unsigned bead_composer_twin(const struct bead_output *output)
+{
+    unsigned fields = 0;
+    for (size_t i = 0; output->trust && i < output->view_count; i++) {
+        fields |= output->views[i] == BEAD_VIEW_SPACETIME ? BEAD_FIELD_BIT(output->field) : 0;
+        fields |= output->views[i] == BEAD_VIEW_SENSORS ? BEAD_FIELD_BIT(BEAD_FIELD_FORCE) : 0;
+    }
+    return fields;
+}
+
+bool bead_composer_averages(const struct bead_output *output)
+{
+    bool averages = false;
+    for (size_t i = 0; i < output->view_count; i++)
+        averages = averages || output->views[i] == BEAD_VIEW_SPACETIME || output->views[i] == BEAD_VIEW_SENSORS;
+    return averages;
+}
+
+static struct bead_view **view_at(const struct bead_composer *c, size_t chain, size_t view)
+{
+    return &c->views[chain * c->wants.view_count + view];
+}
+
+static struct bead_span span_of(const struct bead_composer *c, size_t chain)
+{
+    const struct bead_output *output = c->setup.output;
+    const struct bead_chain *own = c->setup.chains[chain];
+    size_t count = bead_field_info(output->field)->of_contacts ? bead_chain_contacts(own) : bead_chain_beads(own);
+    struct bead_span span = output->beads;
+    if (span.last >= count)
+        span.last = count - 1;
+    if (span.first > span.last)
+        span.first = span.last;
+    return span;
+}
+
+static double reach(const struct bead_look *look, double low, double high, const char *unit, enum bead_scale scale, double length,
+                    enum bead_side side, const char *title)
+{
+    struct bead_axis axis;
+    struct bead_rect plot = {0, 0, (int)length, (int)length};
+    bead_axis_make(&axis, low, high, unit, scale, length, look->tick, side == BEAD_SIDE_BOTTOM);
+    return bead_axis_draw(NULL, look, &axis, plot, side, false, true, title);
+}
+
+static double reach_along(const struct bead_composer *c, size_t chain, size_t last, double length, enum bead_side side)
+{
+    struct bead_axis axis;
+    struct bead_rect plot = {0, 0, (int)length, (int)length};
+    const struct bead_chain *own = c->setup.chains[chain];
+    const char *title = bead_along_axis(&axis, own, false, 0, last, length, c->look.tick, side == BEAD_SIDE_BOTTOM);
+    return bead_axis_draw(NULL, &c->look, &axis, plot, side, false, true, title);
+}
+
+/* Left of plots of this height: of beads, values and times. */
+static double reach_left(const struct bead_composer *c, double length)
+{
+    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->field);
+    const char *unit = bead_chain_time_unit(c->setup.chains[0]);
+    const double *range = c->setup.range, *time = c->setup.time;
+    double most = reach(&c->look, range[0], range[1], field->unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, field->title);
+    most = fmax(most, reach(&c->look, time[0], time[1], unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, "time"));
+    for (size_t i = 0; i < c->wants.chain_count; i++)
+        most = fmax(most, reach_along(c, i, span_of(c, i).last, length, BEAD_SIDE_LEFT));
+    return most;
+}
+
+/* How far axes will reach out of plots of about the size they will have; titles of low plots are broken into lines, which reach
+ * further. */
+static void measure_axes(struct bead_composer *c)
+{
+    struct bead_movie_wants *w = &c->wants;
+    const struct bead_look *look = &c->look;
+    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->field);
+    const char *unit = bead_chain_time_unit(c->setup.chains[0]);
+    double length = fmax(40, 0.12 * w->height), most = 1, rows = (double)(w->chain_count * w->view_count);
+    w->left = fmax(reach_left(c, length), fmax(reach_left(c, fmax(24, 0.4 * w->height / rows)), reach_left(c, 40)));
+    w->same_beads = true;
+    for (size_t i = 0; i < w->chain_count; i++) {
+        struct bead_span span = span_of(c, i), first = span_of(c, 0);
+        w->same_beads = w->same_beads && span.first == first.first && span.last == first.last;
+        most = fmax(most, (double)span.last);
+        w->below_beads = fmax(w->below_beads, reach_along(c, i, span.last, 8 * length, BEAD_SIDE_BOTTOM));
+    }
+    const double *time = c->setup.time;
+    w->below_moving = reach(look, 0, most, "1", BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, NULL);
+    for (size_t i = 0; w->follow && i < w->chain_count; i++) {
+        struct bead_span beads = bead_composer_beads(c, i);
+        double radius, spacing = bead_chain_spacing(c->setup.chains[i], beads, &radius);
+        double shown = fmin((double)c->setup.output->window, (double)(beads.last - beads.first + 1));
+        w->bead_height = fmax(w->bead_height, 0.9 * w->width * 2 * radius / (spacing * shown));
+    }
+    w->below_time = reach(look, time[0], time[1], unit, BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, "time");
+    struct bead_rect bar = {0, 0, 20, (int)(4 * length)};
+    w->bar = bead_colour_bar_draw(NULL, look, &c->colours, field->unit, field->title, bar, false, false);
+    char text[256];
+    double height;
+    struct bead_text_style style = bead_clock_style(look);
+    bead_clock_text(&c->clock, c->setup.time[1], look, text, sizeof text);
+    bead_text_size(NULL, &style, text, &w->time_width, &height);
+    w->time_width = ceil(w->time_width + 0.5 * look->gap);
+}
+
+static enum bead_error fill_wants(struct bead_composer *c, struct bead_message *msg)
+{
+    const struct bead_output *output = c->setup.output;
+    struct bead_movie_wants *w = &c->wants;
+    *w = (struct bead_movie_wants){.width = c->setup.width,
+                                   .height = c->setup.height,
+                                   .look = &c->look,
+                                   .chain_count = c->setup.chain_count,
+                                   .axes = output->axes,
+                                   .title = c->setup.title && c->setup.title[0],
+                                   .trust = output->trust,
+                                   .follow = output->follow == BEAD_FOLLOW_FRONT,
+                                   .caption_lines = bead_captions_lines(output, &c->look, c->setup.width),
+                                   .caption_line = bead_caption_height(&c->look)};
+    for (size_t i = 0; i < output->view_count && i < BEAD_MOVIE_VIEWS; i++) {
+        const struct bead_view_type *type = bead_view_find(output->views[i]);
+        if (!type)
+            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: there is no such view in this program", output->path);
+        w->views[w->view_count++] = type;
+    }
+    if (w->view_count == 0)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: views: at least one is needed", output->path);
+    w->colourless = true;
+    for (size_t i = 0; i < w->view_count; i++)
+        w->colourless = w->colourless && w->views[i]->kind != BEAD_VIEW_BEADS && w->views[i]->kind != BEAD_VIEW_SPACETIME;
+    for (size_t i = 0; i < w->chain_count; i++) {
+        size_t sensors;
+        (void)bead_chain_sensors(c->setup.chains[i], &sensors);
+        w->sensors = w->sensors || sensors > 0;
+        w->headings = w->headings || bead_heading_has(c->setup.chains[i]);
+    }
+    measure_axes(c);
+    return BEAD_OK;
+}
+
+static enum bead_error create_views(struct bead_composer *c, struct bead_message *msg)
+{
+    const struct bead_output *output = c->setup.output;
+    c->views = calloc(c->wants.chain_count * c->wants.view_count + 1, sizeof *c->views);
+    if (!c->views)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for views");
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++) {
+        size_t chain = i / c->wants.view_count, view = i % c->wants.view_count;
+        const enum bead_view_kind kind = c->wants.views[view]->kind;
+        bool sensors = kind == BEAD_VIEW_SENSORS, labels = c->layout.chains[chain].labels[view];
+        struct bead_view_setup setup = {.chain = c->setup.chains[chain],
+                                        .chain_index = chain,
+                                        .field = output->field,
+                                        .beads = span_of(c, chain),
+                                        .time = {c->setup.time[0], c->setup.time[1]},
+                                        .colours = c->colours,
+                                        .look = &c->look,
+                                        .axes = c->layout.axes,
+                                        .ticks_only = c->layout.ticks_only,
+                                        .bead_labels = labels && !sensors,
+                                        .time_down = true,
+                                        .time_shared = sensors && !labels,
+                                        .fill = true,
+                                        .magnify = c->magnify,
+                                        .camera = c->cameras ? c->cameras[chain] : NULL,
+                                        .modes = output->modes,
+                                        .trust = output->trust};
+        err = c->wants.views[view]->create(&setup, view_at(c, chain, view), msg);
+    }
+    return err;
+}
+
+static enum bead_error fill(struct bead_composer *c, struct bead_message *msg)
+{
+    const struct bead_output *output = c->setup.output;
+    bead_look_screen(&c->look, c->setup.width, c->setup.height, output->theme != BEAD_THEME_LIGHT);
+    enum bead_error err = bead_colour_range_map(output, c->setup.chains[0], "inferno", &c->map, msg);
+    if (err)
+        return err;
+    c->colours = (struct bead_colours){&c->map, output->scale, c->setup.range[0], c->setup.range[1]};
+    c->clock = bead_clock_make(c->setup.time[1], c->setup.step, bead_chain_time_unit(c->setup.chains[0]));
+    double span = c->setup.time[1] - c->setup.time[0];
+    c->slowed = span > 0 ? output->duration / span : 1;
+    c->caption = SIZE_MAX;
+    c->magnify = output->magnify > 0 ? output->magnify : bead_magnify_auto(c->setup.chains, c->setup.chain_count);
+    if (output->poster && output->poster[0]) {
+        c->lit = calloc(c->setup.chain_count, sizeof *c->lit);
+        if (!c->lit)
+            return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
+    }
+    err = fill_wants(c, msg);
+    if (!err)
+        err = bead_movie_arrange(&c->wants, &c->layout, msg);
+    if (!err && c->wants.follow)
+        err = bead_composer_cameras(c, msg);
+    if (!err)
+        err = create_views(c, msg);
+    if (!err)
+        err = bead_frame_create(c->setup.width, c->setup.height, &c->frame, msg);
+    return err ? err : bead_frame_create(c->setup.width, c->setup.height, &c->background, msg);
+}
+
+enum bead_error bead_composer_create(const struct bead_composer_setup *setup, struct bead_composer **composer,
+                                     struct bead_message *msg)
+{
+    *composer = NULL;
+    struct bead_composer *c = calloc(1, sizeof *c);
+    if (!c)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
+    c->setup = *setup;
+    enum bead_error err = fill(c, msg);
+    if (err)
+        bead_composer_destroy(c);
+    else
+        *composer = c;
+    return err;
+}
+
+/* As large as the largest rectangle that is drawn with it. */
+static enum bead_error create_canvas(struct bead_composer *c, struct bead_message *msg)
+{
+    int left, right, width = 0, height = 0;
+    bead_beads_margins(&c->look, &left, &right);
+    for (size_t i = 0; i < c->wants.chain_count * c->wants.view_count; i++) {
+        size_t view = i % c->wants.view_count;
+        const struct bead_rect *plot = &c->layout.chains[i / c->wants.view_count].plot[view];
+        if (!c->wants.views[view]->canvas)
+            continue;
+        width = plot->width > width ? plot->width : width;
+        height = plot->height > height ? plot->height : height;
+    }
+    return width ? bead_canvas_create(c->setup.canvas, width + left + right, height, &c->canvas, msg) : BEAD_OK;
+}
+
+static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++) {
+        size_t chain = i / c->wants.view_count, view = i % c->wants.view_count;
+        const struct bead_view_type *type = c->wants.views[view];
+        err = type->place(c->views[i], c->layout.chains[chain].plot[view], type->canvas ? c->canvas : NULL, msg);
+        cairo_save(cr);
+        if (!err && type->decorate)
+            err = type->decorate(c->views[i], cr, msg);
+        cairo_restore(cr);
+    }
+    return err;
+}
+
+static struct bead_facts facts_of(const struct bead_composer *c)
+{
+    bool beads = false;
+    for (size_t i = 0; i < c->wants.view_count; i++)
+        beads = beads || c->wants.views[i]->kind == BEAD_VIEW_BEADS;
+    return (struct bead_facts){
+        .slowed = c->slowed, .magnify = beads ? c->magnify : 0, .chains = c->setup.chains, .chain_count = c->setup.chain_count};
+}
+
+static void draw_words(struct bead_composer *c, cairo_t *cr)
+{
+    const struct bead_movie_layout *layout = &c->layout;
+    const struct bead_look *look = &c->look;
+    bool stacked = layout->facts.x <= layout->time.x;
+    if (layout->title.width > 0) {
+        struct bead_text_style style = {
+            look->family, 1.05 * look->label, look->ink, true, stacked ? BEAD_ALIGN_START : BEAD_ALIGN_END, BEAD_ALIGN_MIDDLE,
+            false};
+        bead_line_draw(cr, style, c->setup.title, layout->title);
+    }
+    struct bead_facts facts = facts_of(c);
+    if (layout->facts.width > 0)
+        bead_facts_draw(cr, look, &facts, layout->facts, stacked);
+    for (size_t i = 0; i < layout->chain_count; i++) {
+        if (layout->chains[i].heading.width > 0)
+            bead_heading_draw(cr, look, c->setup.chains[i], layout->chains[i].heading);
+    }
+}
+
+static enum bead_error draw_background(struct bead_composer *c, struct bead_message *msg)
+{
+    cairo_t *cr = bead_raster_begin(&c->background);
+    cairo_set_source_rgb(cr, c->look.background.r, c->look.background.g, c->look.background.b);
+    cairo_paint(cr);
+    enum bead_error err = decorate_views(c, cr, msg);
+    draw_words(c, cr);
+    bead_overlay_draw_bar(c, cr);
+    enum bead_error drawn = bead_raster_end(cr, "drawing the background", err ? NULL : msg);
+    return err ? err : drawn;
+}
+
+enum bead_error bead_composer_open(struct bead_composer *c, struct bead_message *msg)
+{
+    enum bead_error err = create_canvas(c, msg);
+    if (!err)
+        err = draw_background(c, msg);
+    if (err)
+        return err;
+    struct bead_frame *f = &c->frame;
+    c->surface = cairo_image_surface_create_for_data(f->pixels, CAIRO_FORMAT_RGB24, f->width, f->height, (int)f->stride);
+    c->cr = cairo_create(c->surface);
+    if (cairo_status(c->cr) != CAIRO_STATUS_SUCCESS)
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "drawing: %s", cairo_status_to_string(cairo_status(c->cr)));
+    return BEAD_OK;
+}
+
+/* Are there values that the colours do not tell apart? */
+static void look_beyond(struct bead_composer *c, const struct bead_sample *sample)
+{
+    const double *value = sample->field[c->setup.output->field];
+    struct bead_span span = span_of(c, sample->chain);
+    double slack = 1e-9 * (c->colours.high - c->colours.low), high = c->colours.high + slack, low = c->colours.low - slack;
+    bool below = c->colours.scale != BEAD_SCALE_LOG; /* every logarithmic scale leaves out the smallest */
+    for (size_t i = span.first; value && i <= span.last && i <= sample->active; i++) {
+        c->over = c->over || value[i] > high;
+        c->under = c->under || (below && value[i] < low);
+    }
+}
+
+/* Mean distance from zero along the colour bar. */
+static void look_lit(struct bead_composer *c, const struct bead_sample *sample)
+{
+    const double *value = sample->field[c->setup.output->field];
+    struct bead_span span = span_of(c, sample->chain);
+    double zero = bead_colours_place(&c->colours, 0), sum = 0;
+    zero = fmin(1, fmax(0, zero));
+    for (size_t i = span.first; value && i <= span.last && i <= sample->active; i++)
+        sum += fabs(fmin(1, fmax(0, bead_colours_place(&c->colours, value[i]))) - zero);
+    c->lit[sample->chain] = sum / (double)(span.last - span.first + 1);
+}
+
+double bead_composer_interest(const struct bead_composer *c, double time)
+{
+    double passed = (time - c->setup.time[0]) / (c->setup.time[1] - c->setup.time[0]), sum = 0;
+    if (!bead_composer_averages(c->setup.output))
+        passed = 1;
+    for (size_t i = 0; c->lit && i < c->wants.chain_count; i++)
+        sum += c->lit[i];
+    return (0.3 + 0.7 * passed) * sum;
+}
+
+enum bead_error bead_composer_feed(struct bead_composer *c, const struct bead_sample *sample, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    look_beyond(c, sample);
+    if (c->lit)
+        look_lit(c, sample);
+    if (c->cameras)
+        err = bead_camera_feed(c->cameras[sample->chain], sample, msg);
+    for (size_t v = 0; !err && v < c->wants.view_count; v++)
+        err = c->wants.views[v]->feed(*view_at(c, sample->chain, v), sample, msg);
+    return err;
+}
+
+enum bead_error bead_composer_card(struct bead_composer *c, struct bead_changes *changes, struct bead_message *msg)
+{
+    struct bead_facts facts = facts_of(c);
+    if (c->carded)
+        return BEAD_OK;
+    bead_card_draw(c->cr, &c->look, &facts, c->setup.title, c->setup.output->card.text, c->frame.width, c->frame.height);
+    cairo_surface_flush(c->surface);
+    bead_changes_add(changes, (struct bead_rect){0, 0, c->frame.width, c->frame.height});
+    c->carded = true;
+    cairo_status_t status = cairo_status(c->cr);
+    return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "drawing the title card: %s", cairo_status_to_string(status)) : BEAD_OK;
+}
+
+enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct bead_changes *changes, struct bead_message *msg)
+{
+    struct bead_rect all = {0, 0, c->frame.width, c->frame.height};
+    if (!c->started) {
+        bead_frame_copy(&c->frame, &c->background, all);
+        bead_changes_add(changes, all);
+        c->started = true;
+    }
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; c->cameras && i < c->wants.chain_count; i++)
+        bead_camera_advance(c->cameras[i], time);
+    for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++)
+        err = c->wants.views[i % c->wants.view_count]->draw(c->views[i], time, &c->frame, &c->background, changes, msg);
+    if (err)
+        return err;
+    cairo_surface_mark_dirty(c->surface); /* the views wrote its pixels */
+    bead_overlay_time(c, time, changes);
+    bead_overlay_trust(c, time, changes);
+    bead_overlay_caption(c, time, changes);
+    bead_overlay_bar(c, changes);
+    return BEAD_OK;
+}
+
+const struct bead_frame *bead_composer_frame(const struct bead_composer *c)
+{
+    return &c->frame;
+}
+
+void bead_composer_close(struct bead_composer *c)
+{
+    for (size_t i = 0; c->views && i < c->wants.chain_count * c->wants.view_count; i++) {
+        if (c->views[i])
+            c->wants.views[i % c->wants.view_count]->destroy(c->views[i]);
+        c->views[i] = NULL;
+    }
+    bead_canvas_destroy(c->canvas);
+    c->canvas = NULL;
+    if (c->cr)
+        cairo_destroy(c->cr);
+    if (c->surface)
+        cairo_surface_destroy(c->surface);
+    c->cr = NULL;
+    c->surface = NULL;
+}
+
+void bead_composer_destroy(struct bead_composer *c)
+{
+    if (!c)
+        return;
+    bead_composer_close(c);
+    free(c->views);
+    for (size_t i = 0; c->cameras && i < c->wants.chain_count; i++)
+        bead_camera_destroy(c->cameras[i]);
+    free(c->cameras);
+    free(c->lit);
+    bead_movie_layout_free(&c->layout);
+    bead_frame_free(&c->frame);
+    bead_frame_free(&c->background);
+    free(c);
+}

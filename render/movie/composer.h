@@ -1,0 +1,58 @@
+/* Frames of a movie, one after the other: layout, static layer, views.
+ *
+ *   bead_composer_create (any thread) -> bead_composer_open (the drawing thread: canvas, static layer)
+ *   -> bead_composer_feed and bead_composer_draw, times rising -> bead_composer_close (the drawing thread) -> bead_composer_destroy
+ */
+#ifndef BEADREEL_RENDER_MOVIE_COMPOSER_H
+#define BEADREEL_RENDER_MOVIE_COMPOSER_H
+
+#include "beadreel/chain.h"
+#include "beadreel/frame.h"
+#include "beadreel/sample.h"
+#include "beadreel/scene.h"
+
+struct bead_composer;
+
+/* Everything is borrowed and must outlive the composer. */
+struct bead_composer_setup {
+    const struct bead_output *output; /* a movie */
+    const struct bead_chain *const *chains;
+    size_t chain_count;
+    const char *title;
+    int width, height;
+    double time[2], step; /* s: first and last frame, and from one to the next */
+    double range[2];      /* of the colours; not empty */
+    const struct bead_scene *scene;
+    const char *canvas; /* back end; NULL: the first that works */
+    double twin;        /* what the twin run of outputs with trust is like: see bead_stage */
+};
+
+/* BEAD_FIELD_BITs that the views of an output need. */
+unsigned bead_composer_fields(const struct bead_output *output, const struct bead_chain *chain);
+/* Those that it needs of the twin as well: 0 without trust. */
+unsigned bead_composer_twin(const struct bead_output *output);
+/* Does an output want samples closer than its frames? */
+bool bead_composer_averages(const struct bead_output *output);
+
+/* Errors: SCENE (size, colour map), MEMORY, IO. On failure *composer is NULL. */
+BEAD_CHECK enum bead_error bead_composer_create(const struct bead_composer_setup *setup, struct bead_composer **composer,
+                                                struct bead_message *msg);
+/* Errors: GRAPHICS, MEMORY, IO. */
+BEAD_CHECK enum bead_error bead_composer_open(struct bead_composer *composer, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_composer_feed(struct bead_composer *composer, const struct bead_sample *sample,
+                                              struct bead_message *msg);
+/* The title card, before the first draw; adds what changed. Errors: GRAPHICS. */
+BEAD_CHECK enum bead_error bead_composer_card(struct bead_composer *composer, struct bead_changes *changes,
+                                              struct bead_message *msg);
+/* Brings the frame to `time`; adds what changed (the first time: everything). */
+BEAD_CHECK enum bead_error bead_composer_draw(struct bead_composer *composer, double time, struct bead_changes *changes,
+                                              struct bead_message *msg);
+/* How much there is to see as of the last samples, at `time`: how far beads are from rest along the colour bar, on average; more
+ * where views of all times have filled. Only for outputs with a poster. */
+double bead_composer_interest(const struct bead_composer *composer, double time);
+const struct bead_frame *bead_composer_frame(const struct bead_composer *composer);
+/* What belongs to the drawing thread goes. */
+void bead_composer_close(struct bead_composer *composer);
+void bead_composer_destroy(struct bead_composer *composer);
+
+#endif

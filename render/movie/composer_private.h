@@ -1,0 +1,48 @@
+/* Inside of composers: what views do not draw lies over them. */
+#ifndef BEADREEL_RENDER_MOVIE_COMPOSER_PRIVATE_H
+#define BEADREEL_RENDER_MOVIE_COMPOSER_PRIVATE_H
+
+#include <cairo.h>
+
+#include "beadreel/canvas.h"
+#include "render/movie/composer.h"
+#include "render/movie/movie_layout.h"
+#include "render/movie/movie_words.h"
+
+struct bead_composer {
+    struct bead_composer_setup setup;
+    struct bead_look look;
+    struct bead_colormap map;
+    struct bead_colours colours;
+    struct bead_clock clock;
+    double magnify;
+    struct bead_movie_wants wants;
+    struct bead_movie_layout layout;
+    struct bead_camera **cameras; /* of the chains; NULL: none follows */
+    struct bead_view **views;     /* of chain c: from c * wants.view_count on */
+    struct bead_canvas *canvas;
+    struct bead_frame frame, background;
+    cairo_surface_t *surface; /* of the frame */
+    cairo_t *cr;
+    char time_text[256];  /* as shown now */
+    bool carded, started; /* the card has been drawn; the static layer has been */
+    bool trust_said;
+    size_t caption;                        /* shown now; SIZE_MAX: none */
+    double *lit;                           /* of each chain: see bead_composer_interest; NULL: nobody asks */
+    double slowed;                         /* s of the film for one of the motion */
+    bool over, under, bar_over, bar_under; /* values beyond the colours' range: seen; as the bar shows it */
+};
+
+/* Beads that are shown, also where the field is one of contacts. */
+struct bead_span bead_composer_beads(const struct bead_composer *composer, size_t chain);
+/* One for each chain; plots that go with the front become narrower where rows of beads need that. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_composer_cameras(struct bead_composer *composer, struct bead_message *msg);
+/* The colour bar, into the static layer. */
+void bead_overlay_draw_bar(struct bead_composer *composer, cairo_t *cr);
+/* Parts of the frame that change now and then, brought to `time`; they add what changed. */
+void bead_overlay_time(struct bead_composer *composer, double time, struct bead_changes *changes);
+void bead_overlay_trust(struct bead_composer *composer, double time, struct bead_changes *changes);
+void bead_overlay_caption(struct bead_composer *composer, double time, struct bead_changes *changes);
+void bead_overlay_bar(struct bead_composer *composer, struct bead_changes *changes);
+
+#endif

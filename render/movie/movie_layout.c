@@ -1,0 +1,284 @@
+#include "render/movie/movie_layout.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "render/view/view_beads.h"
+
+/* What is left out, one after the other, until the rest has room. */
+enum level { EVERYTHING, NO_WORDS, FEW_LABELS, TIGHT, NO_HEADINGS, NO_AXES, VIEWS_ONLY, LEVELS };
+
+/* Lengths of one level, px. */
+struct measures {
+    enum level level;
+    bool axes, headings;
+    int margin, left, right, top, bottom; /* around the plots */
+    int heading, view_gap, chain_gap;
+    int bar_gap, bar_width;
+    int width;    /* of the plots */
+    bool stacked; /* words below the time, not beside it */
+    int time_height, line_height;
+    int caption; /* height of captions, between the lowest axis and the margin */
+};
+
+static int whole(double x)
+{
+    return (int)ceil(x);
+}
+
+static struct measures measure(const struct bead_movie_wants *w, enum level level)
+{
+    const struct bead_look *look = w->look;
+    int beads_left, beads_right;
+    bead_beads_margins(look, &beads_left, &beads_right);
+    struct measures m = {
+        .level = level, .axes = w->axes && level < NO_AXES, .headings = w->axes && w->headings && level < NO_HEADINGS};
+    /* Half a label stands out at the ends of vertical axes; plots that are set tight have none. */
+    m.view_gap = whole(level < FEW_LABELS ? 1.1 * look->tick : m.axes && level != TIGHT ? look->tick : 0.7 * look->gap);
+    m.view_gap = level == VIEWS_ONLY ? 0 : m.view_gap;
+    m.chain_gap = level == VIEWS_ONLY ? 0 : whole((level < FEW_LABELS ? 1.5 : 0.7) * look->gap);
+    if (w->axes && level < VIEWS_ONLY) {
+        m.margin = whole(1.3 * look->gap);
+        m.time_height = whole(1.45 * look->title);
+        m.line_height = whole(1.4 * look->label);
+        m.stacked = w->width < w->time_width + 22 * look->label;
+    }
+    int lines = m.time_height ? (level == EVERYTHING ? 1 + w->title : 0) + w->trust : 0;
+    int words = lines * m.line_height;
+    int header = m.stacked ? m.time_height + words : words > m.time_height ? words : m.time_height;
+    m.top = m.time_height > 0 ? m.margin + header : 0;
+    m.heading = m.headings ? whole((level < FEW_LABELS ? 1.7 : level < TIGHT ? 1.5 : 1.15) * look->title) : 0;
+    if (m.top > 0 && !m.headings)
+        m.top += whole(0.5 * look->gap);
+    m.left = m.right = m.margin;
+    if (m.axes) {
+        double left = fmax(w->left, beads_left);
+        m.left += whole(left);
+        m.bar_gap = whole(1.8 * look->gap);
+        m.bar_width = whole(1.3 * look->gap);
+        m.right += w->colourless ? 0 : m.bar_gap + m.bar_width + whole(w->bar);
+    }
+    /* Captions are asked for: they stay to the last. */
+    m.caption = w->axes ? whole(w->caption_lines * w->caption_line) : 0;
+    m.bottom = m.margin + m.caption + (m.caption > 0 ? whole(0.5 * look->gap) : 0);
+    m.width = w->width - m.left - m.right;
+    return m;
+}
+
+static bool moves(const struct bead_movie_wants *w, size_t view)
+{
+    return w->follow && (w->views[view]->kind == BEAD_VIEW_PROFILE || w->views[view]->kind == BEAD_VIEW_BEADS);
+}
+
+static bool has_bead_axis(const struct bead_movie_wants *w, size_t view)
+{
+    enum bead_view_kind kind = w->views[view]->kind;
+    return !moves(w, view) && (kind == BEAD_VIEW_PROFILE || kind == BEAD_VIEW_SPACETIME);
+}
+
+/* Of the views that move, the last has the numbers. */
+static bool labels_window(const struct bead_movie_wants *w, size_t view)
+{
+    bool last = moves(w, view);
+    for (size_t i = view + 1; i < w->view_count; i++)
+        last = last && !moves(w, i);
+    return last;
+}
+
+/* The lowest view with a bead axis labels it for all above; beads alone number themselves. */
+static bool labels_beads(const struct bead_movie_wants *w, size_t view)
+{
+    size_t best = w->view_count;
+    for (size_t i = 0; i < w->view_count; i++) {
+        if (has_bead_axis(w, i))
+            best = i;
+    }
+    for (size_t i = 0; best == w->view_count && i < w->view_count; i++)
+        best = w->views[i]->kind == BEAD_VIEW_BEADS ? i : best;
+    return view == best;
+}
+
+static bool labelled(const struct bead_movie_wants *w, const struct measures *m, size_t chain, size_t view)
+{
+    const struct bead_view_type *type = w->views[view];
+    bool lowest = chain + 1 == w->chain_count;
+    if (!m->axes)
+        return false;
+    if (type->kind == BEAD_VIEW_SENSORS || type->kind == BEAD_VIEW_MODES)
+        return lowest;
+    if (moves(w, view))
+        return labels_window(w, view) && m->level < FEW_LABELS;
+    bool one_for_all = w->same_beads ? lowest : m->level < FEW_LABELS;
+    return labels_beads(w, view) && (one_for_all || type->kind == BEAD_VIEW_BEADS);
+}
+
+static int below(const struct bead_movie_wants *w, const struct measures *m, size_t chain, size_t view)
+{
+    if (!labelled(w, m, chain, view) || w->views[view]->kind == BEAD_VIEW_BEADS)
+        return 0;
+    if (moves(w, view))
+        return whole(w->below_moving);
+    return whole(w->views[view]->kind == BEAD_VIEW_SENSORS ? w->below_time : w->below_beads);
+}
+
+/* Of a movie's height; and the most that is good for a view, in widths of the plots. */
+static const struct {
+    double share, most;
+} heights_of[BEAD_VIEW_KINDS] = {[BEAD_VIEW_BEADS] = {1.45, 0.135},
+                                 [BEAD_VIEW_PROFILE] = {0.8, 0.25},
+                                 [BEAD_VIEW_SPACETIME] = {1.25, 2},
+                                 [BEAD_VIEW_SENSORS] = {1.2, 0.5},
+                                 [BEAD_VIEW_MODES] = {1, 0.3}};
+
+/* Rows that go with the front show large beads: as high as these ask, if there is room. */
+static double share_of(const struct bead_movie_wants *w, size_t view)
+{
+    enum bead_view_kind kind = w->views[view]->kind;
+    return (moves(w, view) && kind == BEAD_VIEW_BEADS ? 1.5 : 1) * heights_of[kind].share;
+}
+
+static int most_height(const struct bead_movie_wants *w, const struct measures *m, size_t view)
+{
+    if (moves(w, view) && w->views[view]->kind == BEAD_VIEW_BEADS)
+        return whole((w->sensors || labels_window(w, view) ? 1.35 * w->look->tick : 0) +
+                     fmax(1.3 * w->bead_height, w->bead_height + w->look->gap));
+    return whole(heights_of[w->views[view]->kind].most * m->width);
+}
+
+/* Heights of one chain's views from what there is: by their shares, but no more than is good for them. */
+static int share_out(const struct bead_movie_wants *w, const struct measures *m, int height, int *heights)
+{
+    bool fixed[BEAD_MOVIE_VIEWS] = {false};
+    for (bool again = true; again;) {
+        double shares = 0;
+        int free = height;
+        again = false;
+        for (size_t i = 0; i < w->view_count; i++) {
+            shares += fixed[i] ? 0 : share_of(w, i);
+            free -= fixed[i] ? heights[i] : 0;
+        }
+        for (size_t i = 0; i < w->view_count; i++) {
+            int limit = most_height(w, m, i);
+            if (fixed[i])
+                continue;
+            heights[i] = (int)floor(free * share_of(w, i) / shares);
+            if (m->level < VIEWS_ONLY && heights[i] > limit && limit > 0) {
+                heights[i] = limit;
+                fixed[i] = again = true;
+            }
+        }
+    }
+    int used = 0;
+    for (size_t i = 0; i < w->view_count; i++)
+        used += heights[i];
+    return used;
+}
+
+/* Of a view on average: labels go before plots become too low to be read. */
+static int least_height(const struct bead_movie_wants *w, const struct measures *m)
+{
+    int least = m->level == VIEWS_ONLY ? 1 : 12, readable = whole(1.6 * w->look->tick);
+    return m->level < FEW_LABELS && w->view_count > 1 && readable > least ? readable : least;
+}
+
+/* Height that is not for plots. */
+static int fixed_height(const struct bead_movie_wants *w, const struct measures *m)
+{
+    int chains = (int)w->chain_count, views = (int)w->view_count;
+    int height = m->top + m->bottom + chains * (m->heading + (views - 1) * m->view_gap) + (chains - 1) * m->chain_gap;
+    for (size_t c = 0; c < w->chain_count; c++) {
+        for (size_t v = 0; v < w->view_count; v++)
+            height += below(w, m, c, v);
+    }
+    return height;
+}
+
+static void place_header(const struct bead_movie_wants *w, const struct measures *m, struct bead_movie_layout *layout)
+{
+    int right = m->left + m->width, top = m->margin, gap = whole(w->look->gap);
+    if (m->time_height == 0)
+        return;
+    int time_width = whole(w->time_width) < m->width ? whole(w->time_width) : m->width;
+    layout->time = (struct bead_rect){m->left, top, time_width, m->time_height};
+    int x = m->stacked ? m->left : m->left + time_width + 2 * gap;
+    int y = m->stacked ? top + m->time_height : top;
+    if (right <= x)
+        return;
+    struct bead_rect line = {x, y, right - x, m->line_height};
+    if (w->title && m->level == EVERYTHING) {
+        layout->title = line;
+        line.y += line.height;
+    }
+    if (m->level == EVERYTHING) {
+        layout->facts = line;
+        line.y += line.height;
+    }
+    if (w->trust)
+        layout->trust = line;
+}
+
+static bool place_chains(const struct bead_movie_wants *w, const struct measures *m, struct bead_movie_layout *layout)
+{
+    int heights[BEAD_MOVIE_VIEWS], chains = (int)w->chain_count;
+    int room = (w->height - fixed_height(w, m)) / chains;
+    if (room < least_height(w, m) * (int)w->view_count || m->width < (m->level == VIEWS_ONLY ? 1 : 80))
+        return false;
+    int spare = (room - share_out(w, m, room, heights)) * chains, y = m->top + spare / (2 * chains);
+    for (size_t c = 0; c < w->chain_count; c++) {
+        struct bead_movie_chain *chain = &layout->chains[c];
+        if (m->heading)
+            chain->heading = (struct bead_rect){m->left, y, m->width, m->heading};
+        y += m->heading;
+        for (size_t v = 0; v < w->view_count; v++) {
+            if (heights[v] < 1)
+                return false;
+            chain->plot[v] = (struct bead_rect){m->left, y, m->width, heights[v]};
+            chain->labels[v] = labelled(w, m, c, v);
+            y += heights[v] + below(w, m, c, v) + (v + 1 < w->view_count ? m->view_gap : 0);
+        }
+        y += m->chain_gap + spare / chains;
+    }
+    return true;
+}
+
+static void place_bar(const struct bead_movie_wants *w, const struct measures *m, struct bead_movie_layout *layout)
+{
+    if (!m->axes || w->colourless)
+        return;
+    const struct bead_rect *first = &layout->chains[0].plot[0];
+    const struct bead_rect *last = &layout->chains[w->chain_count - 1].plot[w->view_count - 1];
+    int pad = whole(0.5 * w->look->tick); /* half a label at both ends */
+    int from = first->y + pad, to = last->y + last->height - pad;
+    if (to - from >= 8)
+        layout->bar = (struct bead_rect){m->left + m->width + m->bar_gap, from, m->bar_width, to - from};
+}
+
+enum bead_error bead_movie_arrange(const struct bead_movie_wants *wants, struct bead_movie_layout *layout, struct bead_message *msg)
+{
+    *layout = (struct bead_movie_layout){.chain_count = wants->chain_count};
+    layout->chains = calloc(wants->chain_count + 1, sizeof *layout->chains);
+    if (!layout->chains)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a layout");
+    for (enum level level = wants->axes ? EVERYTHING : VIEWS_ONLY; level < LEVELS; level++) {
+        struct measures m = measure(wants, level);
+        if (wants->chain_count > 100000 || !place_chains(wants, &m, layout))
+            continue;
+        layout->axes = m.axes;
+        layout->ticks_only = level == TIGHT;
+        place_header(wants, &m, layout);
+        place_bar(wants, &m, layout);
+        if (m.caption > 0)
+            layout->caption =
+                (struct bead_rect){m.margin, wants->height - m.margin - m.caption, wants->width - 2 * m.margin, m.caption};
+        return BEAD_OK;
+    }
+    bead_movie_layout_free(layout);
+    return bead_fail(msg, BEAD_ERROR_SCENE, "size: %d x %d pixels are too small for %zu views of %zu chains", wants->width,
+                     wants->height, wants->view_count, wants->chain_count);
+}
+
+void bead_movie_layout_free(struct bead_movie_layout *layout)
+{
+    free(layout->chains);
+    *layout = (struct bead_movie_layout){.chains = NULL};
+}

@@ -1,0 +1,116 @@
+/* What lies around the views and changes now and then: time, line about the horizon, caption, ends of the colour bar. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "render/movie/captions.h"
+#include "render/movie/composer_private.h"
+#include "render/view/trust_words.h"
+#include "render/view/view_sensors.h"
+#include "render/view/view_spacetime.h"
+
+void bead_overlay_draw_bar(struct bead_composer *c, cairo_t *cr)
+{
+    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->field);
+    if (c->layout.bar.width > 0)
+        bead_colour_bar_draw(cr, &c->look, &c->colours, field->unit, field->title, c->layout.bar, c->bar_over, c->bar_under);
+}
+
+/* The bar gets its points when values beyond its ends have come. */
+void bead_overlay_bar(struct bead_composer *c, struct bead_changes *changes)
+{
+    const struct bead_rect *bar = &c->layout.bar;
+    if (bar->width == 0 || (c->over == c->bar_over && c->under == c->bar_under))
+        return;
+    c->bar_over = c->over;
+    c->bar_under = c->under;
+    int pad = 2 * bar->width, x = bar->x - bar->width / 2, y = bar->y - pad > 0 ? bar->y - pad : 0;
+    int bottom = bar->y + bar->height + pad < c->frame.height ? bar->y + bar->height + pad : c->frame.height;
+    struct bead_rect rect = {x, y, c->frame.width - x, bottom - y};
+    cairo_save(c->cr);
+    cairo_rectangle(c->cr, rect.x, rect.y, rect.width, rect.height);
+    cairo_clip(c->cr);
+    cairo_set_source_rgb(c->cr, c->look.background.r, c->look.background.g, c->look.background.b);
+    cairo_paint(c->cr);
+    bead_overlay_draw_bar(c, c->cr);
+    cairo_restore(c->cr);
+    cairo_surface_flush(c->surface);
+    bead_frame_copy(&c->background, &c->frame, rect);
+    bead_changes_add(changes, rect);
+}
+
+/* The time as text, where it reads differently now. */
+void bead_overlay_time(struct bead_composer *c, double time, struct bead_changes *changes)
+{
+    char text[sizeof c->time_text];
+    struct bead_rect rect = c->layout.time;
+    bead_clock_text(&c->clock, time, &c->look, text, sizeof text);
+    if (rect.width == 0 || strcmp(text, c->time_text) == 0)
+        return;
+    snprintf(c->time_text, sizeof c->time_text, "%s", text);
+    cairo_surface_flush(c->surface);
+    bead_frame_copy(&c->frame, &c->background, rect);
+    cairo_surface_mark_dirty(c->surface);
+    struct bead_text_style style = bead_clock_style(&c->look);
+    cairo_save(c->cr);
+    cairo_rectangle(c->cr, rect.x, rect.y, rect.width, rect.height);
+    cairo_clip(c->cr);
+    bead_text_draw(c->cr, &style, rect.x, rect.y + 0.5 * rect.height, text);
+    cairo_restore(c->cr);
+    cairo_surface_flush(c->surface);
+    bead_changes_add(changes, rect);
+}
+
+/* Whose horizon is the earliest, of what has been drawn. */
+static struct bead_trust find_trust(const struct bead_composer *c)
+{
+    struct bead_trust trust = bead_trust_make(c->setup.chains[0], c->setup.twin);
+    trust.from = c->setup.time[0];
+    trust.bold = true;
+    for (size_t i = 0; i < c->wants.chain_count * c->wants.view_count; i++) {
+        enum bead_view_kind kind = c->wants.views[i % c->wants.view_count]->kind;
+        double horizon = kind == BEAD_VIEW_SPACETIME ? bead_spacetime_horizon(c->views[i])
+                         : kind == BEAD_VIEW_SENSORS ? bead_sensors_horizon(c->views[i])
+                                                     : INFINITY;
+        if (horizon < trust.until) {
+            trust.until = horizon;
+            trust.chain = c->wants.chain_count > 1 ? bead_chain_name(c->setup.chains[i / c->wants.view_count]) : "";
+        }
+    }
+    return trust;
+}
+
+/* The line about the horizon: from when it is reached, or at the end where it is not. */
+void bead_overlay_trust(struct bead_composer *c, double time, struct bead_changes *changes)
+{
+    struct bead_rect rect = c->layout.trust;
+    if (c->trust_said || rect.width == 0)
+        return;
+    struct bead_trust trust = find_trust(c);
+    if (!isfinite(trust.until) && time < c->setup.time[1])
+        return;
+    cairo_save(c->cr);
+    cairo_rectangle(c->cr, rect.x, rect.y, rect.width, rect.height);
+    cairo_clip(c->cr);
+    bead_trust_draw(c->cr, &c->look, &trust, rect, rect.x > c->layout.time.x);
+    cairo_restore(c->cr);
+    cairo_surface_flush(c->surface);
+    bead_changes_add(changes, rect);
+    c->trust_said = true;
+}
+
+void bead_overlay_caption(struct bead_composer *c, double time, struct bead_changes *changes)
+{
+    struct bead_rect rect = c->layout.caption;
+    size_t now = bead_captions_find(c->setup.output, c->slowed, time + 1e-6 * c->setup.step);
+    if (rect.width == 0 || now == c->caption)
+        return;
+    c->caption = now;
+    cairo_surface_flush(c->surface);
+    bead_frame_copy(&c->frame, &c->background, rect);
+    cairo_surface_mark_dirty(c->surface);
+    if (now < c->setup.output->caption_count)
+        bead_caption_draw(c->cr, &c->look, c->setup.output->captions[now].text, rect);
+    cairo_surface_flush(c->surface);
+    bead_changes_add(changes, rect);
+}

@@ -1,0 +1,25 @@
+/* The poster of a movie: one of its frames, kept while it passes, as a PNG file. */
+#ifndef BEADREEL_RENDER_MOVIE_MOVIE_POSTER_H
+#define BEADREEL_RENDER_MOVIE_MOVIE_POSTER_H
+
+#include "beadreel/movie.h"
+#include "beadreel/sink.h"
+#include "render/movie/composer.h"
+
+struct bead_poster;
+
+/* For an output with a poster, to the file `path`; `step`: s of the motion between frames. `path` and the title of the scene are
+ * the caller's. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_poster_create(const struct bead_output *output, const struct bead_scene *scene, const char *path,
+                                              double step, struct bead_poster **poster, struct bead_message *msg);
+/* NULL is allowed. */
+void bead_poster_destroy(struct bead_poster *poster);
+/* After each draw: keeps the frame where it is the one asked for, or has more to see than any before. */
+BEAD_CHECK enum bead_error bead_poster_offer(struct bead_poster *poster, const struct bead_composer *composer, double time,
+                                             struct bead_message *msg);
+/* Writes the file, where any frame was offered, and gives it to the movie as its cover. `bytes`: of the file, 0 where
+ * none was. Errors: IO, MEMORY, CODEC. */
+BEAD_CHECK enum bead_error bead_poster_write(const struct bead_poster *poster, struct bead_movie *movie, uint64_t *bytes,
+                                             struct bead_message *msg);
+
+#endif

@@ -1,0 +1,444 @@
+/* Movies as outputs of scenes. Three things go on at the same time: the run gives samples; a second thread draws frames from copies
+ * of them; a third encodes the frames. Frames do not depend on who is faster. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/canvas.h"
+#include "beadreel/file.h"
+#include "beadreel/look.h"
+#include "beadreel/movie.h"
+#include "beadreel/ring_buffer.h"
+#include "render/draw/colour_range.h"
+#include "render/encode/movie_private.h"
+#include "render/movie/captions.h"
+#include "render/movie/composer.h"
+#include "render/movie/movie_poster.h"
+#include "render/movie/movie_times.h"
+#include "render/sinks.h"
+
+/* Frames between drawing and encoding; bytes of samples between the run and drawing. */
+enum { FRAME_SLOTS = 4, LEAST_SAMPLES = 2, MOST_SAMPLES = 256 };
+static const size_t sample_bytes = 32u << 20;
+
+/* A sample on its way to the drawing thread; its numbers follow behind it, field by field. */
+struct snapshot {
+    size_t chain, index, active, twin_active;
+    double time;
+    size_t filled; /* values from here on are those at rest; 0: never used */
+    size_t owner;  /* chain of the numbers in here, + 1 */
+};
+
+/* A frame on its way to the encoder. */
+struct parcel {
+    size_t buffer;
+    struct bead_changes changes;
+};
+
+struct bead_sink {
+    const struct bead_output *output;
+    struct bead_stage stage;
+    char *path, *poster_path; /* NULL: none */
+    uint64_t poster_bytes;
+    char why[192];
+    int width, height;
+    struct bead_movie_times times;
+    unsigned fields, twin;
+    size_t last_bead; /* of the longest chain, as far as asked for */
+
+    struct bead_composer *composer;
+    struct bead_movie *movie;
+    struct bead_poster *poster; /* NULL: none */
+    struct bead_pipe *drawing, *encoding;
+    bool ahead; /* frames go to the encoder as it wants them; else as they are, through buffers */
+    struct bead_frame buffer[FRAME_SLOTS];
+    struct bead_changes missing[FRAME_SLOTS]; /* what each of them lacks */
+    uint64_t bytes;
+
+    /* The drawing thread's. */
+    size_t drawn;  /* frames */
+    size_t filled; /* buffers, with frames that differ from those before; each holds every fourth */
+    double seen;   /* s: time that all chains have reached */
+    bool seen_any;
+};
+
+static enum bead_error wrong(const struct bead_sink *s, const char *what, struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s", s->stage.scene->file, s->output->place.line, s->output->place.column,
+                     what);
+}
+
+static struct bead_movie_settings settings_of(const struct bead_sink *s)
+{
+    return (struct bead_movie_settings){.width = s->width,
+                                        .height = s->height,
+                                        .fps = s->output->fps,
+                                        .quality = s->output->quality,
+                                        .title = s->stage.scene->title[0] ? s->stage.scene->title : NULL,
+                                        .cover = s->output->poster && s->output->poster[0]};
+}
+
+static enum bead_error choose_size(struct bead_sink *s, struct bead_message *msg)
+{
+    const struct bead_output *o = s->output;
+    double scale = o->size_is_length ? o->dpi / 0.0254 : 1, size[2] = {1920, 1080};
+    for (int i = 0; i < 2; i++) {
+        size[i] = o->size[i] > 0 ? round(o->size[i] * scale) : size[i];
+        if (o->size_is_length) /* codecs want even numbers */
+            size[i] = 2 * round(size[i] / 2);
+        if (!(size[i] >= 1 && size[i] <= 16384))
+            return wrong(s, "size: movies have 1 to 16384 pixels a side", msg);
+    }
+    s->width = (int)size[0];
+    s->height = (int)size[1];
+    return BEAD_OK;
+}
+
+static void describe(struct bead_sink *s)
+{
+    char every[48], drawn[48] = "";
+    bead_quantity(s->times.step, bead_chain_time_unit(s->stage.chains[0]), 3, every, sizeof every);
+    if (s->times.group > 1)
+        snprintf(drawn, sizeof drawn, " (%zu of them drawn)", bead_movie_pictures(&s->times));
+    snprintf(s->why, sizeof s->why, "%zu frames%s of %d x %d pixels, every %s", s->times.frames, drawn, s->width, s->height, every);
+}
+
+static void movie_destroy(struct bead_sink *s)
+{
+    if (!s)
+        return;
+    bead_pipe_destroy(s->drawing);
+    bead_pipe_destroy(s->encoding);
+    bead_movie_abort(s->movie);
+    bead_poster_destroy(s->poster);
+    bead_composer_destroy(s->composer);
+    for (int i = 0; i < FRAME_SLOTS; i++)
+        bead_frame_free(&s->buffer[i]);
+    free(s->path);
+    free(s->poster_path);
+    free(s);
+}
+
+static enum bead_error prepare(struct bead_sink *s, struct bead_message *msg)
+{
+    struct bead_movie_settings settings;
+    enum bead_error err = bead_colour_range_check(s->output, s->stage.scene->file, msg);
+    if (!err)
+        err = choose_size(s, msg);
+    if (!err)
+        err = bead_movie_times_choose(s->output, &s->stage, &s->times, msg);
+    if (!err)
+        err = bead_captions_check(s->output, s->stage.scene, s->times.time[1], bead_chain_time_unit(s->stage.chains[0]), msg);
+    if (!err && s->output->poster && s->output->poster[0])
+        err = bead_file_join(s->stage.directory, s->output->poster, &s->poster_path, msg);
+    if (!err)
+        err = bead_file_join(s->stage.directory, s->output->path, &s->path, msg);
+    if (err)
+        return err;
+    settings = settings_of(s);
+    err = bead_movie_check(s->output->path, &settings, msg);
+    s->fields = bead_composer_fields(s->output, s->stage.chains[0]);
+    s->twin = bead_composer_twin(s->output);
+    for (size_t c = 0; c < s->stage.chain_count; c++) {
+        size_t last = bead_chain_beads(s->stage.chains[c]) - 1;
+        s->last_bead = last > s->last_bead ? last : s->last_bead;
+    }
+    s->last_bead = s->output->beads.last < s->last_bead ? s->output->beads.last : s->last_bead;
+    if (s->output->beads.first > s->last_bead)
+        return wrong(s, "beads: no chain has so many beads", msg);
+    describe(s);
+    return err;
+}
+
+static enum bead_error movie_create(const struct bead_output *output, const struct bead_stage *stage, struct bead_sink **sink,
+                                    struct bead_message *msg)
+{
+    *sink = NULL;
+    struct bead_sink *s = calloc(1, sizeof *s);
+    if (!s)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
+    s->output = output;
+    s->stage = *stage;
+    enum bead_error err = prepare(s, msg);
+    if (err)
+        movie_destroy(s);
+    else
+        *sink = s;
+    return err;
+}
+
+static void movie_needs(const struct bead_sink *s, struct bead_needs *needs)
+{
+    *needs = (struct bead_needs){.fields = s->fields,
+                                 .beads = {s->output->beads.first, s->last_bead},
+                                 .grid = s->times.grid,
+                                 .range = isnan(s->output->range[0]) || isnan(s->output->range[1]),
+                                 .range_field = s->output->field,
+                                 .twin = s->twin,
+                                 .until = s->times.time[1],
+                                 .why = s->why};
+}
+
+/* Numbers of one field in a snapshot. */
+static size_t field_room(const struct bead_sink *s)
+{
+    return s->last_bead + 1;
+}
+
+static size_t field_count(unsigned fields)
+{
+    size_t count = 0;
+    for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++)
+        count += (fields & BEAD_FIELD_BIT(f)) != 0;
+    return count;
+}
+
+static double *numbers(struct snapshot *snapshot)
+{
+    return (double *)(snapshot + 1);
+}
+
+/* Encoding thread. */
+static enum bead_error encode(void *context, void *slot, int last, struct bead_message *msg)
+{
+    struct bead_sink *s = context;
+    struct parcel *parcel = slot;
+    (void)last;
+    if (!parcel)
+        return BEAD_OK;
+    return s->ahead ? bead_movie_add_slot(s->movie, parcel->buffer, &parcel->changes, msg)
+                    : bead_movie_add(s->movie, &s->buffer[parcel->buffer], &parcel->changes, msg);
+}
+
+/* Drawing thread: bring a free buffer up to date and send it. */
+static enum bead_error send_frame(struct bead_sink *s, const struct bead_changes *changes, struct bead_message *msg)
+{
+    struct parcel *parcel = bead_pipe_slot(s->encoding);
+    const struct bead_frame *frame = bead_composer_frame(s->composer);
+    enum bead_error err = BEAD_OK;
+    if (!parcel) /* the encoder tells why when it is finished */
+        return bead_fail(msg, BEAD_ERROR_CODEC, "%s: encoding has failed", s->output->path);
+    parcel->changes = *changes;
+    if (changes->count == 0 && s->filled > 0) { /* what the encoder has already */
+        parcel->buffer = (s->filled - 1) % FRAME_SLOTS;
+        bead_pipe_submit(s->encoding);
+        return BEAD_OK;
+    }
+    parcel->buffer = s->filled++ % FRAME_SLOTS;
+    for (int b = 0; b < FRAME_SLOTS; b++) {
+        for (size_t i = 0; i < changes->count; i++)
+            bead_changes_add(&s->missing[b], changes->rect[i]);
+    }
+    struct bead_changes *missing = &s->missing[parcel->buffer];
+    if (s->ahead)
+        err = bead_movie_convert(s->movie, parcel->buffer, frame, missing, msg);
+    for (size_t i = 0; !s->ahead && i < missing->count; i++)
+        bead_frame_copy(&s->buffer[parcel->buffer], frame, missing->rect[i]);
+    missing->count = 0;
+    if (!err)
+        bead_pipe_submit(s->encoding);
+    return err;
+}
+
+static enum bead_error draw_frame(struct bead_sink *s, struct bead_changes *changes, struct bead_message *msg)
+{
+    double time = bead_movie_time(&s->times, s->drawn);
+    if (s->drawn < s->times.card)
+        return bead_composer_card(s->composer, changes, msg);
+    enum bead_error err = bead_composer_draw(s->composer, time, changes, msg);
+    return !err && s->poster ? bead_poster_offer(s->poster, s->composer, time, msg) : err;
+}
+
+/* Frames up to `until`. */
+static enum bead_error draw_frames(struct bead_sink *s, double until, struct bead_message *msg)
+{
+    while (s->drawn < s->times.frames && bead_movie_time(&s->times, s->drawn) <= until) {
+        struct bead_changes changes = {0};
+        enum bead_error err = bead_movie_draws(&s->times, s->drawn) ? draw_frame(s, &changes, msg) : BEAD_OK;
+        if (!err)
+            err = send_frame(s, &changes, msg);
+        if (err)
+            return err;
+        s->drawn++;
+    }
+    return BEAD_OK;
+}
+
+static enum bead_error take_snapshot(struct bead_sink *s, struct snapshot *snapshot, struct bead_message *msg)
+{
+    struct bead_sample sample = {.chain = snapshot->chain,
+                                 .index = snapshot->index,
+                                 .time = snapshot->time,
+                                 .active = snapshot->active,
+                                 .twin_active = snapshot->twin_active};
+    const double *data = numbers(snapshot);
+    for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++) {
+        if (!(s->fields & BEAD_FIELD_BIT(f)))
+            continue;
+        sample.field[f] = data;
+        data += field_room(s);
+    }
+    for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++) {
+        if (!(s->twin & BEAD_FIELD_BIT(f)))
+            continue;
+        sample.twin[f] = data;
+        data += field_room(s);
+    }
+    enum bead_error err = bead_composer_feed(s->composer, &sample, msg);
+    if (err || snapshot->chain + 1 < s->stage.chain_count)
+        return err;
+    s->seen = snapshot->time;
+    s->seen_any = true;
+    return draw_frames(s, snapshot->time + 1e-6 * s->times.grid.every, msg);
+}
+
+/* Drawing thread. */
+static enum bead_error draw(void *context, void *slot, int last, struct bead_message *msg)
+{
+    struct bead_sink *s = context;
+    if (slot)
+        return take_snapshot(s, slot, msg);
+    if (last == BEAD_PIPE_MORE)
+        return bead_composer_open(s->composer, msg);
+    /* The last sample stands for what is left of the interval after it; a run that was stopped earlier ends the movie. */
+    enum bead_error err = BEAD_OK;
+    if (last == BEAD_PIPE_DONE && s->seen_any)
+        err = draw_frames(s, s->seen + s->times.grid.every, msg);
+    bead_composer_close(s->composer);
+    return err;
+}
+
+static enum bead_error create_pipes(struct bead_sink *s, struct bead_message *msg)
+{
+    size_t numbers_bytes = (field_count(s->fields) + field_count(s->twin)) * field_room(s) * sizeof(double);
+    size_t bytes = sizeof(struct snapshot) + numbers_bytes, chains = s->stage.chain_count;
+    size_t slots = sample_bytes / bytes;
+    slots = slots < LEAST_SAMPLES ? LEAST_SAMPLES : slots > MOST_SAMPLES ? MOST_SAMPLES : slots;
+    slots = (slots + chains - 1) / chains * chains; /* a slot meets the same chain again: less to copy */
+    enum bead_error err = bead_pipe_create(FRAME_SLOTS, sizeof(struct parcel), s->stage.threads, encode, s, &s->encoding, msg);
+    return err ? err : bead_pipe_create(slots, bytes, s->stage.threads, draw, s, &s->drawing, msg);
+}
+
+static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range, struct bead_message *msg)
+{
+    struct bead_composer_setup setup = {.output = s->output,
+                                        .chains = s->stage.chains,
+                                        .chain_count = s->stage.chain_count,
+                                        .title = s->stage.scene->title,
+                                        .width = s->width,
+                                        .height = s->height,
+                                        .time = {s->times.time[0], s->times.time[1]},
+                                        .step = s->times.step,
+                                        .scene = s->stage.scene,
+                                        .twin = s->stage.twin,
+                                        .canvas = s->stage.canvas};
+    struct bead_colour_range colours = bead_colour_range_find(s->output, s->stage.chains[0], range.low, range.high);
+    setup.range[0] = colours.low;
+    setup.range[1] = colours.high;
+    enum bead_error err = bead_composer_create(&setup, &s->composer, msg);
+    struct bead_movie_settings settings = settings_of(s);
+    if (!err && s->poster_path)
+        err = bead_poster_create(s->output, s->stage.scene, s->poster_path, s->times.step, &s->poster, msg);
+    if (!err)
+        err = bead_movie_open(s->path, &settings, &s->movie, msg);
+    if (!err)
+        err = bead_movie_reserve(s->movie, FRAME_SLOTS, &s->ahead, msg);
+    for (int i = 0; !err && !s->ahead && i < FRAME_SLOTS; i++)
+        err = bead_frame_create(s->width, s->height, &s->buffer[i], msg);
+    bead_canvas_prepare(s->stage.canvas); /* while no thread of ours is running */
+    return err ? err : create_pipes(s, msg);
+}
+
+/* Copy what moves, and once what rests. */
+static void fill(const struct bead_sink *s, const struct bead_sample *sample, struct snapshot *snapshot)
+{
+    size_t first = s->output->beads.first, room = field_room(s);
+    bool fresh = snapshot->owner != sample->chain + 1;
+    size_t last = s->twin && sample->twin_active > sample->active ? sample->twin_active : sample->active;
+    size_t moving = last + 1, filled = fresh ? SIZE_MAX : snapshot->filled;
+    double *data = numbers(snapshot);
+    for (unsigned i = 0; i < 2 * BEAD_FIELD_COUNT; i++) {
+        unsigned f = i % BEAD_FIELD_COUNT;
+        const double *values = i < BEAD_FIELD_COUNT ? sample->field[f] : sample->twin[f];
+        if (!((i < BEAD_FIELD_COUNT ? s->fields : s->twin) & BEAD_FIELD_BIT(f)))
+            continue;
+        const struct bead_chain *chain = s->stage.chains[sample->chain];
+        size_t count = bead_field_info((enum bead_field)f)->of_contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain);
+        size_t end = moving > filled ? moving : filled;
+        end = end < count ? end : count;
+        end = end < room ? end : room;
+        if (end > first)
+            memcpy(data + first, values + first, (end - first) * sizeof *data);
+        data += room;
+    }
+    *snapshot = (struct snapshot){.chain = sample->chain,
+                                  .index = sample->index,
+                                  .active = sample->active,
+                                  .twin_active = sample->twin_active,
+                                  .time = sample->time,
+                                  .filled = moving,
+                                  .owner = sample->chain + 1};
+}
+
+/* What went wrong in the other threads. */
+static enum bead_error finish_pipes(struct bead_sink *s, struct bead_message *msg)
+{
+    struct bead_message drawing = {""}, encoding = {""};
+    enum bead_error drawn = bead_pipe_finish(s->drawing, &drawing), encoded = bead_pipe_finish(s->encoding, &encoding);
+    if (encoded)
+        return bead_fail(msg, encoded, "%s", encoding.text);
+    return drawn ? bead_fail(msg, drawn, "%s", drawing.text) : BEAD_OK;
+}
+
+static enum bead_error movie_sample(struct bead_sink *s, const struct bead_sample *sample, struct bead_message *msg)
+{
+    struct snapshot *snapshot = bead_pipe_slot(s->drawing);
+    if (!snapshot)
+        return finish_pipes(s, msg);
+    fill(s, sample, snapshot);
+    bead_pipe_submit(s->drawing);
+    return BEAD_OK;
+}
+
+static enum bead_error movie_end(struct bead_sink *s, const struct bead_outcome *outcomes, struct bead_message *msg)
+{
+    (void)outcomes;
+    enum bead_error err = finish_pipes(s, msg);
+    if (err)
+        return err;
+    if (s->poster)
+        err = bead_poster_write(s->poster, s->movie, &s->poster_bytes, msg);
+    if (err)
+        return err;
+    struct bead_movie *movie = s->movie;
+    s->movie = NULL;
+    return bead_movie_close(movie, &s->bytes, msg);
+}
+
+static void movie_result(const struct bead_sink *s, uint64_t *bytes, uint64_t *items)
+{
+    *bytes = s->bytes;
+    *items = s->drawn;
+}
+
+static const char *movie_beside(const struct bead_sink *s, uint64_t *bytes)
+{
+    *bytes = s->poster_bytes;
+    return s->poster_path;
+}
+
+const struct bead_sink_type bead_movie_sink = {
+    .name = "movie",
+    .help = "beads, profile, space-time image and sensors in motion",
+    .kind = BEAD_OUTPUT_MOVIE,
+    .extensions = NULL,
+    .create = movie_create,
+    .needs = movie_needs,
+    .begin = movie_begin,
+    .sample = movie_sample,
+    .end = movie_end,
+    .destroy = movie_destroy,
+    .result = movie_result,
+    .beside = movie_beside,
+};

@@ -1,0 +1,24 @@
+/* When a movie's frames are: the card's first, then those of the motion, at equal steps from its first time to its last. */
+#ifndef BEADREEL_RENDER_MOVIE_MOVIE_TIMES_H
+#define BEADREEL_RENDER_MOVIE_MOVIE_TIMES_H
+
+#include "beadreel/sink.h"
+
+struct bead_movie_times {
+    double time[2], step;  /* s: first and last frame of the motion, and between frames */
+    size_t card, frames;   /* those of the card; all */
+    size_t group;          /* so many frames show the same picture: drafts have fewer pictures than frames */
+    struct bead_grid grid; /* samples that they are made of */
+};
+
+/* Errors: SCENE (nothing to show, or too much). */
+BEAD_CHECK enum bead_error bead_movie_times_choose(const struct bead_output *output, const struct bead_stage *stage,
+                                                   struct bead_movie_times *times, struct bead_message *msg);
+/* s: what frame `index` shows, or would without groups. */
+double bead_movie_time(const struct bead_movie_times *times, size_t index);
+/* Whether the frame has a picture of its own: the first of each group has, the card, and the last of all. */
+bool bead_movie_draws(const struct bead_movie_times *times, size_t index);
+/* How many of the frames have. */
+size_t bead_movie_pictures(const struct bead_movie_times *times);
+
+#endif

@@ -1,0 +1,290 @@
+#include "render/movie/movie_words.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/draw/markup.h"
+
+#define THIN_SPACE   "\u2009"
+#define FIGURE_SPACE "\u2007"
+#define ELLIPSIS     "\u2026"
+
+struct bead_clock bead_clock_make(double end, double step, const char *unit)
+{
+    static const struct {
+        double unit;
+        const char *sign;
+    } units[] = {{1, "s"}, {1e-3, "ms"}, {1e-6, "\u00b5s"}, {1e-9, "ns"}};
+    size_t u = 0;
+    while (*unit && u < 3 && !(end >= 0.0995 * units[u].unit))
+        u++;
+    struct bead_clock clock = {units[u].unit, *unit ? units[u].sign : "", 1, 0};
+    double most = fabs(end) / clock.unit, small = step / clock.unit;
+    clock.digits = most >= 1 ? 1 + (int)fmin(9, floor(log10(most + 1e-9))) : 1;
+    clock.decimals = small > 0 ? (int)fmax(0, fmin(4, ceil(-log10(small) - 1e-9))) : 0;
+    return clock;
+}
+
+static void hex(struct bead_rgb c, char out[8])
+{
+    snprintf(out, 8, "#%02x%02x%02x", (unsigned)lround(255 * c.r) & 255, (unsigned)lround(255 * c.g) & 255,
+             (unsigned)lround(255 * c.b) & 255);
+}
+
+void bead_clock_text(const struct bead_clock *clock, double time, const struct bead_look *look, char *out, size_t size)
+{
+    char number[48], padded[120] = "", faint[8];
+    int wanted = clock->digits + (clock->decimals ? 1 + clock->decimals : 0);
+    int length = snprintf(number, sizeof number, "%.*f", clock->decimals, fmax(0, time / clock->unit) + 0.0);
+    for (int i = length; i < wanted && i < length + 12; i++)
+        strcat(padded, FIGURE_SPACE);
+    strcat(padded, number);
+    hex(look->faint, faint);
+    snprintf(out, size,
+             "<span font_features=\"tnum=1\"><span foreground=\"%s\">" BEAD_SYMBOL("t") " =</span> %s" THIN_SPACE "%s</span>",
+             faint, padded, clock->sign);
+}
+
+struct bead_text_style bead_clock_style(const struct bead_look *look)
+{
+    return (struct bead_text_style){.family = look->family,
+                                    .size = 1.15 * look->title,
+                                    .colour = look->ink,
+                                    .across = BEAD_ALIGN_START,
+                                    .down = BEAD_ALIGN_MIDDLE};
+}
+
+static void add_text(char *out, size_t size, const char *text)
+{
+    size_t used = strlen(out);
+    snprintf(out + used, size - used, "%s", text);
+}
+
+/* "10⁹", "2.5·10⁶" */
+static void power_of_ten(double mantissa, int exponent, char *out, size_t size)
+{
+    static const char *const raised[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                         "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+    char digits[16];
+    out[0] = '\0';
+    if (mantissa != 1)
+        snprintf(out, size, "%.2g\u00b7", mantissa);
+    add_text(out, size, exponent < 0 ? "10\u207b" : "10");
+    snprintf(digits, sizeof digits, "%d", abs(exponent));
+    for (const char *d = digits; *d; d++)
+        add_text(out, size, raised[*d - '0']);
+}
+
+void bead_round_number(double x, char *out, size_t size)
+{
+    int exponent = x > 0 && isfinite(x) ? (int)floor(log10(x)) : 0;
+    double mantissa = round(10 * x / pow(10, exponent)) / 10;
+    if (mantissa >= 10) {
+        mantissa /= 10;
+        exponent++;
+    }
+    if (exponent >= 5 || exponent <= -4) {
+        power_of_ten(mantissa, exponent, out, size);
+        return;
+    }
+    if (x < 10) {
+        snprintf(out, size, "%.2g", x);
+        return;
+    }
+    double unit = pow(10, floor(log10(x)) - 1);
+    char digits[40], *at = out;
+    snprintf(digits, sizeof digits, "%.0f", round(x / unit) * unit);
+    size_t length = strlen(digits);
+    for (size_t i = 0; i < length && at + 8 < out + size; i++) {
+        *at++ = digits[i];
+        if ((length - i) % 3 == 1 && i + 1 < length) {
+            memcpy(at, THIN_SPACE, sizeof THIN_SPACE - 1);
+            at += sizeof THIN_SPACE - 1;
+        }
+    }
+    *at = '\0';
+}
+
+/* "large-steel:aluminium" for the longest cell of a chain. */
+static void name_beads(const struct bead_chain *chain, char *out, size_t size)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    const struct bead_scene *scene = bead_chain_scene(chain);
+    const struct bead_segment *best = NULL;
+    out[0] = '\0';
+    for (size_t s = 0; s < spec->segment_count; s++) {
+        const struct bead_segment *segment = &spec->segments[s];
+        if (!best || segment->cell_beads > best->cell_beads ||
+            (segment->cell_beads == best->cell_beads && segment->count > best->count))
+            best = segment;
+    }
+    for (size_t i = 0; best && i < best->cell_beads && i < 4; i++) {
+        add_text(out, size, i ? ":" : "");
+        add_text(out, size, scene->materials[best->cell[i]].name);
+    }
+    if (best && best->cell_beads > 4)
+        add_text(out, size, ":" ELLIPSIS);
+}
+
+void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size)
+{
+    char name[160], other[160], speed[40];
+    bool same_beads = true, same_speed = true;
+    out[0] = '\0';
+    if (bead_chain_spec(facts->chains[0])->equation.name) {
+        bead_chain_describe(facts->chains[0], name, sizeof name);
+        for (size_t c = 1; c < facts->chain_count; c++) { /* of one equation only */
+            bead_chain_describe(facts->chains[c], other, sizeof other);
+            name[0] = strcmp(name, other) == 0 ? name[0] : '\0';
+        }
+        bead_markup_symbols(name, out, size);
+        return;
+    }
+    name_beads(facts->chains[0], name, sizeof name);
+    double velocity = bead_chain_spec(facts->chains[0])->striker_velocity;
+    for (size_t c = 1; c < facts->chain_count; c++) {
+        name_beads(facts->chains[c], other, sizeof other);
+        same_beads = same_beads && strcmp(name, other) == 0;
+        same_speed = same_speed && bead_chain_spec(facts->chains[c])->striker_velocity == velocity;
+    }
+    if (same_beads)
+        bead_markup_quote(name, out, size);
+    if (!same_speed)
+        return;
+    if (fabs(velocity) >= 0.01 && fabs(velocity) < 1) /* as the field writes it */
+        snprintf(speed, sizeof speed, "%.3g m/s", velocity);
+    else
+        bead_quantity(velocity, "m/s", 3, speed, sizeof speed);
+    add_text(out, size, out[0] ? ", striker " : "striker ");
+    add_text(out, size, speed);
+}
+
+enum { MOST_FACTS = 3 };
+
+static size_t gather(const struct bead_facts *facts, char text[MOST_FACTS][256])
+{
+    char number[64];
+    size_t count = 0;
+    bool slower = facts->slowed >= 1;
+    bool plain = !*bead_chain_time_unit(facts->chains[0]); /* times that are not seconds pass, but neither slower nor faster */
+    bead_round_number(slower && !plain ? facts->slowed : 1 / facts->slowed, number, sizeof number);
+    if (plain)
+        snprintf(text[count++], 256, "a time of %s in 1 s", number);
+    else
+        snprintf(text[count++], 256, "%s %s \u00d7", slower ? "slowed" : "sped up", number);
+    if (facts->magnify > 0) {
+        bead_round_number(facts->magnify, number, sizeof number);
+        snprintf(text[count++], 256, "displacements \u00d7 %s", number);
+    }
+    bead_facts_chain(facts, text[count], 256);
+    return count + (text[count][0] != '\0');
+}
+
+static void join(char text[MOST_FACTS][256], size_t count, char *out, size_t size)
+{
+    char markup[1024];
+    out[0] = '\0';
+    for (size_t i = 0; i < count; i++) {
+        bead_markup(text[i], markup, sizeof markup);
+        add_text(out, size, i ? "   \u00b7   " : "");
+        add_text(out, size, markup);
+    }
+}
+
+void bead_facts_draw(cairo_t *cr, const struct bead_look *look, const struct bead_facts *facts, struct bead_rect rect, bool left)
+{
+    struct bead_text_style style = {look->family,      look->label, look->faint, false, left ? BEAD_ALIGN_START : BEAD_ALIGN_END,
+                                    BEAD_ALIGN_MIDDLE, false};
+    char text[MOST_FACTS][256], line[2048];
+    double width, height;
+    for (size_t count = gather(facts, text); count > 0; count--) {
+        join(text, count, line, sizeof line);
+        bead_text_size(cr, &style, line, &width, &height);
+        if (width > rect.width)
+            continue;
+        bead_text_draw(cr, &style, left ? rect.x : rect.x + rect.width, rect.y + 0.5 * rect.height, line);
+        return;
+    }
+}
+
+/* Cut behind `length` bytes, never within a character. */
+static void cut(const char *plain, size_t length, char *out, size_t size)
+{
+    while (length > 0 && ((unsigned char)plain[length] & 0xc0) == 0x80)
+        length--;
+    while (length > 0 && plain[length - 1] == ' ')
+        length--;
+    snprintf(out, size, "%.*s" ELLIPSIS, (int)length, plain);
+}
+
+/* The longest beginning of `plain` that fits, as markup; its width. */
+static double fit(cairo_t *cr, const struct bead_text_style *style, const char *plain, double room, char *markup, size_t size)
+{
+    double width, height;
+    char part[400];
+    size_t length = strnlen(plain, 360), low = 0, high = length;
+    bead_text_escape(plain, markup, size);
+    bead_text_size(cr, style, markup, &width, &height);
+    if (width <= room && strlen(plain) == length)
+        return width;
+    while (low < high) {
+        size_t middle = (low + high + 1) / 2;
+        cut(plain, middle, part, sizeof part);
+        bead_text_escape(part, markup, size);
+        bead_text_size(cr, style, markup, &width, &height);
+        if (width <= room)
+            low = middle;
+        else
+            high = middle - 1;
+    }
+    cut(plain, low, part, sizeof part);
+    bead_text_escape(low > 0 ? part : "", markup, size);
+    bead_text_size(cr, style, markup, &width, &height);
+    return low > 0 ? width : 0;
+}
+
+void bead_line_draw(cairo_t *cr, struct bead_text_style style, const char *plain, struct bead_rect rect)
+{
+    char markup[2048];
+    style.down = BEAD_ALIGN_MIDDLE;
+    fit(cr, &style, plain, rect.width, markup, sizeof markup);
+    bead_text_draw(cr, &style, style.across == BEAD_ALIGN_END ? rect.x + rect.width : rect.x, rect.y + 0.5 * rect.height, markup);
+}
+
+bool bead_heading_has(const struct bead_chain *chain)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    return bead_chain_name(chain)[0] || bead_chain_spins(chain)[0] || (spec->label && spec->label[0]);
+}
+
+void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_chain *chain, struct bead_rect rect)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    const double size = fmin(1.1 * look->title, 0.75 * rect.height), part = size / (1.1 * look->title); /* in low rows smaller */
+    struct bead_text_style style = {look->family, size, look->ink, true, BEAD_ALIGN_START, BEAD_ALIGN_BASELINE, false};
+    double x = rect.x, y = rect.y + 0.5 * rect.height + 0.36 * style.size, gap = 1.6 * look->gap, width, height;
+    char markup[2048];
+    if (bead_chain_name(chain)[0]) {
+        width = fit(cr, &style, bead_chain_name(chain), rect.width, markup, sizeof markup);
+        bead_text_draw(cr, &style, x, y, markup);
+        x += width + gap;
+    }
+    if (bead_chain_spins(chain)[0]) {
+        style.bold = false;
+        style.colour = look->accent;
+        bead_text_magnetism(bead_chain_magnetism(chain), markup, sizeof markup);
+        bead_text_size(cr, &style, markup, &width, &height);
+        if (x + width <= rect.x + rect.width) {
+            bead_text_draw(cr, &style, x, y, markup);
+            x += width + gap;
+        }
+    }
+    if (spec->label && spec->label[0]) {
+        struct bead_text_style small = {look->family,     part * look->label,  look->faint, false,
+                                        BEAD_ALIGN_START, BEAD_ALIGN_BASELINE, false};
+        fit(cr, &small, spec->label, fmax(0, rect.x + rect.width - x), markup, sizeof markup);
+        bead_text_draw(cr, &small, x, y, markup);
+    }
+}

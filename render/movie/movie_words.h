@@ -1,0 +1,44 @@
+/* The words of a movie's frame: time, facts, headings. */
+#ifndef BEADREEL_RENDER_MOVIE_MOVIE_WORDS_H
+#define BEADREEL_RENDER_MOVIE_MOVIE_WORDS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/chain.h"
+#include "beadreel/frame.h"
+#include "beadreel/look.h"
+
+/* How times are written: always the same unit and width. */
+struct bead_clock {
+    double unit; /* s */
+    const char *sign;
+    int digits, decimals;
+};
+
+/* For times up to `end`, `step` apart, s. */
+struct bead_clock bead_clock_make(double end, double step, const char *unit);
+/* Markup of "t = 1.640 ms", padded to constant width. */
+void bead_clock_text(const struct bead_clock *clock, double time, const struct bead_look *look, char *out, size_t size);
+struct bead_text_style bead_clock_style(const struct bead_look *look);
+
+/* What there is to say about the whole picture. */
+struct bead_facts {
+    double slowed;  /* s of the film for one of the motion */
+    double magnify; /* 0: displacements are not shown */
+    const struct bead_chain *const *chains;
+    size_t chain_count;
+};
+/* What all chains have in common: "large-steel:aluminium, striker 0.443 m/s"; "" where nothing. Text for bead_markup. */
+void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size);
+/* "3 600" from 3571: two significant digits, thousands apart; powers of ten from 1e5 on, "2.5·10⁶". */
+void bead_round_number(double x, char *out, size_t size);
+/* Right-aligned in `rect`; facts that have no room are left out from the end. */
+void bead_facts_draw(cairo_t *cr, const struct bead_look *look, const struct bead_facts *facts, struct bead_rect rect, bool left);
+/* A line of text, cut with an ellipsis. */
+void bead_line_draw(cairo_t *cr, struct bead_text_style style, const char *plain, struct bead_rect rect);
+/* Name, M and label of a chain. */
+bool bead_heading_has(const struct bead_chain *chain);
+void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_chain *chain, struct bead_rect rect);
+
+#endif

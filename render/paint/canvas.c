@@ -1,0 +1,87 @@
+#include "beadreel/canvas.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/paint/canvas_private.h"
+#include "render/paint/gl_context.h"
+
+/* The first is the default. */
+static const struct bead_canvas_driver drivers[] = {
+    {{"plain", "painted by this program, on any machine"}, &bead_painting_plain, NULL},
+    {{"osmesa", "Mesa's off-screen software renderer (OSMesa, llvmpipe)"}, &bead_painting_gl, &bead_context_osmesa},
+    {{"egl", "EGL without surfaces (Mesa, llvmpipe)"}, &bead_painting_gl, &bead_context_egl},
+};
+enum { DRIVERS = sizeof drivers / sizeof drivers[0] };
+
+const struct bead_canvas_backend *bead_canvas_backend_info(size_t index)
+{
+    return index < DRIVERS ? &drivers[index].info : NULL;
+}
+
+static const struct bead_canvas_driver *find(const char *name)
+{
+    for (size_t i = 0; i < DRIVERS; i++) {
+        if (!name || strcmp(name, drivers[i].info.name) == 0)
+            return &drivers[i];
+    }
+    return NULL;
+}
+
+void bead_canvas_prepare(const char *backend)
+{
+    const struct bead_canvas_driver *driver = find(backend);
+    if (!driver || !driver->context)
+        return;
+    /* Mesa reads this when the first context is made. Rasterising in the calling thread leaves the other cores to simulation and
+     * encoder; the pixels are the same for any number. */
+    setenv("LP_NUM_THREADS", "0", 0);
+    /* Graphics cards round as they like; the same pixels everywhere come from the software renderer only. */
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
+}
+
+static enum bead_error fail_unknown(const char *backend, struct bead_message *msg)
+{
+    char names[128] = "";
+    for (size_t i = 0, at = 0; i < DRIVERS && at < sizeof names; i++)
+        at += (size_t)snprintf(names + at, sizeof names - at, "%s%s", i ? ", " : "", drivers[i].info.name);
+    return bead_fail(msg, BEAD_ERROR_USAGE, "there is no canvas `%s`; there are %s", backend, names);
+}
+
+enum bead_error bead_canvas_create(const char *backend, int width, int height, struct bead_canvas **canvas,
+                                   struct bead_message *msg)
+{
+    *canvas = NULL;
+    if (width < 1 || height < 1)
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "a canvas of %d x %d pixels: both must be at least 1", width, height);
+    const struct bead_canvas_driver *driver = find(backend);
+    if (!driver)
+        return fail_unknown(backend, msg);
+    bead_canvas_prepare(backend);
+    struct bead_canvas *c = calloc(1, sizeof *c);
+    if (!c)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a canvas");
+    c->driver = driver;
+    c->width = width;
+    c->height = height;
+    enum bead_error err = driver->painting->open(c, msg);
+    if (err)
+        free(c);
+    else
+        *canvas = c;
+    return err;
+}
+
+const char *bead_canvas_describe(const struct bead_canvas *canvas)
+{
+    return canvas->description;
+}
+
+void bead_canvas_destroy(struct bead_canvas *canvas)
+{
+    if (!canvas)
+        return;
+    canvas->driver->painting->close(canvas);
+    free(canvas);
+}

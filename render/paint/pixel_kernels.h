@@ -1,0 +1,47 @@
+/* Loops over pixels, compiled for each vector instruction set and chosen at run time; the pixels are the same from all. */
+#ifndef BEADREEL_RENDER_PAINT_PIXEL_KERNELS_H
+#define BEADREEL_RENDER_PAINT_PIXEL_KERNELS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/frame.h"
+#include "render/paint/paint.h"
+
+/* What is painted on: a part of a frame whose rows begin at multiples of 64 bytes. Places of balls and marks count from `origin`.
+ */
+struct bead_ground {
+    uint8_t *pixels; /* of the frame */
+    size_t stride;
+    int origin[2];         /* px of the frame */
+    struct bead_rect clip; /* nothing else is touched; from the origin, within the frame */
+};
+
+/* A curve with the area below it, in 64 columns of pixels from a multiple of 64 bytes on. Columns are cut into slices, whose mean a
+ * pixel shows: y, px, low (above) to high (below); low = INFINITY, high = -INFINITY where there is nothing. */
+enum { BEAD_COLUMNS = 64, BEAD_SLICES = 4, BEAD_COLUMN_GROUP = 16 };
+struct bead_extents {
+    float low[BEAD_SLICES][BEAD_COLUMNS], high[BEAD_SLICES][BEAD_COLUMNS];
+};
+struct bead_columns {
+    struct bead_extents line, area;
+    int from[BEAD_COLUMNS / BEAD_COLUMN_GROUP],
+        to[BEAD_COLUMNS / BEAD_COLUMN_GROUP]; /* rows that a group of columns reaches into */
+    float over[3], under[3], area_alpha;      /* colours of both: B G R, 0..255 */
+};
+
+struct bead_pixel_kernels {
+    const char *name;
+    /* In order, later ones over earlier ones. What is not finite, or no larger than nothing, is not shown. */
+    void (*balls)(const struct bead_ground *ground, const struct bead_ball *balls, size_t count);
+    void (*marks)(const struct bead_ground *ground, const struct bead_mark *marks, size_t count);
+    /* `pixels`: of y = 0. Groups without rows are not touched. */
+    void (*curve)(const struct bead_columns *columns, uint8_t *pixels, size_t stride);
+    /* Two rows of a frame (B G R X), one of chroma; `width` a multiple of 16, `y` and `bgrx` at multiples of 16 bytes. */
+    void (*yuv420)(const uint8_t *const bgrx[2], uint8_t *const y[2], uint8_t *u, uint8_t *v, int width);
+};
+
+/* sse2, avx2 or avx512, or the best (NULL). NULL: there is none of that name, or not on this machine. */
+const struct bead_pixel_kernels *bead_pixel_kernels_find(const char *name);
+
+#endif

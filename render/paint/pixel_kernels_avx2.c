@@ -1,0 +1,3 @@
+#define KERNELS_NAME  "avx2"
+#define KERNELS_TABLE bead_pixel_kernels_avx2
+#include "render/paint/pixel_kernels_body.h"

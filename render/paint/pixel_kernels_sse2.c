@@ -1,0 +1,3 @@
+#define KERNELS_NAME  "sse2"
+#define KERNELS_TABLE bead_pixel_kernels_sse2
+#include "render/paint/pixel_kernels_body.h"

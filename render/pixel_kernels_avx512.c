@@ -1,3 +1,0 @@
-#define KERNELS_NAME  "avx512"
-#define KERNELS_TABLE bead_pixel_kernels_avx512
-#include "render/pixel_kernels_body.h"

@@ -1,3 +1,0 @@
-#define KERNELS_NAME  "sse2"
-#define KERNELS_TABLE bead_pixel_kernels_sse2
-#include "render/pixel_kernels_body.h"

@@ -1,0 +1,349 @@
+/* Curves, points and error bars of graphs. */
+#include <math.h>
+
+#include "render/plot/graph_private.h"
+
+/* In units of the label's font size. */
+static const double point_radius = 0.24, cap = 0.16;
+/* Points of curves that are closer than this, in line widths, are not drawn; more points than this become smaller. */
+static const double least_spacing = 4, many_points = 150;
+static const double paleness = 0.55, faint_paleness = 0.35;
+static const double full_turn = 6.283185307179586;
+
+void graph_set_colour(cairo_t *cr, struct bead_rgb colour)
+{
+    cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
+}
+
+struct bead_rgb graph_mix(struct bead_rgb a, struct bead_rgb b, double part)
+{
+    return (struct bead_rgb){a.r + part * (b.r - a.r), a.g + part * (b.g - a.g), a.b + part * (b.b - a.b)};
+}
+
+static struct bead_rgb ground(const struct bead_look *look)
+{
+    return look->dark ? look->panel : look->background;
+}
+
+/* ---- points ---- */
+
+/* Corners on a circle of radius 1, turned by `turn` of a full turn; circles are those with none. */
+static const struct shape {
+    int corners;
+    double turn, size;
+    bool hollow, cross;
+} shapes[] = {{0, 0, 1, false, false},   {4, 0.125, 1.2, false, false}, {3, 0.75, 1.3, false, false},
+              {4, 0, 1.3, false, false}, {0, 0, 1, true, false},        {4, 0.125, 1.2, false, true}};
+enum { SHAPES = sizeof shapes / sizeof shapes[0] };
+
+static void outline(cairo_t *cr, const struct shape *shape, double x, double y, double radius)
+{
+    cairo_new_path(cr);
+    if (shape->corners == 0)
+        cairo_arc(cr, x, y, radius, 0, full_turn);
+    for (int i = 0; i < shape->corners; i++) {
+        double angle = full_turn * (shape->turn + (double)i / shape->corners);
+        double px = x + radius * cos(angle), py = y + radius * sin(angle);
+        if (shape->cross)
+            cairo_move_to(cr, x, y);
+        cairo_line_to(cr, px, py);
+    }
+    if (!shape->cross)
+        cairo_close_path(cr);
+}
+
+static struct bead_rgb ink_of(const struct bead_look *look, const struct bead_series *series)
+{
+    struct bead_rgb ink = bead_look_curve(look, series->colour);
+    return series->faint ? graph_mix(ground(look), ink, faint_paleness) : ink;
+}
+
+void graph_draw_point(cairo_t *cr, const struct bead_look *look, const struct bead_series *series, double x, double y, double size)
+{
+    const struct shape *shape = &shapes[series->shape % SHAPES];
+    bool hollow = shape->hollow || series->hollow;
+    struct bead_rgb ink = ink_of(look, series);
+    outline(cr, shape, x, y, shape->size * size);
+    if (!shape->cross) {
+        graph_set_colour(cr, hollow ? ground(look) : ink);
+        cairo_fill_preserve(cr);
+    }
+    graph_set_colour(cr, ink);
+    cairo_set_line_width(cr, shape->cross ? 1.5 * look->line : fmin(look->line, 0.5 * size));
+    cairo_set_dash(cr, NULL, 0, 0);
+    cairo_set_line_join(cr, CAIRO_LINE_JOIN_MITER);
+    cairo_stroke(cr);
+}
+
+/* ---- places ---- */
+
+static double px_x(const struct graph_cell *cell, double value)
+{
+    return cell->plot.x + bead_axis_place(&cell->axis[0], value) * cell->plot.width;
+}
+
+static double px_y(const struct graph_cell *cell, double value)
+{
+    return cell->plot.y + (1 - bead_axis_place(&cell->axis[1], value)) * cell->plot.height;
+}
+
+static bool is_there(const struct graph_cell *cell, const struct bead_series *series, size_t i)
+{
+    return isfinite(series->y[i]) && isfinite(bead_axis_place(&cell->axis[0], series->x[i]));
+}
+
+/* -1: left of or below the axis, 1: right of or above it, 0: on it. */
+static int beyond(const struct bead_axis *axis, double value)
+{
+    double place = bead_axis_place(axis, value), slack = 1e-9;
+    return place < -slack ? -1 : place > 1 + slack ? 1 : 0;
+}
+
+/* ---- lines ---- */
+
+/* Cairo counts in fixed point: what lies far outside is cut off before. */
+struct pen {
+    cairo_t *cr;
+    double low[2], high[2]; /* px: what is kept */
+    double last[2];
+    bool down, drawn; /* there is a last point; the path ends there */
+};
+
+/* The part of a..b within the pen's box, as parts of the way. */
+static bool cut(const struct pen *pen, const double a[2], const double b[2], double part[2])
+{
+    part[0] = 0;
+    part[1] = 1;
+    for (int i = 0; i < 2; i++) {
+        double way = b[i] - a[i];
+        if (way == 0 && (a[i] < pen->low[i] || a[i] > pen->high[i]))
+            return false;
+        if (way == 0)
+            continue;
+        double in = (pen->low[i] - a[i]) / way, out = (pen->high[i] - a[i]) / way;
+        part[0] = fmax(part[0], fmin(in, out));
+        part[1] = fmin(part[1], fmax(in, out));
+    }
+    return part[0] <= part[1];
+}
+
+static void line_to(struct pen *pen, double x, double y)
+{
+    double to[2] = {x, y}, part[2];
+    if (pen->down && cut(pen, pen->last, to, part)) {
+        double wx = x - pen->last[0], wy = y - pen->last[1];
+        if (!pen->drawn || part[0] > 0)
+            cairo_move_to(pen->cr, pen->last[0] + part[0] * wx, pen->last[1] + part[0] * wy);
+        cairo_line_to(pen->cr, pen->last[0] + part[1] * wx, pen->last[1] + part[1] * wy);
+        pen->drawn = part[1] >= 1;
+    } else {
+        pen->drawn = false;
+    }
+    pen->down = true;
+    pen->last[0] = x;
+    pen->last[1] = y;
+}
+
+static void lift(struct pen *pen)
+{
+    pen->down = pen->drawn = false;
+}
+
+/* Of many points in one column of pixels, the first, the lowest, the highest and the last are the same picture. */
+struct column {
+    struct px {
+        double x, y;
+    } first, last, low, high;
+    size_t count;
+    bool low_first;
+};
+
+static void flush(struct pen *pen, struct column *column)
+{
+    if (column->count > 0)
+        line_to(pen, column->first.x, column->first.y);
+    if (column->count > 2) {
+        struct px a = column->low_first ? column->low : column->high, b = column->low_first ? column->high : column->low;
+        line_to(pen, a.x, a.y);
+        line_to(pen, b.x, b.y);
+    }
+    if (column->count > 1)
+        line_to(pen, column->last.x, column->last.y);
+    column->count = 0;
+}
+
+static void gather(struct pen *pen, struct column *column, struct px at)
+{
+    if (column->count > 0 && floor(at.x) != floor(column->first.x))
+        flush(pen, column);
+    if (column->count++ == 0) {
+        *column = (struct column){at, at, at, at, 1, true};
+        return;
+    }
+    if (at.y < column->low.y) {
+        column->low = at;
+        column->low_first = false;
+    } else if (at.y > column->high.y) {
+        column->high = at;
+        column->low_first = true;
+    }
+    column->last = at;
+}
+
+static void trace(cairo_t *cr, const struct graph_cell *cell, const struct bead_series *series, double margin)
+{
+    const struct bead_rect *plot = &cell->plot;
+    struct pen pen = {cr,
+                      {plot->x - margin, plot->y - margin},
+                      {plot->x + plot->width + margin, plot->y + plot->height + margin},
+                      {0, 0},
+                      false,
+                      false};
+    struct column column = {0};
+    bool dense = series->count > 4 * (size_t)plot->width;
+    cairo_new_path(cr);
+    for (size_t i = 0; i < series->count; i++) {
+        double y = px_y(cell, series->y[i]);
+        if (!is_there(cell, series, i) || isnan(y) || !isfinite(y)) {
+            flush(&pen, &column);
+            lift(&pen);
+        } else if (dense) {
+            gather(&pen, &column, (struct px){px_x(cell, series->x[i]), y});
+        } else {
+            line_to(&pen, px_x(cell, series->x[i]), y);
+        }
+    }
+    flush(&pen, &column);
+}
+
+static bool points_have_room(const struct graph_cell *cell, const struct bead_look *look, const struct bead_series *series)
+{
+    return series->count < 2 || cell->plot.width / (double)(series->count - 1) >= least_spacing * look->line;
+}
+
+double graph_full_point(const struct bead_look *look)
+{
+    return point_radius * look->label;
+}
+
+static bool is_rising(const struct bead_series *series)
+{
+    for (size_t i = 1; i < series->count; i++) {
+        if (!(series->x[i] > series->x[i - 1]))
+            return false;
+    }
+    return true;
+}
+
+double graph_point_size(const struct bead_series *series, const struct graph_cell *cell, const struct bead_look *look)
+{
+    double size = graph_full_point(look), least = fmax(0.7 * look->line, 0.4 * size);
+    if (series->mark == BEAD_MARK_POINTS && !is_rising(series))
+        return fmax(least, size * fmin(1, sqrt(many_points / (double)(series->count + 1))));
+    double spacing = series->count > 1 ? cell->plot.width / (double)(series->count - 1) : cell->plot.width;
+    return fmax(series->mark == BEAD_MARK_POINTS ? 0.5 * least : 0, fmin(size, 0.35 * spacing));
+}
+
+void graph_stroke_style(cairo_t *cr, const struct bead_look *look, const struct bead_series *series)
+{
+    bool guide = series->mark == BEAD_MARK_LINE_POINTS;
+    double width = series->faint || guide ? look->line : 1.5 * look->line, dashes[] = {4 * width, 2.5 * width};
+    struct bead_rgb ink = ink_of(look, series);
+    graph_set_colour(cr, guide && !series->faint ? graph_mix(ground(look), ink, paleness) : ink);
+    cairo_set_line_width(cr, width);
+    cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_dash(cr, dashes, series->dashed ? 2 : 0, 0);
+}
+
+/* ---- error bars ---- */
+
+static void draw_bar(cairo_t *cr, const struct graph_cell *cell, double x, double low, double high, double half)
+{
+    double bottom = cell->plot.y + cell->plot.height, top = cell->plot.y;
+    double from = px_y(cell, low), to = px_y(cell, high);
+    bool open_low = !(from <= bottom), open_high = !(to >= top); /* beyond the axis; below a logarithmic one at infinity */
+    from = open_low ? bottom : fmax(from, top);
+    to = open_high ? top : fmin(to, bottom);
+    if (to > from || (open_low && to >= bottom) || (open_high && from <= top))
+        return;
+    cairo_move_to(cr, x, from);
+    cairo_line_to(cr, x, to);
+    for (int end = 0; end < 2; end++) {
+        if (end ? open_high : open_low)
+            continue;
+        cairo_move_to(cr, x - half, end ? to : from);
+        cairo_rel_line_to(cr, 2 * half, 0);
+    }
+}
+
+static void draw_bars(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series)
+{
+    cairo_new_path(cr);
+    for (size_t i = 0; i < series->count; i++) {
+        double error = series->error[i];
+        if (!is_there(cell, series, i) || !(error > 0) || beyond(&cell->axis[0], series->x[i]) != 0)
+            continue;
+        draw_bar(cr, cell, px_x(cell, series->x[i]), series->y[i] - error, series->y[i] + error, cap * look->label);
+    }
+    graph_set_colour(cr, ink_of(look, series));
+    cairo_set_dash(cr, NULL, 0, 0);
+    cairo_set_line_width(cr, look->line);
+    cairo_stroke(cr);
+}
+
+/* ---- a series ---- */
+
+/* An arrow at the frame: the point lies beyond. */
+static void draw_arrow(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series,
+                       double x, double size, bool up)
+{
+    double tip = up ? cell->plot.y : cell->plot.y + cell->plot.height, length = up ? 1.6 * size : -1.6 * size;
+    cairo_new_path(cr);
+    cairo_move_to(cr, x - size, tip + length);
+    cairo_line_to(cr, x + size, tip + length);
+    cairo_line_to(cr, x, tip);
+    cairo_close_path(cr);
+    graph_set_colour(cr, ink_of(look, series));
+    cairo_set_line_width(cr, fmin(look->line, 0.5 * size));
+    cairo_set_dash(cr, NULL, 0, 0);
+    if (!series->hollow)
+        cairo_fill_preserve(cr);
+    cairo_stroke(cr);
+}
+
+static void draw_points(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series)
+{
+    double size = graph_point_size(series, cell, look);
+    for (size_t i = 0; i < series->count; i++) {
+        if (!is_there(cell, series, i) || beyond(&cell->axis[0], series->x[i]) != 0)
+            continue;
+        int off = beyond(&cell->axis[1], series->y[i]);
+        if (off == 0)
+            graph_draw_point(cr, look, series, px_x(cell, series->x[i]), px_y(cell, series->y[i]), size);
+        else if (series->arrows)
+            draw_arrow(cr, look, cell, series, px_x(cell, series->x[i]), size, off > 0);
+    }
+}
+
+void graph_draw_series(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series)
+{
+    const struct bead_rect *plot = &cell->plot;
+    bool points =
+        series->mark == BEAD_MARK_POINTS || (series->mark == BEAD_MARK_LINE_POINTS && points_have_room(cell, look, series));
+    struct bead_series alone = *series;
+    if (series->mark == BEAD_MARK_LINE_POINTS && !points)
+        alone.mark = BEAD_MARK_LINE;
+    cairo_save(cr);
+    cairo_rectangle(cr, plot->x, plot->y, plot->width, plot->height);
+    cairo_clip(cr);
+    if (series->mark != BEAD_MARK_POINTS) {
+        trace(cr, cell, series, 8 * look->line);
+        graph_stroke_style(cr, look, &alone);
+        cairo_stroke(cr);
+    }
+    if (series->error)
+        draw_bars(cr, look, cell, series);
+    cairo_restore(cr);
+    if (points) /* those on the frame are whole */
+        draw_points(cr, look, cell, series);
+}

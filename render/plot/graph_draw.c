@@ -1,0 +1,62 @@
+/* A graph onto a page: frames, bands, curves, words. */
+#include "render/plot/graph_private.h"
+
+static void draw_words(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell)
+{
+    struct bead_text_style style = graph_text(look);
+    style.colour = graph_mix(look->ink, look->faint, 0.6);
+    for (size_t r = 0; r < cell->panel->ruler_count; r++) {
+        const struct graph_word *word = &cell->words[r];
+        style.upwards = word->upwards;
+        if (word->state == GRAPH_WORD_PLACED)
+            bead_text_draw(cr, &style, word->box.x, word->box.y, word->markup);
+    }
+}
+
+static void draw_head(cairo_t *cr, const struct graph_layout *layout, const struct graph_cell *cell)
+{
+    struct bead_text_style style = graph_text(layout->look);
+    if (cell->head)
+        bead_text_draw_lines(cr, &style, cell->plot.width, cell->plot.x, cell->plot.y - layout->head[cell->row], cell->head);
+}
+
+static void draw_cell(cairo_t *cr, const struct graph_layout *layout, const struct graph_cell *cell)
+{
+    const struct bead_look *look = layout->look;
+    const struct bead_rect *plot = &cell->plot;
+    if (look->dark) {
+        graph_set_colour(cr, look->panel);
+        cairo_rectangle(cr, plot->x, plot->y, plot->width, plot->height);
+        cairo_fill(cr);
+    }
+    graph_draw_bands(cr, look, cell);
+    if (!look->dark)
+        bead_box_draw(cr, look, *plot);
+    graph_draw_contents(cr, look, cell);
+    bead_axis_draw(cr, look, &cell->axis[0], *plot, BEAD_SIDE_BOTTOM, false, cell->labelled[0], cell->panel->x.title);
+    bead_axis_draw(cr, look, &cell->axis[1], *plot, BEAD_SIDE_LEFT, false, cell->labelled[1], cell->panel->y.title);
+    draw_words(cr, look, cell);
+    if (!cell->legend_outside)
+        graph_legend_draw(&cell->legend, look, cr);
+    draw_head(cr, layout, cell);
+}
+
+void graph_draw_all(cairo_t *cr, const struct graph_layout *layout)
+{
+    const struct bead_look *look = layout->look;
+    double margin = layout->frame.margin;
+    struct bead_text_style style = graph_text(look);
+    graph_set_colour(cr, look->background);
+    cairo_rectangle(cr, 0, 0, layout->width, layout->height);
+    cairo_fill(cr);
+    for (size_t p = 0; p < layout->graph->panel_count; p++)
+        draw_cell(cr, layout, &layout->cells[p]);
+    graph_legend_draw(&layout->legend, look, cr);
+    double wrap = layout->width - 2 * margin;
+    if (layout->caption)
+        bead_text_draw_lines(cr, &style, wrap, margin, layout->height - margin - layout->caption_height, layout->caption);
+    style.size = graph_title_size(look);
+    style.bold = true;
+    if (layout->title)
+        bead_text_draw_lines(cr, &style, wrap, margin, margin, layout->title);
+}

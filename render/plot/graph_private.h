@@ -1,0 +1,132 @@
+/* What the parts of a graph share: graph.c (entry, files), graph_range.c (axes), graph_layout.c (where things go), graph_mask.c and
+ * graph_words.c (words at rulers), graph_legend.c, graph_draw.c, graph_panel.c
+ * (inside of the axes), graph_curve.c (curves and points). Lengths in px. */
+#ifndef BEADREEL_RENDER_PLOT_GRAPH_PRIVATE_H
+#define BEADREEL_RENDER_PLOT_GRAPH_PRIVATE_H
+
+#include "render/figure/figure.h"
+#include "render/plot/graph.h"
+
+struct graph_box {
+    double x, y, width, height;
+};
+
+/* What is covered in a panel, in square cells. */
+struct graph_mask {
+    int width, height;
+    double cell, x, y; /* x, y: of the plot's corner */
+    unsigned *sums;    /* [(height + 1) * (width + 1)]: covered cells above and to the left */
+};
+
+/* One entry of a legend: a curve, or a ruler that has no room for its word. */
+struct graph_entry {
+    const struct bead_series *series; /* or */
+    const struct bead_ruler *ruler;
+    char *markup;               /* borrowed */
+    double width, height, x, y; /* x, y: of the sample's left and the row's middle in the legend */
+};
+
+struct graph_legend {
+    struct graph_entry *entries;
+    size_t count, columns;
+    double shrunk;        /* size of its type in units of the label's; 0: the label's */
+    bool cut;             /* words too long are cut, not wrapped */
+    double wrap;          /* > 0: of the words; < 0: where they are cut */
+    struct graph_box box; /* width 0: not placed */
+};
+
+enum graph_word_state { GRAPH_WORD_NONE, GRAPH_WORD_PLACED, GRAPH_WORD_IN_LEGEND };
+
+/* The word of a ruler. */
+struct graph_word {
+    char *markup;
+    enum graph_word_state state;
+    bool upwards;
+    struct graph_box box;
+};
+
+struct graph_cell {
+    const struct bead_panel *panel;
+    size_t row, column;
+    double low[2], high[2]; /* of x and y */
+    struct bead_axis axis[2];
+    bool labelled[2];
+    struct bead_rect plot;
+    char *head;                  /* markup of letter and title; NULL: none */
+    struct graph_word *words;    /* [ruler_count] */
+    char **labels;               /* [series_count], markup; NULL: none */
+    struct graph_legend legend;  /* inside */
+    bool legend_outside, raised; /* raised: the y axis ends higher, to have room for the legend */
+};
+
+/* A graph that is a part of a sheet. */
+struct graph_frame {
+    double margin;            /* around everything */
+    struct bead_insets least; /* of plots from the borders */
+    const char *letter;       /* of the first panel; "": none */
+    bool no_across;           /* no labels at the level axes: another part has them */
+};
+
+struct graph_layout {
+    const struct bead_graph *graph;
+    struct graph_frame frame;
+    const struct bead_look *look;
+    double width, height;
+    bool part; /* of a sheet: its plots stay where they are, so legends stay inside if at all possible */
+    size_t columns, rows;
+    struct graph_cell *cells;                         /* [panel_count] */
+    char *title, *caption;                            /* markup; NULL: none */
+    double title_height, caption_height, head_height; /* head: letter and title of a panel */
+    struct graph_legend legend;                       /* outside of all panels */
+    bool legend_right;
+    double *head;                        /* [rows]: of letters and titles */
+    double *left, *right, *top, *bottom; /* how far axes and words reach out of the plots: [columns], [columns], [rows], [rows] */
+};
+
+BEAD_CHECK enum bead_error graph_layout_make(const struct bead_graph *graph, const struct bead_look *look, double width,
+                                             double height, const struct graph_frame *frame, struct graph_layout *layout,
+                                             struct bead_message *msg); /* frame NULL: a whole page */
+void graph_layout_free(struct graph_layout *layout);
+
+/* Ranges of all cells' axes. Errors: SCENE (a range that makes no sense). */
+BEAD_CHECK enum bead_error graph_find_ranges(struct graph_layout *layout, struct bead_message *msg);
+
+/* Nothing else may be drawn into a box that holds words, this far around it. */
+double graph_air(const struct bead_look *look);
+BEAD_CHECK enum bead_error graph_mask_make(const struct graph_cell *cell, const struct bead_look *look, struct graph_mask *mask,
+                                           struct bead_message *msg);
+void graph_mask_free(struct graph_mask *mask);
+/* Covered cells in a box; a box that reaches out of the plot is covered. */
+unsigned graph_mask_covered(const struct graph_mask *mask, struct graph_box box);
+/* Cover a box, too. */
+void graph_mask_cover(struct graph_mask *mask, struct graph_box box);
+
+/* Words of the cell's rulers into free room; where there is none they go into the legend. True: one newly does. */
+bool graph_words_place(struct graph_cell *cell, const struct bead_look *look, struct graph_mask *mask);
+
+/* Size the legend for a width, in this many columns; 0: as many as have room. */
+void graph_legend_measure(struct graph_legend *legend, const struct bead_look *look, double width, size_t columns);
+/* The same for a width and, if at all possible, a height: in smaller type and with long words cut, if need be. */
+void graph_legend_fit(struct graph_legend *legend, const struct bead_look *look, double width, double height);
+/* Into free room of a panel. False: there is none. */
+bool graph_legend_place(struct graph_legend *legend, const struct bead_look *look, struct graph_mask *mask);
+void graph_legend_draw(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr);
+
+/* Drawing. */
+void graph_set_colour(cairo_t *cr, struct bead_rgb colour);
+struct bead_rgb graph_mix(struct bead_rgb a, struct bead_rgb b, double part);
+double graph_title_size(const struct bead_look *look);
+struct bead_text_style graph_text(const struct bead_look *look);
+/* Radius of points: where there is room, and as they are in a panel. */
+double graph_full_point(const struct bead_look *look);
+double graph_point_size(const struct bead_series *series, const struct graph_cell *cell, const struct bead_look *look);
+void graph_draw_point(cairo_t *cr, const struct bead_look *look, const struct bead_series *series, double x, double y, double size);
+void graph_stroke_style(cairo_t *cr, const struct bead_look *look, const struct bead_series *series);
+void graph_draw_series(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series);
+void graph_ruler_style(cairo_t *cr, const struct bead_look *look);
+/* Curves, points and rulers, as they are drawn and as words avoid them. */
+void graph_draw_contents(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell);
+void graph_draw_bands(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell);
+void graph_draw_all(cairo_t *cr, const struct graph_layout *layout);
+
+#endif

@@ -1,0 +1,30 @@
+/* What plots show, gathered from a run and made into panels of graphs: force of sensors against time, energies of modes or
+ * profiles, a panel a chain; or peaks of contacts, all chains in one panel. */
+#ifndef BEADREEL_RENDER_PLOT_PLOT_DATA_H
+#define BEADREEL_RENDER_PLOT_PLOT_DATA_H
+
+#include "beadreel/sink.h"
+#include "render/draw/page.h"
+#include "render/plot/graph.h"
+
+struct bead_plot_data;
+
+/* `output` and `stage` are borrowed. `chain`: number of the only one shown; SIZE_MAX: all. Errors: SCENE
+ * (with the output's place), MEMORY. */
+BEAD_CHECK enum bead_error bead_plot_data_create(const struct bead_output *output, const struct bead_stage *stage, size_t chain,
+                                                 struct bead_plot_data **data, struct bead_message *msg);
+void bead_plot_data_needs(const struct bead_plot_data *data, struct bead_needs *needs);
+BEAD_CHECK enum bead_error bead_plot_data_feed(struct bead_plot_data *data, const struct bead_sample *sample,
+                                               struct bead_message *msg);
+/* After the last sample: makes the panels. Errors: UNSUPPORTED (no outcomes for peaks), MEMORY. */
+BEAD_CHECK enum bead_error bead_plot_data_finish(struct bead_plot_data *data, const struct bead_outcome *outcomes,
+                                                 struct bead_message *msg);
+/* The panels; owned by the data. Before finish they have axes and titles, but no series. */
+const struct bead_panel *bead_plot_data_panels(const struct bead_plot_data *data, size_t *count);
+/* Finish, and write the panels as a plot of their own. Errors: those of finish and of bead_graph_write. */
+BEAD_CHECK enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct bead_outcome *outcomes,
+                                                const struct bead_page *page, const char *path, uint64_t *bytes,
+                                                struct bead_message *msg);
+void bead_plot_data_destroy(struct bead_plot_data *data);
+
+#endif

@@ -1,0 +1,118 @@
+/* The energies of the first few modes against time: a panel for each chain. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "render/plot/plot_private.h"
+
+/* Times of a curve where the scene does not say how often; more cannot be seen. */
+static const double most_times = 4000;
+
+/* As often as asked, or as can be seen; of samples at given times, those. */
+static struct bead_grid choose_grid(const struct bead_output *output, const struct bead_stage *stage)
+{
+    const struct bead_grid *native = &stage->native;
+    double from = isnan(output->time[0]) ? 0 : output->time[0];
+    double to = isnan(output->time[1]) ? stage->end : fmin(output->time[1], stage->end);
+    if (native->every > 0) {
+        double first = fmax(0, ceil((from - native->start) / native->every - 1e-6));
+        double stride = output->every > 0 ? fmax(1, round(output->every / native->every)) : 1;
+        return (struct bead_grid){native->start + first * native->every, stride * native->every, fmin(to, native->end)};
+    }
+    double every = output->every > 0 ? output->every : fmax(stage->resolution, (to - from) / most_times);
+    return (struct bead_grid){from, every, to};
+}
+
+static void make_axes(struct bead_plot_data *data, double low)
+{
+    const struct bead_output *output = data->output;
+    for (size_t p = 0; p < data->count; p++) {
+        const struct bead_chain *chain = data->stage.chains[data->parts[p].chain];
+        data->panels[p].x = (struct bead_graph_axis){"time",         bead_chain_time_unit(chain), data->grid.start,
+                                                     data->grid.end, BEAD_SCALE_LINEAR,           false};
+        data->panels[p].y = (struct bead_graph_axis){bead_chain_mode_title(chain), "", low, output->range[1], output->scale, true};
+    }
+}
+
+/* Times in data->sample; energies of a chain in its part's values, [modes][times]. */
+static enum bead_error create(struct bead_plot_data *data, struct bead_message *msg)
+{
+    const struct bead_output *output = data->output;
+    data->grid = choose_grid(output, &data->stage);
+    size_t times = bead_grid_count(&data->grid);
+    if (times < 2 || times > (size_t)1 << 22)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: every: %g gives %zu times; a plot shows from 2 to 4194304",
+                         data->stage.scene->file, output->place.line, output->place.column, data->grid.every, times);
+    enum bead_error err = plot_reserve_chains(data, output->modes, msg);
+    if (err)
+        return err;
+    data->sample = calloc(times, sizeof *data->sample);
+    bool good = data->sample != NULL;
+    for (size_t p = 0; good && p < data->count; p++)
+        good = (data->parts[p].values = calloc(times * output->modes, sizeof *data->parts[p].values)) != NULL;
+    for (size_t k = 0; k < output->modes; k++)
+        snprintf(data->parts[0].labels[k], sizeof *data->parts[0].labels, "mode %zu", k + 1);
+    make_axes(data, output->range[0]);
+    snprintf(data->why, sizeof data->why, "energies of %zu modes at %zu times", output->modes, times);
+    return good ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu times of modes", times);
+}
+
+static void needs(const struct bead_plot_data *data, struct bead_needs *needs)
+{
+    *needs = (struct bead_needs){.beads = {0, SIZE_MAX}, .grid = data->grid, .until = data->grid.end, .why = data->why};
+    for (size_t p = 0; p < data->count; p++)
+        needs->fields |= bead_chain_mode_fields(data->stage.chains[data->parts[p].chain]);
+}
+
+/* Samples may be closer than those asked for, where other panels of a figure want that. */
+static enum bead_error feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
+{
+    double energy[BEAD_MODES];
+    const size_t modes = data->output->modes, times = bead_grid_count(&data->grid);
+    const double slack = 1e-6 * data->grid.every;
+    for (size_t p = 0; p < data->count; p++) {
+        struct plot_panel *part = &data->parts[p];
+        if (part->chain != sample->chain || sample->time < data->grid.start + (double)part->taken * data->grid.every - slack)
+            continue;
+        if (part->taken >= times)
+            return BEAD_OK;
+        bead_chain_mode_energies(data->stage.chains[part->chain], sample->field, modes, energy);
+        for (size_t k = 0; k < modes; k++)
+            part->values[k * times + part->taken] = energy[k];
+        data->sample[part->taken++] = sample->time;
+    }
+    (void)msg;
+    return BEAD_OK;
+}
+
+/* A logarithmic axis goes six powers of ten down from the highest. */
+static double lowest(const struct bead_plot_data *data)
+{
+    double most = 0;
+    for (size_t p = 0; p < data->count; p++) {
+        for (size_t i = 0; i < bead_grid_count(&data->grid) * data->output->modes; i++)
+            most = fmax(most, data->parts[p].values[i]);
+    }
+    return data->output->scale == BEAD_SCALE_LOG && most > 0 ? 1e-6 * most : NAN;
+}
+
+static enum bead_error finish(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg)
+{
+    (void)outcomes, (void)msg;
+    const struct bead_output *output = data->output;
+    double low = isnan(output->range[0]) ? lowest(data) : output->range[0];
+    for (size_t p = 0; p < data->count; p++) {
+        struct plot_panel *part = &data->parts[p];
+        for (size_t k = 0; k < output->modes; k++)
+            part->series[k] = (struct bead_series){.x = data->sample,
+                                                   .y = part->values + k * bead_grid_count(&data->grid),
+                                                   .count = part->taken,
+                                                   .mark = BEAD_MARK_LINE,
+                                                   .colour = k,
+                                                   .label = p == 0 ? part->labels[k] : NULL};
+    }
+    make_axes(data, low);
+    return BEAD_OK;
+}
+
+const struct plot_kind bead_plot_modes = {BEAD_SHOW_MODES, true, true, create, needs, feed, finish};

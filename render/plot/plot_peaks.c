@@ -1,0 +1,141 @@
+/* Peak forces of contacts along the chain: one curve a chain, hollow where the force was still rising at the end. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "render/plot/plot_private.h"
+
+/* A logarithmic axis shows this part of the largest force at least; room at its ends. */
+static const double log_span = 1e-4, log_room = 1.35;
+
+static size_t contacts_of(const struct bead_plot_data *data, size_t chain)
+{
+    return plot_shows(data, chain) ? bead_chain_contacts(data->stage.chains[chain]) : 0;
+}
+
+/* One chain alone is named above the panel, several are in the legend (SIZE_MAX). */
+static size_t only_chain(const struct bead_plot_data *data)
+{
+    return data->stage.chain_count == 1 ? 0 : data->chain;
+}
+
+static enum bead_error create(struct bead_plot_data *data, struct bead_message *msg)
+{
+    enum bead_error err = plot_reserve(data, 1, msg);
+    if (err)
+        return err;
+    size_t most = 1;
+    const struct bead_field_info *own = bead_chain_field(data->stage.chains[0], BEAD_FIELD_CONTACT_FORCE);
+    const char *unit = own ? own->unit : bead_field_info(BEAD_FIELD_CONTACT_FORCE)->unit;
+    for (size_t c = 0; c < data->stage.chain_count; c++)
+        most = contacts_of(data, c) > most ? contacts_of(data, c) : most;
+    data->count = 1;
+    data->panels[0] =
+        (struct bead_panel){.x = {"contact", "1", -0.5, (double)most - 0.5, BEAD_SCALE_LINEAR, false},
+                            .y = {"peak force", unit, data->output->range[0], data->output->range[1], data->output->scale, true}};
+    size_t only = only_chain(data);
+    if (only != SIZE_MAX)
+        plot_heading(data->stage.chains[only], data->parts[0].title, sizeof data->parts[0].title);
+    snprintf(data->why, sizeof data->why, "peaks of contacts");
+    return BEAD_OK;
+}
+
+static void needs(const struct bead_plot_data *data, struct bead_needs *needs)
+{
+    *needs = (struct bead_needs){.contact_peaks = true, .until = INFINITY, .why = data->why};
+}
+
+static enum bead_error feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
+{
+    (void)data, (void)sample, (void)msg;
+    return BEAD_OK;
+}
+
+/* Contacts that were never loaded have no peak. */
+static bool has_peak(const struct bead_peak *peak)
+{
+    return isfinite(peak->value) && !(peak->value == 0 && isnan(peak->time));
+}
+
+/* Finished peaks say how far down the axis goes. */
+static void find_range(const struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_graph_axis *axis)
+{
+    double least = INFINITY, largest = 0;
+    for (size_t c = 0; c < data->stage.chain_count; c++) {
+        for (size_t i = 0; i < contacts_of(data, c); i++) {
+            const struct bead_peak *peak = &outcomes[c].contact_peaks[i];
+            largest = fmax(largest, has_peak(peak) ? peak->value : 0);
+            least = peak->value > 0 && !peak->open ? fmin(least, peak->value) : least;
+        }
+    }
+    largest = largest > 0 ? largest : 1;
+    if (axis->scale != BEAD_SCALE_LOG)
+        return;
+    axis->high = isnan(axis->high) ? largest * log_room : axis->high;
+    axis->low = isnan(axis->low) ? fmax(log_span * largest, fmin(least, largest)) / log_room : axis->low;
+}
+
+/* Two series: finished peaks, and those that are not. Returns how many of the latter there are. */
+static size_t fill(const struct bead_plot_data *data, const struct bead_outcome *outcome, size_t chain, double *values,
+                   struct bead_series series[2])
+{
+    size_t count = contacts_of(data, chain), hollow = 0;
+    double *x = values, *done = values + count, *open = values + 2 * count;
+    for (size_t i = 0; i < count; i++) {
+        const struct bead_peak *peak = &outcome->contact_peaks[i];
+        bool is_open = has_peak(peak) && peak->open;
+        x[i] = (double)i;
+        done[i] = has_peak(peak) && !peak->open ? peak->value : NAN;
+        open[i] = is_open ? peak->value : NAN;
+        hollow += is_open;
+    }
+    for (int s = 0; s < 2; s++) {
+        series[s] = (struct bead_series){.x = x,
+                                         .y = s ? open : done,
+                                         .count = count,
+                                         .mark = s ? BEAD_MARK_POINTS : BEAD_MARK_LINE_POINTS,
+                                         .hollow = s,
+                                         .arrows = true};
+        plot_tell_apart(&series[s], only_chain(data) == SIZE_MAX ? chain : 0);
+        series[s].dashed = false;
+    }
+    return hollow;
+}
+
+static enum bead_error finish(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg)
+{
+    static const char hollow_words[] = "hollow: still rising at the end";
+    struct plot_panel *part = &data->parts[0];
+    size_t chains = data->stage.chain_count, all = 0, hollow = 0, used = 0, series = 0;
+    for (size_t c = 0; c < chains; c++) {
+        if (contacts_of(data, c) > 0 && (!outcomes || !outcomes[c].contact_peaks))
+            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: peaks are known only at the end of a run", data->output->path);
+        all += 3 * contacts_of(data, c);
+    }
+    part->series = calloc(2 * chains + 1, sizeof *part->series);
+    part->labels = calloc(chains, sizeof *part->labels);
+    part->values = calloc(all + 1, sizeof *part->values);
+    if (!part->series || !part->labels || !part->values)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of peaks");
+    for (size_t c = 0; c < chains; c++) {
+        if (!plot_shows(data, c))
+            continue;
+        hollow += fill(data, &outcomes[c], c, part->values + used, part->series + series);
+        used += 3 * contacts_of(data, c);
+        plot_heading(data->stage.chains[c], part->labels[c], sizeof part->labels[c]);
+        if (only_chain(data) == SIZE_MAX && *part->labels[c])
+            part->series[series].label = part->labels[c];
+        series += 2;
+    }
+    if (hollow > 0) {
+        part->series[series] = (struct bead_series){.mark = BEAD_MARK_POINTS, .hollow = true, .colour = 5, .label = hollow_words};
+        series++;
+    }
+    find_range(data, outcomes, &data->panels[0].y);
+    data->panels[0].title = *part->title ? part->title : NULL;
+    data->panels[0].series = part->series;
+    data->panels[0].series_count = series;
+    return BEAD_OK;
+}
+
+const struct plot_kind bead_plot_peaks = {BEAD_SHOW_PEAKS, true, false, create, needs, feed, finish};

@@ -1,0 +1,55 @@
+/* What the kinds of plots share. */
+#ifndef BEADREEL_RENDER_PLOT_PLOT_PRIVATE_H
+#define BEADREEL_RENDER_PLOT_PLOT_PRIVATE_H
+
+#include "render/plot/plot_data.h"
+#include "render/view/sensor_curves.h"
+
+/* One panel and what it points to. */
+struct plot_panel {
+    size_t chain;
+    struct bead_curves curves, differences; /* of sensors; from the twin's where asked for */
+    struct bead_series *series;
+    double *values;
+    char (*labels)[256];
+    size_t taken; /* samples, of modes */
+    struct bead_ruler ruler;
+    char title[768];
+};
+
+struct bead_plot_data {
+    const struct bead_output *output;
+    struct bead_stage stage;
+    size_t chain; /* SIZE_MAX: all */
+    double time[2];
+    struct bead_grid grid;
+    double *sample;               /* of one time, [sensors]; of modes: their times */
+    struct bead_moments *moments; /* of profiles */
+    struct plot_panel *parts;
+    struct bead_panel *panels;
+    size_t count;
+    char why[96], axis_title[256];
+};
+
+struct plot_kind {
+    enum bead_show show;
+    bool share_x; /* one range along x for all panels */
+    bool headed;  /* letters and title on every page, save that paper's style has no title; else as the page has room */
+    enum bead_error (*create)(struct bead_plot_data *data, struct bead_message *msg);
+    void (*needs)(const struct bead_plot_data *data, struct bead_needs *needs);
+    enum bead_error (*feed)(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg);
+    enum bead_error (*finish)(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg);
+};
+extern const struct plot_kind bead_plot_sensors, bead_plot_peaks, bead_plot_modes, bead_plot_profiles;
+
+/* Room for panels. Errors: MEMORY. */
+BEAD_CHECK enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct bead_message *msg);
+/* A panel with its chain's name for every chain shown, and room for `series` in each and their labels. Errors: MEMORY. */
+BEAD_CHECK enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, struct bead_message *msg);
+bool plot_shows(const struct bead_plot_data *data, size_t chain);
+/* Name and magnetism of a chain, as texts of graphs. */
+void plot_heading(const struct bead_chain *chain, char *text, size_t size);
+/* Colour, shape and dashes that tell curve `index` from the others. */
+void plot_tell_apart(struct bead_series *series, size_t index);
+
+#endif

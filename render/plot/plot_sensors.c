@@ -1,0 +1,265 @@
+/* Force of sensors against time: a panel for each chain that has some, all with one axis of forces. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/draw/markup.h"
+#include "render/figure/figure.h"
+#include "render/plot/plot_private.h"
+#include "render/view/horizon.h"
+#include "render/view/trust_words.h"
+
+/* Times that a plot can tell apart. */
+static const double moments = 2000;
+
+/* Of the first chain shown: its scene's chains are of one kind. */
+static const struct bead_field_info *force_of(const struct bead_plot_data *data)
+{
+    const struct bead_field_info *own = bead_chain_field(data->stage.chains[data->parts[0].chain], BEAD_FIELD_FORCE);
+    return own ? own : bead_field_info(BEAD_FIELD_FORCE);
+}
+
+static const char *first_name(const struct bead_plot_data *data)
+{
+    size_t sensors;
+    const struct bead_sensor *first = bead_chain_sensors(data->stage.chains[data->parts[0].chain], &sensors);
+    for (size_t p = 1; p < data->count; p++) {
+        const struct bead_sensor *other = bead_chain_sensors(data->stage.chains[data->parts[p].chain], &sensors);
+        if (strcmp(first->name, other->name) != 0)
+            return NULL;
+    }
+    return first->name;
+}
+
+/* What the forces are divided by. */
+static void name_axis(struct bead_plot_data *data)
+{
+    const char *title = force_of(data)->title, *first = first_name(data);
+    char quoted[128];
+    snprintf(quoted, sizeof quoted, "the first sensor");
+    if (first) {
+        char name[96];
+        bead_markup_quote(first, name, sizeof name);
+        snprintf(quoted, sizeof quoted, "\u201c%s\u201d", name);
+    }
+    if (data->output->normalise == BEAD_NORMALISE_NONE)
+        snprintf(data->axis_title, sizeof data->axis_title, "%s", title);
+    else if (data->output->normalise == BEAD_NORMALISE_MAX)
+        snprintf(data->axis_title, sizeof data->axis_title, "%s / its largest", title);
+    else
+        snprintf(data->axis_title, sizeof data->axis_title, "%s / largest at %s", title, quoted);
+}
+
+static void make_axes(struct bead_plot_data *data)
+{
+    const struct bead_output *output = data->output;
+    bool plain = output->normalise == BEAD_NORMALISE_NONE;
+    for (size_t p = 0; p < data->count; p++) {
+        data->panels[p] = (struct bead_panel){.x = {"time", bead_chain_time_unit(data->stage.chains[data->parts[p].chain]),
+                                                    data->time[0], data->time[1], BEAD_SCALE_LINEAR, false},
+                                              .y = {data->axis_title, plain ? force_of(data)->unit : "", output->range[0],
+                                                    output->range[1], BEAD_SCALE_LINEAR, true}};
+        plot_heading(data->stage.chains[data->parts[p].chain], data->parts[p].title, sizeof data->parts[p].title);
+        data->panels[p].title = *data->parts[p].title ? data->parts[p].title : NULL;
+    }
+}
+
+static enum bead_error create(struct bead_plot_data *data, struct bead_message *msg)
+{
+    const struct bead_output *output = data->output;
+    size_t most = 0;
+    enum bead_error err = bead_figure_times(output, &data->stage, data->time, msg);
+    if (!err)
+        err = plot_reserve(data, data->stage.chain_count, msg);
+    for (size_t c = 0; !err && c < data->stage.chain_count; c++) {
+        size_t sensors;
+        (void)bead_chain_sensors(data->stage.chains[c], &sensors);
+        if (sensors == 0 || !plot_shows(data, c))
+            continue;
+        struct plot_panel *part = &data->parts[data->count++];
+        part->chain = c;
+        bead_curves_init(&part->curves, sensors, data->time);
+        bead_curves_init(&part->differences, sensors, data->time);
+        most = sensors > most ? sensors : most;
+    }
+    if (!err && data->count == 0)
+        return bead_fail(msg, BEAD_ERROR_SCENE,
+                         "%s:%zu:%zu: there is no sensor to show; give a bead one: {bead: steel, sensor: first}",
+                         data->stage.scene->file, output->place.line, output->place.column);
+    data->sample = err ? NULL : calloc(most, sizeof *data->sample);
+    if (!err && !data->sample)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of sensors");
+    if (err)
+        return err;
+    data->grid = bead_figure_grid(&data->stage, output, data->time, moments);
+    name_axis(data);
+    make_axes(data);
+    snprintf(data->why, sizeof data->why, "curves of sensors");
+    return BEAD_OK;
+}
+
+static void needs(const struct bead_plot_data *data, struct bead_needs *needs)
+{
+    unsigned force = BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
+    struct bead_span beads = {SIZE_MAX, 0};
+    for (size_t p = 0; p < data->count; p++) {
+        size_t count;
+        const struct bead_sensor *sensors = bead_chain_sensors(data->stage.chains[data->parts[p].chain], &count);
+        for (size_t k = 0; k < count; k++) {
+            beads.first = sensors[k].bead < beads.first ? sensors[k].bead : beads.first;
+            beads.last = sensors[k].bead > beads.last ? sensors[k].bead : beads.last;
+        }
+    }
+    *needs = (struct bead_needs){.fields = force,
+                                 .beads = beads,
+                                 .grid = data->grid,
+                                 .twin = data->output->trust ? force : 0,
+                                 .until = data->grid.end,
+                                 .why = data->why};
+}
+
+static enum bead_error add(struct bead_plot_data *data, struct plot_panel *part, const struct bead_sample *sample, bool difference,
+                           struct bead_message *msg)
+{
+    const double *force = sample->field[BEAD_FIELD_FORCE], *twin = sample->twin[BEAD_FIELD_FORCE];
+    struct bead_curves *curves = difference ? &part->differences : &part->curves;
+    size_t count;
+    const struct bead_sensor *sensors = bead_chain_sensors(data->stage.chains[part->chain], &count);
+    if (!force || (difference && !twin))
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no force%s",
+                         difference ? " of a twin to compare with" : "");
+    enum bead_error err = bead_curves_reserve(curves, msg);
+    for (size_t k = 0; !err && k < count; k++)
+        data->sample[k] = force[sensors[k].bead] - (difference ? twin[sensors[k].bead] : 0);
+    if (!err)
+        bead_curves_add(curves, sample->time, data->sample);
+    return err;
+}
+
+static enum bead_error feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t p = 0; !err && p < data->count; p++) {
+        if (data->parts[p].chain != sample->chain)
+            continue;
+        err = add(data, &data->parts[p], sample, false, msg);
+        if (!err && data->output->trust)
+            err = add(data, &data->parts[p], sample, true, msg);
+    }
+    return err;
+}
+
+/* ---- the end ---- */
+
+static double peak_of(const struct bead_curves *curves, size_t k)
+{
+    double peak = 0;
+    for (size_t s = 0; s < curves->count; s++)
+        peak = fmax(peak, curves->stretch[s * curves->curves + k].high.value);
+    return peak;
+}
+
+/* What sensor `k` is multiplied by; NaN where nothing has come to what it would be divided by. */
+static double factor_of(const struct bead_plot_data *data, const struct plot_panel *part, size_t k)
+{
+    if (data->output->normalise == BEAD_NORMALISE_NONE)
+        return 1;
+    double peak = peak_of(&part->curves, data->output->normalise == BEAD_NORMALISE_FIRST ? 0 : k);
+    return peak > 0 ? 1 / peak : NAN;
+}
+
+static enum bead_error fill(struct bead_plot_data *data, struct plot_panel *part, struct bead_message *msg)
+{
+    const struct bead_curves *curves = &part->curves;
+    size_t sensors = curves->curves, room = 4 * curves->count, count;
+    const struct bead_sensor *names = bead_chain_sensors(data->stage.chains[part->chain], &count);
+    part->series = calloc(sensors, sizeof *part->series);
+    part->labels = calloc(sensors, sizeof *part->labels);
+    part->values = calloc(2 * room * sensors + 1, sizeof *part->values);
+    if (!part->series || !part->labels || !part->values)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of sensors");
+    for (size_t k = 0; k < sensors; k++) {
+        double *x = part->values + 2 * k * room, *y = x + room, factor = factor_of(data, part, k);
+        size_t used = 0;
+        for (size_t s = 0; s < curves->count; s++) {
+            struct bead_point points[4];
+            size_t more = bead_curves_points(curves, s, k, points);
+            for (size_t i = 0; i < more; i++) {
+                x[used] = points[i].time;
+                y[used++] = factor * points[i].value;
+            }
+        }
+        bead_markup_quote(names[k].name, part->labels[k], sizeof part->labels[k]);
+        part->series[k] = (struct bead_series){.x = x, .y = y, .count = used, .mark = BEAD_MARK_LINE, .label = part->labels[k]};
+        plot_tell_apart(&part->series[k], k);
+    }
+    return BEAD_OK;
+}
+
+/* Lowest and highest of what all panels show. */
+static double axis_length(const struct bead_plot_data *data)
+{
+    double range[2] = {0, 0};
+    for (size_t p = 0; p < data->count; p++) {
+        const struct plot_panel *part = &data->parts[p];
+        for (size_t k = 0; k < part->curves.curves; k++) {
+            for (size_t i = 0; i < part->series[k].count; i++) {
+                range[0] = fmin(range[0], part->series[k].y[i]);
+                range[1] = fmax(range[1], part->series[k].y[i]);
+            }
+        }
+    }
+    for (int i = 0; i < 2; i++)
+        range[i] = isnan(data->output->range[i]) ? range[i] : data->output->range[i];
+    return range[1] - range[0];
+}
+
+/* The first time at which a curve differs from its twin by more than a hundredth of the axis. */
+static double horizon_of(const struct bead_plot_data *data, const struct plot_panel *part, double threshold)
+{
+    const struct bead_curves *curves = &part->differences;
+    for (size_t s = 0; s < curves->count; s++) {
+        for (size_t k = 0; k < curves->curves; k++) {
+            const struct bead_stretch *stretch = &curves->stretch[s * curves->curves + k];
+            if (factor_of(data, part, k) * fmax(-stretch->low.value, stretch->high.value) > threshold)
+                return stretch->first.time;
+        }
+    }
+    return INFINITY;
+}
+
+static void tell_trust(struct bead_plot_data *data)
+{
+    double threshold = BEAD_HORIZON_PART * axis_length(data);
+    for (size_t p = 0; p < data->count; p++) {
+        struct plot_panel *part = &data->parts[p];
+        struct bead_trust trust = bead_trust_make(data->stage.chains[part->chain], data->stage.twin);
+        trust.from = data->time[0];
+        trust.until = horizon_of(data, part, threshold);
+        part->ruler = (struct bead_ruler){.vertical = true, .value = trust.until, .low = NAN, .high = NAN};
+        size_t used = strlen(part->title);
+        snprintf(part->title + used, sizeof part->title - used, "%s", used ? "; " : "");
+        used = strlen(part->title);
+        bead_trust_say(&trust, 0, part->title + used, sizeof part->title - used);
+        data->panels[p].title = part->title;
+        data->panels[p].rulers = &part->ruler;
+        data->panels[p].ruler_count = isfinite(trust.until) ? 1 : 0;
+    }
+}
+
+static enum bead_error finish(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg)
+{
+    (void)outcomes;
+    enum bead_error err = BEAD_OK;
+    for (size_t p = 0; !err && p < data->count; p++) {
+        err = fill(data, &data->parts[p], msg);
+        data->panels[p].series = data->parts[p].series;
+        data->panels[p].series_count = err ? 0 : data->parts[p].curves.curves;
+    }
+    if (!err && data->output->trust)
+        tell_trust(data);
+    return err;
+}
+
+const struct plot_kind bead_plot_sensors = {BEAD_SHOW_SENSORS, true, false, create, needs, feed, finish};

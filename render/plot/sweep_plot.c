@@ -1,0 +1,343 @@
+/* Plots of sweeps: peak force against magnetism, with its two regimes; or the decay of peaks along the chain. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/render.h"
+#include "beadreel/sweep.h"
+#include "render/plot/graph.h"
+#include "render/sinks.h"
+
+/* Series of a place: all configurations, or up to MARKS of each magnetism with marks of their own; median, mean; of a magnetism
+ * along the chain: its means, its exponential. */
+enum { MARKS = 5, SERIES_OF_PLACE = MARKS + 2, SERIES_OF_DECAY = 3, DECAY_PANELS = 2, RULERS = 2 };
+
+/* A panel and all that its pointers point to. */
+struct panel {
+    struct bead_series *series;
+    struct bead_ruler rulers[RULERS];
+    struct bead_sweep_statistics *statistics; /* [places] */
+    struct bead_sweep_decay *decays;
+    size_t decay_count, places, series_count, ruler_count;
+    double **numbers; /* [series]: x and y of those that have their own */
+    char (*words)[96];
+    char ruler_words[RULERS][96];
+};
+
+/* What is being drawn. */
+struct plot {
+    const struct bead_output *output;
+    const struct bead_sweep *sweep;
+    struct panel *panels;
+    struct bead_panel *shown;
+    size_t count;
+};
+
+static enum bead_error out_of_memory(struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of a sweep");
+}
+
+static enum bead_error reserve(struct panel *p, size_t series, struct bead_message *msg)
+{
+    p->series = calloc(series + 1, sizeof *p->series);
+    p->numbers = calloc(series + 1, sizeof *p->numbers);
+    p->words = calloc(series + 1, sizeof *p->words);
+    return p->series && p->numbers && p->words ? BEAD_OK : out_of_memory(msg);
+}
+
+/* Room for `rows` numbers `columns` times; NULL: out of memory. */
+static double *take(struct panel *p, size_t rows, size_t columns)
+{
+    double *numbers = calloc(rows * columns + 1, sizeof *numbers);
+    p->numbers[p->series_count] = numbers;
+    return numbers;
+}
+
+/* ---- force against magnetism ---- */
+
+static bool add_points(struct panel *p, const struct bead_sweep_statistics *s, size_t colour)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < s->row_count; i++)
+        count += s->rows[i].count;
+    double *x = take(p, count, 1);
+    for (size_t i = 0; x && i < s->row_count; i++) {
+        for (size_t k = 0; k < s->rows[i].count; k++)
+            x[s->rows[i].first + k] = s->rows[i].magnetism;
+    }
+    p->series[p->series_count++] =
+        (struct bead_series){.x = x, .y = s->values, .count = count, .mark = BEAD_MARK_POINTS, .colour = colour, .faint = true};
+    return x != NULL;
+}
+
+static size_t most_configurations(const struct bead_sweep_statistics *s)
+{
+    size_t most = 0;
+    for (size_t i = 0; i < s->row_count; i++)
+        most = s->rows[i].count > most ? s->rows[i].count : most;
+    return most;
+}
+
+/* A few configurations of every magnetism: each has its own mark. */
+static bool add_marks(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, size_t number)
+{
+    double *x = take(p, s->row_count, 2);
+    size_t count = 0;
+    for (size_t i = 0; x && i < s->row_count; i++) {
+        if (number >= s->rows[i].count)
+            continue;
+        x[count] = s->rows[i].magnetism;
+        x[s->row_count + count++] = s->values[s->rows[i].first + number];
+    }
+    p->series[p->series_count++] = (struct bead_series){.x = x,
+                                                        .y = x ? x + s->row_count : NULL,
+                                                        .count = count,
+                                                        .mark = BEAD_MARK_POINTS,
+                                                        .colour = colour,
+                                                        .shape = number,
+                                                        .hollow = true};
+    return x != NULL;
+}
+
+static bool add_configurations(struct panel *p, const struct bead_sweep_statistics *s, size_t colour)
+{
+    size_t most = most_configurations(s);
+    bool good = true;
+    if (most > MARKS)
+        return add_points(p, s, colour);
+    for (size_t k = 0; k < most && good; k++)
+        good = add_marks(p, s, colour, k);
+    return good;
+}
+
+/* Means with bars of their standard errors, or medians. */
+static bool add_curve(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, bool median, const char *place)
+{
+    const size_t n = s->row_count;
+    double *x = take(p, n, 3);
+    for (size_t i = 0; x && i < n; i++) {
+        const struct bead_summary *m = &s->rows[i].summary;
+        x[i] = s->rows[i].magnetism;
+        x[n + i] = median ? m->median : m->mean;
+        x[2 * n + i] = isfinite(m->standard_error) ? m->standard_error : 0;
+    }
+    char *word = p->words[p->series_count];
+    snprintf(word, sizeof *p->words, "%s%s%s", place, *place ? ", " : "", median ? "median" : "mean");
+    p->series[p->series_count++] = (struct bead_series){.x = x,
+                                                        .y = x ? x + n : NULL,
+                                                        .error = x && !median ? x + 2 * n : NULL,
+                                                        .count = n,
+                                                        .mark = median ? BEAD_MARK_LINE : BEAD_MARK_LINE_POINTS,
+                                                        .colour = colour,
+                                                        .dashed = median,
+                                                        .label = word};
+    return x != NULL;
+}
+
+static void add_rulers(struct panel *p, const struct bead_sweep_statistics *s)
+{
+    const struct bead_threshold *t = &s->threshold;
+    if (!s->has_threshold)
+        return;
+    snprintf(p->ruler_words[0], sizeof p->ruler_words[0], "plateau %.3f", t->plateau);
+    p->rulers[p->ruler_count++] = (struct bead_ruler){false, t->plateau, NAN, NAN, p->ruler_words[0]};
+    if (!isfinite(t->critical))
+        return;
+    bool error = isfinite(t->critical_error);
+    if (error)
+        snprintf(p->ruler_words[1], sizeof p->ruler_words[1], "*M*_c = %.3f ± %.3f", t->critical, t->critical_error);
+    else
+        snprintf(p->ruler_words[1], sizeof p->ruler_words[1], "*M*_c = %.3f", t->critical);
+    p->rulers[p->ruler_count++] = (struct bead_ruler){true, t->critical, error ? t->critical - t->critical_error : NAN,
+                                                      error ? t->critical + t->critical_error : NAN, p->ruler_words[1]};
+}
+
+static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct bead_message *msg)
+{
+    struct panel *p = &plot->panels[index];
+    const enum bead_sweep_show show = plot->output->sweep_show;
+    const size_t places = bead_sweep_panel(plot->sweep, index)->places;
+    bool good = true;
+    enum bead_error err = reserve(p, SERIES_OF_PLACE * places, msg);
+    p->statistics = calloc(places + 1, sizeof *p->statistics);
+    if (!err && !p->statistics)
+        err = out_of_memory(msg);
+    for (; !err && p->places < places; p->places++) {
+        size_t place = p->places;
+        struct bead_sweep_statistics *s = &p->statistics[place];
+        const char *name = places > 1 ? bead_sweep_place(plot->sweep, index, place) : "";
+        err = bead_sweep_statistics(plot->sweep, index, place, plot->output->threshold, s, msg);
+        if (err)
+            break;
+        good = good && add_configurations(p, s, place);
+        if (good && show != BEAD_SWEEP_MEDIAN)
+            good = add_curve(p, s, place, false, name);
+        if (good && show != BEAD_SWEEP_MEAN)
+            good = add_curve(p, s, places > 1 ? place : place + 1, true, name);
+        if (places == 1)
+            add_rulers(p, s);
+    }
+    if (!err && !good)
+        err = out_of_memory(msg);
+    struct bead_panel *shown = &plot->shown[index];
+    shown->x = (struct bead_graph_axis){.title = "magnetism *M*", .unit = "", .low = -0.02, .high = 1.02};
+    shown->y = (struct bead_graph_axis){.title = "peak force *F*/*F*(*M* = 1)",
+                                        .unit = "",
+                                        .low = isnan(plot->output->range[0]) ? 0 : plot->output->range[0],
+                                        .high = plot->output->range[1],
+                                        .zero = isnan(plot->output->range[0])};
+    return err;
+}
+
+/* Means have one look in all panels, which one legend explains: points only where these stand apart in each. */
+static void join_marks(struct plot *plot)
+{
+    enum { APART = 40 };
+    bool dense = false;
+    for (size_t i = 0; i < plot->count; i++) {
+        for (size_t k = 0; k < plot->panels[i].places; k++)
+            dense = dense || plot->panels[i].statistics[k].row_count > APART;
+    }
+    for (size_t i = 0; dense && i < plot->count; i++) {
+        for (size_t k = 0; k < plot->panels[i].series_count; k++) {
+            struct bead_series *series = &plot->panels[i].series[k];
+            if (series->mark == BEAD_MARK_LINE_POINTS)
+                series->mark = BEAD_MARK_LINE;
+        }
+    }
+}
+
+/* ---- decay ---- */
+
+/* A line of a fit from place `first` to `last`: exponential, or power. */
+static bool add_fit(struct panel *p, const struct bead_decay *fit, size_t first, size_t last, double half, bool power,
+                    size_t colour)
+{
+    enum { STEPS = 64 };
+    double *x = take(p, STEPS + 1, 2);
+    for (size_t i = 0; x && i <= STEPS; i++) {
+        double place = (double)first * pow((double)last / (double)first, (double)i / STEPS);
+        x[i] = place + half;
+        x[STEPS + 1 + i] =
+            exp(power ? fit->exponent_offset + fit->exponent * log(place) : fit->length_offset - place / fit->length);
+    }
+    p->series[p->series_count++] = (struct bead_series){
+        .x = x, .y = x ? x + STEPS + 1 : NULL, .count = STEPS + 1, .mark = BEAD_MARK_LINE, .colour = colour, .dashed = true};
+    return x != NULL;
+}
+
+/* Means in units of the clean chain, with the exponential and the power law. */
+static bool add_profile(struct panel *p, const struct plot *plot, size_t index, const struct bead_sweep_decay *d, bool energy,
+                        size_t colour)
+{
+    const struct bead_sweep_panel *panel = bead_sweep_panel(plot->sweep, index);
+    const struct bead_decay *fit = energy ? &d->of_energy : &d->of_force;
+    size_t count = 0, beads = panel->beads;
+    double *x = take(p, beads, 2);
+    struct bead_sweep_configuration clean;
+    if (!x || !bead_sweep_configuration(plot->sweep, index, BEAD_SWEEP_CLEAN, &clean))
+        return false;
+    for (size_t i = 0; i < beads; i++)
+        x[i] = energy ? d->energy[i] / clean.bead_energy[i] : d->force[i] / clean.bead_force[i];
+    bead_sweep_smooth(plot->sweep, index, x, x + beads, &count);
+    double half = 0.5 * (double)(panel->spec->last + 1 - count);
+    for (size_t i = 0; i < count; i++)
+        x[i] = (double)i + half;
+    bool falls = isfinite(fit->length), power = isfinite(fit->exponent);
+    char *word = p->words[p->series_count];
+    int used = snprintf(word, sizeof *p->words, "*M* = %.3g", d->magnetism);
+    if (falls)
+        used += snprintf(word + used, sizeof *p->words - (size_t)used, ", *γ* = %.0f", fit->length);
+    if (falls && isfinite(fit->length_error))
+        used += snprintf(word + used, sizeof *p->words - (size_t)used, " ± %.0f", fit->length_error);
+    if (power)
+        snprintf(word + used, sizeof *p->words - (size_t)used, ", *x*^{%.2f}", fit->exponent);
+    p->series[p->series_count++] =
+        (struct bead_series){.x = x, .y = x + beads, .count = count, .mark = BEAD_MARK_LINE, .colour = colour, .label = word};
+    bool good = !falls || add_fit(p, fit, fit->first, fit->last, half, false, colour);
+    return good && (!power || add_fit(p, fit, fit->last, count - 1, half, true, colour));
+}
+
+/* To the last random bead: behind it is what the wave makes of an ordered chain, and its end. */
+static enum bead_error fill_decay(struct plot *plot, size_t place, struct bead_message *msg)
+{
+    const size_t index = place / DECAY_PANELS;
+    const bool energy = place % DECAY_PANELS;
+    struct panel *p = &plot->panels[place];
+    enum bead_error err = bead_sweep_decays(plot->sweep, index, &p->decays, &p->decay_count, msg);
+    if (!err)
+        err = reserve(p, SERIES_OF_DECAY * p->decay_count, msg);
+    for (size_t i = 0; i < p->decay_count && !err; i++)
+        err = add_profile(p, plot, index, &p->decays[i], energy, i) ? BEAD_OK : out_of_memory(msg);
+    struct bead_panel *shown = &plot->shown[place];
+    shown->x = (struct bead_graph_axis){.title = "bead", .unit = "1", .low = NAN, .high = NAN};
+    shown->y = (struct bead_graph_axis){.title = energy ? "energy of the front *E*/*E*(*M* = 1)" : "peak force *F*/*F*(*M* = 1)",
+                                        .unit = "",
+                                        .low = plot->output->range[0],
+                                        .high = plot->output->range[1],
+                                        .scale = BEAD_SCALE_LOG};
+    return err;
+}
+
+/* ---- the graph ---- */
+
+static void free_plot(struct plot *plot)
+{
+    for (size_t i = 0; plot->panels && i < plot->count; i++) {
+        struct panel *p = &plot->panels[i];
+        for (size_t k = 0; p->numbers && k < p->series_count; k++)
+            free(p->numbers[k]);
+        for (size_t k = 0; p->statistics && k < p->places; k++)
+            bead_sweep_statistics_free(&p->statistics[k]);
+        bead_sweep_decays_free(p->decays, p->decay_count);
+        free(p->statistics);
+        free(p->numbers);
+        free(p->series);
+        free(p->words);
+    }
+    free(plot->panels);
+    free(plot->shown);
+}
+
+static enum bead_error write_plot(const struct bead_output *output, const struct bead_sweep *sweep, const char *path,
+                                  uint64_t *bytes, struct bead_message *msg)
+{
+    const bool decay = output->sweep_show == BEAD_SWEEP_DECAY;
+    struct plot plot = {.output = output, .sweep = sweep, .count = bead_sweep_panels(sweep) * (decay ? DECAY_PANELS : 1)};
+    plot.panels = calloc(plot.count, sizeof *plot.panels);
+    plot.shown = calloc(plot.count, sizeof *plot.shown);
+    enum bead_error err = plot.panels && plot.shown ? BEAD_OK : out_of_memory(msg);
+    for (size_t i = 0; i < plot.count && !err; i++) {
+        err = decay ? fill_decay(&plot, i, msg) : fill_magnetism(&plot, i, msg);
+        const char *name = bead_sweep_panel(sweep, decay ? i / DECAY_PANELS : i)->name;
+        plot.shown[i].title = *name ? name : NULL;
+        plot.shown[i].series = plot.panels[i].series;
+        plot.shown[i].series_count = plot.panels[i].series_count;
+        plot.shown[i].rulers = plot.panels[i].rulers;
+        plot.shown[i].ruler_count = plot.panels[i].ruler_count;
+    }
+    if (!err)
+        join_marks(&plot);
+    const struct bead_graph graph = {
+        .panels = plot.shown, .panel_count = plot.count, .letters = true, .share_x = !decay, .share_y = !decay};
+    if (!err) /* on paper the text says what it is */
+        err = bead_graph_write(&graph, output->style != BEAD_STYLE_PAPER, output, bead_sweep_scene(sweep), path, bytes, msg);
+    free_plot(&plot);
+    return err;
+}
+
+static const char *why(const struct bead_output *output)
+{
+    return output->sweep_show == BEAD_SWEEP_DECAY ? "peaks along the chain, and how they decay"
+                                                  : "peak force against magnetism, with plateau and threshold";
+}
+
+static const struct bead_sweep_sink plot_sink = {"plot", BEAD_OUTPUT_PLOT, bead_still_extensions, why, write_plot, NULL};
+static const struct bead_sweep_sink *const sinks[] = {&plot_sink, &bead_contact_sheet_sink, NULL};
+
+const struct bead_sweep_sink *const *bead_sweep_render_sinks(void)
+{
+    return sinks;
+}

@@ -1,0 +1,184 @@
+/* What of a chain is shown, and in which words. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/schematic/schematic_parts.h"
+#include "render/schematic/schematic_words.h"
+
+/* Spins of this many cells are written out. */
+enum { MOST_DIGITS = 12 };
+
+static void spin_words(const struct bead_segment *segment, char *out, size_t size)
+{
+    char magnetism[128];
+    out[0] = '\0';
+    if (!segment->spins_given || segment->cell_beads < 2)
+        return;
+    bead_text_magnetism(segment->magnetism, magnetism, sizeof magnetism);
+    if (segment->spins == BEAD_SPINS_RANDOM)
+        snprintf(out, size, "random, %s", magnetism);
+    else if (segment->spins == BEAD_SPINS_DIGITS && segment->count > MOST_DIGITS)
+        snprintf(out, size, "given spins");
+    else
+        snprintf(out, size, "%s",
+                 segment->spins == BEAD_SPINS_DIGITS ? segment->digits
+                 : segment->spins == BEAD_SPINS_UP   ? "up"
+                                                     : "down");
+}
+
+static void segment_words(const struct bead_segment *segment, struct bead_part *part)
+{
+    if (segment->sensor) /* its name stands above */
+        return;
+    snprintf(part->words[0], sizeof part->words[0], "%zu %s", segment->count,
+             bead_cell_word(segment->cell_beads, segment->count != 1));
+    spin_words(segment, part->words[1], sizeof part->words[1]);
+}
+
+size_t bead_parts_make(const struct bead_chain *chain, size_t most, struct bead_part *parts)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    size_t count = spec->segment_count, used = 0, bead = 1;
+    size_t front = count <= most ? count : (most + 1) / 2, back = count <= most ? 0 : most / 2;
+    for (size_t s = 0; s < count; s++) {
+        const struct bead_segment *segment = &spec->segments[s];
+        size_t beads = segment->cell_beads * segment->count;
+        if (s < front || s >= count - back) {
+            parts[used] = (struct bead_part){.segment = segment, .first = bead, .beads = beads};
+            segment_words(segment, &parts[used++]);
+        } else if (s == front) {
+            parts[used++] = (struct bead_part){.first = bead, .beads = beads};
+        } else {
+            parts[used - 1].beads += beads;
+        }
+        bead += beads;
+    }
+    for (size_t i = 0; i < used; i++) {
+        if (parts[i].segment)
+            continue;
+        snprintf(parts[i].words[0], sizeof parts[i].words[0], "%zu more entries", count - front - back);
+        snprintf(parts[i].words[1], sizeof parts[i].words[1], "%zu beads", parts[i].beads);
+    }
+    return used;
+}
+
+/* At most about `most` beads of a part, whole cells where they are short enough. */
+static bool strip_part(const struct bead_chain *chain, const struct bead_part *part, size_t index, size_t most,
+                       struct bead_strip *strip)
+{
+    const size_t *material = bead_chain_material(chain);
+    if (!part->segment)
+        return bead_strip_add(strip, 0, true, index);
+    size_t cell = part->segment->cell_beads, lead = (most + 1) / 2, tail = most / 2;
+    if (cell <= most) {
+        lead = (lead + cell - 1) / cell * cell;
+        tail = tail < cell ? cell : tail / cell * cell;
+    }
+    bool whole = part->beads <= most || part->beads <= lead + tail + 1;
+    for (size_t i = 0; i < part->beads; i++) {
+        bool left_out = !whole && i == lead;
+        if (left_out)
+            i = part->beads - tail - 1;
+        if (!bead_strip_add(strip, material[part->first + i], left_out, index))
+            return false;
+    }
+    return true;
+}
+
+bool bead_parts_strip(const struct bead_chain *chain, const struct bead_part *parts, size_t count, size_t most,
+                      struct bead_strip *strip)
+{
+    strip->count = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (!strip_part(chain, &parts[i], i, most, strip))
+            return false;
+    }
+    return true;
+}
+
+/* ---- words above and below ---- */
+
+static void add_label(struct bead_plan_labels *labels, const struct bead_text_style *style, size_t part, const char *first,
+                      const char *second)
+{
+    size_t i = labels->count++;
+    snprintf(labels->words[i][0], sizeof labels->words[i][0], "%s", first);
+    snprintf(labels->words[i][1], sizeof labels->words[i][1], "%s", second);
+    labels->part[i] = part;
+    labels->label[i].width = fmax(bead_sketch_width(style, first), bead_sketch_width(style, second));
+}
+
+static void striker_words(const struct bead_chain *chain, char *out, size_t size)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    if (spec->striker_velocity != 0)
+        snprintf(out, size, "striker, %.4g m/s", fabs(spec->striker_velocity));
+    else
+        snprintf(out, size, "striker at rest");
+}
+
+static void wall_words(const struct bead_chain *chain, char *out, size_t size)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    char name[96] = "rigid";
+    if (spec->wall == BEAD_WALL_MATERIAL)
+        bead_text_escape(bead_chain_scene(chain)->materials[spec->wall_material].name, name, sizeof name);
+    snprintf(out, size, "%s wall", name);
+}
+
+void bead_parts_labels(struct bead_plan_row *row, const struct bead_text_style *style, bool details)
+{
+    char words[160];
+    row->above.count = row->below.count = 0;
+    striker_words(row->chain, words, sizeof words);
+    add_label(&row->above, style, SIZE_MAX, words, "");
+    for (size_t i = 0; i < row->part_count; i++) {
+        const struct bead_part *part = &row->parts[i];
+        if (part->segment && part->segment->sensor) {
+            bead_text_escape(part->segment->sensor, words + strlen("sensor "), sizeof words - strlen("sensor "));
+            memcpy(words, "sensor ", strlen("sensor "));
+            add_label(&row->above, style, i, words, "");
+        } else if (*part->words[0]) {
+            add_label(&row->below, style, i, part->words[0], details ? part->words[1] : "");
+        }
+    }
+    if (bead_chain_spec(row->chain)->wall != BEAD_WALL_NONE) {
+        wall_words(row->chain, words, sizeof words);
+        add_label(&row->below, style, SIZE_MAX, words, "");
+    }
+}
+
+/* Name, number of beads, M, tilt, precompression: as much as has room. */
+void bead_parts_header(struct bead_plan_row *row, const struct bead_text_style *style, double width)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(row->chain);
+    char name[160], pieces[5][200] = {"", "", "", "", ""}, text[sizeof row->header], number[128];
+    bead_text_escape(bead_chain_name(row->chain), name, sizeof name);
+    if (*name)
+        snprintf(pieces[0], sizeof pieces[0], "<b>%s</b>", name);
+    snprintf(pieces[1], sizeof pieces[1], "%zu bead%s", bead_chain_beads(row->chain) - 1,
+             bead_chain_beads(row->chain) == 2 ? "" : "s");
+    if (*bead_chain_spins(row->chain)) {
+        bead_text_magnetism(bead_chain_magnetism(row->chain), number, sizeof number);
+        snprintf(pieces[2], sizeof pieces[2], "%s", number);
+    }
+    if (spec->tilt > 0)
+        snprintf(pieces[3], sizeof pieces[3], "tilt %.3g°%s", spec->tilt * 180 / M_PI,
+                 fabs(row->slope - tan(spec->tilt)) > 1e-9 ? " (drawn flatter)" : "");
+    if (spec->precompression > 0) {
+        bead_quantity(spec->precompression, "N", 3, number, sizeof number);
+        snprintf(pieces[4], sizeof pieces[4], "precompressed by %s", number);
+    }
+    row->header[0] = '\0';
+    for (size_t i = 0; i < 5; i++) {
+        const char *apart = *row->header ? "    " : "";
+        if (!*pieces[i] || strlen(row->header) + strlen(apart) + strlen(pieces[i]) >= sizeof text)
+            continue;
+        memcpy(text, row->header, sizeof text);
+        strcat(strcat(text, apart), pieces[i]);
+        if (bead_sketch_width(style, text) <= width)
+            memcpy(row->header, text, sizeof text);
+    }
+}

@@ -1,0 +1,67 @@
+/* Plans of the drawing of an experiment: how much of each chain is shown, how large, and where its labels go. */
+#ifndef BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_PLAN_H
+#define BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_PLAN_H
+
+#include "render/schematic/schematic.h"
+
+enum { BEAD_PLAN_PARTS = 40, BEAD_PLAN_LABELS = BEAD_PLAN_PARTS + 2 };
+
+/* A segment of the chain, or several that are left out. */
+struct bead_part {
+    const struct bead_segment *segment; /* NULL: left out */
+    size_t first, beads;                /* beads of the chain */
+    char words[2][160];                 /* under its brace: what it is, and which way round; "": nothing */
+};
+
+/* Words in a row, with what each is tied to. */
+struct bead_plan_labels {
+    struct bead_label label[BEAD_PLAN_LABELS];
+    char words[BEAD_PLAN_LABELS][2][160];
+    size_t part[BEAD_PLAN_LABELS]; /* index of a part; SIZE_MAX: the striker above, the wall below */
+    size_t count;
+};
+
+struct bead_plan_row {
+    const struct bead_chain *chain;
+    struct bead_part parts[BEAD_PLAN_PARTS];
+    size_t part_count;
+    struct bead_strip strip; /* marks are indices of parts */
+    struct bead_plan_labels above, below;
+    char header[1024];
+    double slope, largest; /* of the guide as drawn; m, radius of the largest bead */
+    /* px */
+    double y, height;            /* of the whole row */
+    double first_x, guide_y;     /* left end of bead 1; top of the guide there */
+    double end_x, striker_r;     /* right end of the last bead */
+    double striker_x, striker_y; /* centre */
+    double foot_y;               /* of the ramp: the striker arrives at the beads' axis */
+};
+
+/* Lengths that rows are made of, px. */
+struct bead_plan {
+    const struct bead_drafting *d;
+    struct bead_plan_row *rows;
+    size_t row_count;
+    struct bead_box area;
+    double em, scale; /* scale: px a metre */
+    double drop;      /* em, that a guide falls at most */
+    bool details;     /* second lines of the labels below */
+};
+
+enum { BEAD_PLAN_ANGLE_PERCENT = 42 }; /* the ramp's slope */
+
+/* As many rows as there is room for. false: not for one. */
+BEAD_CHECK bool bead_plan_make(const struct bead_drafting *d, struct bead_box area, struct bead_plan *plan);
+void bead_plan_free(struct bead_plan *plan);
+
+double bead_plan_wall(const struct bead_plan *plan, const struct bead_plan_row *row); /* px: width of the wall; 0: none */
+double bead_plan_gap(const struct bead_plan *plan);                                   /* px: where beads are left out */
+double bead_plan_row_gap(const struct bead_plan *plan);                               /* px */
+/* Baselines of the rows of words: of the header, above the beads, below them (first line). */
+double bead_plan_header_y(const struct bead_plan *plan, const struct bead_plan_row *row);
+double bead_plan_above_y(const struct bead_plan *plan, const struct bead_plan_row *row);
+double bead_plan_below_y(const struct bead_plan *plan, const struct bead_plan_row *row);
+/* Top of the guide at x. */
+double bead_plan_guide(const struct bead_plan_row *row, double x);
+
+#endif

@@ -1,0 +1,222 @@
+/* The experiment (thesis, Fig. 4): striker on its ramp, guide, beads to scale, sensors, wall. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "render/schematic/schematic_plan.h"
+#include "render/schematic/schematic_words.h"
+
+enum { MOST_MATERIALS = 60 };
+/* In units of the label's font size. */
+static const double guide_height = 0.28, brace_gap = 0.25, brace_depth = 0.7, arrow_length = 2.0, arrow_above = 0.45;
+
+static struct bead_rgb between(struct bead_rgb a, struct bead_rgb b, double part)
+{
+    return (struct bead_rgb){a.r + part * (b.r - a.r), a.g + part * (b.g - a.g), a.b + part * (b.b - a.b)};
+}
+
+static struct bead_rgb guide_colour(const struct bead_look *look)
+{
+    return between(look->background, look->ink, look->dark ? 0.35 : 0.3);
+}
+
+/* Guide with its ramp; a bead that is smaller than the largest rests on a block. */
+static void draw_guide(const struct bead_plan *plan, const struct bead_plan_row *row)
+{
+    struct bead_sketch *sketch = plan->d->sketch;
+    cairo_t *cr = sketch->cr;
+    double em = plan->em, angle = atan(BEAD_PLAN_ANGLE_PERCENT / 100.0), thick = guide_height * em;
+    double foot = row->first_x - 0.2 * em, end = row->end_x + bead_plan_wall(plan, row);
+    double left = row->striker_x - row->striker_r * (1 + sin(angle)) - 0.4 * em;
+    bead_sketch_colour(sketch, guide_colour(sketch->look));
+    cairo_move_to(cr, left, row->foot_y - (foot - left) * tan(angle));
+    cairo_line_to(cr, foot, row->foot_y);
+    cairo_line_to(cr, foot, row->guide_y);
+    cairo_line_to(cr, row->first_x, row->guide_y);
+    cairo_line_to(cr, end, bead_plan_guide(row, end));
+    cairo_line_to(cr, end, bead_plan_guide(row, end) + thick);
+    cairo_line_to(cr, row->first_x, row->guide_y + thick);
+    cairo_line_to(cr, foot - thick, row->guide_y + thick);
+    cairo_line_to(cr, foot - thick, row->foot_y + thick);
+    cairo_line_to(cr, left, row->foot_y - (foot - left) * tan(angle) + thick);
+    cairo_close_path(cr);
+    cairo_fill(cr);
+    double largest = plan->scale * row->largest;
+    for (size_t i = 0; i < row->strip.count; i++) {
+        const struct bead_strip_bead *b = &row->strip.beads[i];
+        double top = bead_plan_guide(row, b->x) - largest + 0.8 * b->r;
+        if (b->left_out || b->r > 0.98 * largest)
+            continue;
+        cairo_rectangle(cr, b->x - 0.55 * b->r, top, 1.1 * b->r, bead_plan_guide(row, b->x) - top + 0.5 * thick);
+        cairo_fill(cr);
+    }
+}
+
+static void draw_wall(const struct bead_plan *plan, const struct bead_plan_row *row)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(row->chain);
+    const struct bead_scene *scene = plan->d->stage->scene;
+    double width = bead_plan_wall(plan, row), half = 1.25 * plan->scale * row->largest;
+    if (!(width > 0))
+        return;
+    double y = bead_plan_guide(row, row->end_x) - plan->scale * row->largest;
+    struct bead_box box = {row->end_x, y - half, width, bead_plan_guide(row, row->end_x + width) - y + half};
+    bead_sketch_hatch(plan->d->sketch, box, spec->wall == BEAD_WALL_MATERIAL ? scene->materials[spec->wall_material].colour : NULL);
+    bead_sketch_colour(plan->d->sketch, plan->d->sketch->look->ink);
+    cairo_set_line_width(plan->d->sketch->cr, plan->d->sketch->look->line);
+    bead_sketch_line(plan->d->sketch, box.x, box.y, box.x, box.y + box.height);
+}
+
+static void draw_striker(const struct bead_plan *plan, const struct bead_plan_row *row)
+{
+    struct bead_sketch *sketch = plan->d->sketch;
+    double angle = atan(BEAD_PLAN_ANGLE_PERCENT / 100.0), em = plan->em, out = row->striker_r + arrow_above * em;
+    const struct bead_chain_spec *spec = bead_chain_spec(row->chain);
+    double x = row->striker_x + out * sin(angle), y = row->striker_y - out * cos(angle), half = 0.5 * arrow_length * em;
+    bead_sketch_ball(sketch, row->striker_x, row->striker_y, row->striker_r,
+                     plan->d->stage->scene->materials[spec->striker_material].colour);
+    if (spec->striker_velocity == 0)
+        return;
+    x = fmin(x, row->first_x - 0.1 * em - half * cos(angle)); /* clear of the first bead */
+    half *= spec->striker_velocity < 0 ? -1 : 1;
+    bead_sketch_colour(sketch, sketch->look->accent);
+    cairo_set_line_width(sketch->cr, 1.6 * sketch->look->line);
+    bead_sketch_arrow(sketch, x - half * cos(angle), y - half * sin(angle), x + half * cos(angle), y + half * sin(angle), false);
+}
+
+static void draw_beads(const struct bead_plan *plan, const struct bead_plan_row *row)
+{
+    struct bead_sketch *sketch = plan->d->sketch;
+    for (size_t i = 0; i < row->strip.count; i++) {
+        const struct bead_strip_bead *b = &row->strip.beads[i];
+        double y = bead_plan_guide(row, b->x) - plan->scale * row->largest;
+        const struct bead_segment *segment = row->parts[b->mark].segment;
+        if (b->left_out) {
+            bead_sketch_dots(sketch, b->x, y, 2 * b->r);
+            continue;
+        }
+        bead_sketch_ball(sketch, b->x, y, b->r, plan->d->stage->scene->materials[b->material].colour);
+        if (segment && segment->sensor) {
+            bead_sketch_colour(sketch, sketch->look->accent);
+            cairo_set_line_width(sketch->cr, 1.6 * sketch->look->line);
+            cairo_new_path(sketch->cr);
+            cairo_arc(sketch->cr, b->x, y, fmax(0.55 * b->r, 0.5 * sketch->look->line), 0, 2 * M_PI);
+            cairo_stroke(sketch->cr);
+        }
+    }
+}
+
+/* From what a label is about to where it stands: straight up, then to its middle. */
+static void draw_leader(struct bead_sketch *sketch, const struct bead_label *label, double y0, double bend, double y1)
+{
+    double inset = fmin(0.4 * sketch->look->label, 0.5 * label->width);
+    double x = fmin(fmax(label->anchor, label->x + inset), label->x + label->width - inset);
+    bead_sketch_colour(sketch, sketch->look->faint);
+    cairo_set_line_width(sketch->cr, sketch->look->line);
+    cairo_move_to(sketch->cr, label->anchor, y0);
+    cairo_line_to(sketch->cr, label->anchor, bend);
+    cairo_line_to(sketch->cr, x, y1);
+    cairo_stroke(sketch->cr);
+}
+
+static void draw_above(const struct bead_plan *plan, const struct bead_plan_row *row)
+{
+    struct bead_sketch *sketch = plan->d->sketch;
+    double em = plan->em, y = bead_plan_above_y(plan, row), angle = atan(BEAD_PLAN_ANGLE_PERCENT / 100.0);
+    struct bead_text_style style = bead_sketch_style(sketch, em);
+    for (size_t i = 0; i < row->above.count; i++) {
+        const struct bead_label *label = &row->above.label[i];
+        bool striker = row->above.part[i] == SIZE_MAX;
+        double top = row->striker_y - (row->striker_r + arrow_above * em) * cos(angle) - 0.3 * em,
+               largest = plan->scale * row->largest;
+        if (!striker)
+            for (size_t b = 0; b < row->strip.count; b++)
+                if (row->strip.beads[b].mark == row->above.part[i])
+                    top = bead_plan_guide(row, label->anchor) - largest - row->strip.beads[b].r - 0.15 * em;
+        double bend = y + 0.62 * em + 0.75 * em;
+        if (!striker || top > bend)
+            draw_leader(sketch, label, top, fmin(bend, top), y + 0.62 * em);
+        bead_sketch_text(sketch, &style, label->x, y, row->above.words[i][0]);
+    }
+}
+
+static void draw_below(const struct bead_plan *plan, const struct bead_plan_row *row)
+{
+    struct bead_sketch *sketch = plan->d->sketch;
+    double em = plan->em, y = bead_plan_below_y(plan, row), low, high;
+    struct bead_text_style style = bead_sketch_style(sketch, em);
+    style.across = BEAD_ALIGN_MIDDLE;
+    for (size_t i = 0; i < row->below.count; i++) {
+        const struct bead_label *label = &row->below.label[i];
+        double top = bead_plan_guide(row, label->anchor) + guide_height * em + 0.1 * em;
+        if (row->below.part[i] != SIZE_MAX && bead_strip_extent(&row->strip, row->below.part[i], &low, &high)) {
+            double from = bead_plan_guide(row, high) + (guide_height + brace_gap) * em, inset = fmin(0.1 * em, 0.1 * (high - low));
+            bead_sketch_colour(sketch, sketch->look->ink);
+            cairo_set_line_width(sketch->cr, sketch->look->line);
+            bead_sketch_brace(sketch, low + inset, high - inset, from, brace_depth * em);
+            top = from + brace_depth * em;
+        }
+        draw_leader(sketch, label, top, fmax(top, y - 1.5 * em), y - 0.7 * em);
+        bead_sketch_text(sketch, &style, label->x + 0.5 * label->width, y, row->below.words[i][0]);
+        bead_sketch_text(sketch, &style, label->x + 0.5 * label->width, y + 1.3 * em, row->below.words[i][1]);
+    }
+}
+
+static void draw_row(const struct bead_plan *plan, const struct bead_plan_row *row)
+{
+    struct bead_text_style style = bead_sketch_style(plan->d->sketch, plan->em);
+    bead_sketch_text(plan->d->sketch, &style, plan->area.x, bead_plan_header_y(plan, row), row->header);
+    draw_guide(plan, row);
+    draw_wall(plan, row);
+    draw_striker(plan, row);
+    draw_beads(plan, row);
+    draw_above(plan, row);
+    draw_below(plan, row);
+}
+
+/* Materials of beads, in the order of the scene. */
+static size_t list_materials(const struct bead_drafting *d, struct bead_piece *pieces)
+{
+    const struct bead_scene *scene = d->stage->scene;
+    bool *used = calloc(scene->material_count + 1, sizeof *used);
+    size_t count = 0;
+    for (size_t c = 0; used && c < d->stage->chain_count; c++) {
+        for (size_t j = 0; j < bead_chain_beads(d->stage->chains[c]); j++)
+            used[bead_chain_material(d->stage->chains[c])[j]] = true;
+    }
+    for (size_t m = 0; used && m < scene->material_count && count < MOST_MATERIALS; m++) {
+        if (!used[m])
+            continue;
+        bead_material_words(&scene->materials[m], pieces[count].markup, sizeof pieces[count].markup);
+        pieces[count++].colour = scene->materials[m].colour;
+    }
+    free(used);
+    return count;
+}
+
+/* What there is no room to draw. */
+static bool say_rest(const struct bead_drafting *d, struct bead_box *area, size_t rest)
+{
+    struct bead_piece piece = {{0}, NULL};
+    snprintf(piece.markup, sizeof piece.markup, "and %zu more chain%s", rest, rest == 1 ? "" : "s");
+    return bead_drafting_pieces(d, area, &piece, 1, false);
+}
+
+bool bead_schematic_setup(const struct bead_drafting *d)
+{
+    struct bead_piece *pieces = calloc(MOST_MATERIALS, sizeof *pieces);
+    struct bead_plan plan = {0};
+    struct bead_box area = d->area;
+    bool room = pieces && bead_drafting_pieces(d, &area, pieces, list_materials(d, pieces), true) && bead_plan_make(d, area, &plan);
+    if (room && plan.row_count < d->stage->chain_count) { /* again, with a line that says so */
+        struct bead_box less = area;
+        less.height -= 2 * d->sketch->look->label;
+        bead_plan_free(&plan);
+        room = bead_plan_make(d, less, &plan) && say_rest(d, &area, d->stage->chain_count - plan.row_count);
+    }
+    for (size_t i = 0; room && i < plan.row_count; i++)
+        draw_row(&plan, &plan.rows[i]);
+    bead_plan_free(&plan);
+    free(pieces);
+    return room;
+}

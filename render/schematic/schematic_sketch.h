@@ -1,0 +1,54 @@
+/* Sketches: the strokes that schematic drawings are made of. Every text leaves its box, so that one can ask afterwards whether
+ * all can be read. Lengths in px, y downwards. */
+#ifndef BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_SKETCH_H
+#define BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_SKETCH_H
+
+#include <stdbool.h>
+
+#include "beadreel/look.h"
+
+struct bead_box {
+    double x, y, width, height;
+};
+
+struct bead_sketch {
+    cairo_t *cr;
+    const struct bead_look *look;
+    struct bead_box *boxes; /* of texts, in the order drawn */
+    size_t count, room;
+    bool failed; /* out of memory for boxes */
+};
+
+void bead_sketch_free(struct bead_sketch *sketch);
+/* Do two texts overlap, or does one reach out of 0..width, 0..height? */
+bool bead_sketch_crowded(const struct bead_sketch *sketch, double width, double height);
+
+/* The look's text; `size` of the font. */
+struct bead_text_style bead_sketch_style(const struct bead_sketch *sketch, double size);
+double bead_sketch_width(const struct bead_text_style *style, const char *markup);
+/* A line of text whose middle of digits and capitals is at y; x is its start, middle or end. */
+void bead_sketch_text(struct bead_sketch *sketch, const struct bead_text_style *style, double x, double y, const char *markup);
+
+void bead_sketch_colour(struct bead_sketch *sketch, struct bead_rgb colour);
+void bead_sketch_line(struct bead_sketch *sketch, double x0, double y0, double x1, double y1);
+void bead_sketch_dashed(struct bead_sketch *sketch, bool dashed);
+/* With a head at its end, and at its start where `both`. */
+void bead_sketch_arrow(struct bead_sketch *sketch, double x0, double y0, double x1, double y1, bool both);
+/* A curly brace below x0..x1 at y, its point at `depth` below. */
+void bead_sketch_brace(struct bead_sketch *sketch, double x0, double x1, double y, double depth);
+/* A ball lit from above left. */
+void bead_sketch_ball(struct bead_sketch *sketch, double x, double y, double r, const double colour[3]);
+/* Three dots where something is left out. */
+void bead_sketch_dots(struct bead_sketch *sketch, double x, double y, double width);
+/* Slanted lines in a rectangle, filled before with `colour` (NULL: not). */
+void bead_sketch_hatch(struct bead_sketch *sketch, struct bead_box box, const double colour[3]);
+
+/* Labels in a row, left to right, each as near to its anchor as the others and low..high let it. */
+struct bead_label {
+    double anchor, width; /* px */
+    double x;             /* found: left end */
+};
+/* `labels` in the order of their anchors; false: they have no room. */
+bool bead_labels_spread(struct bead_label *labels, size_t count, double gap, double low, double high);
+
+#endif

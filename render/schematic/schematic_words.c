@@ -1,0 +1,50 @@
+/* Words that schematic drawings share. */
+#include <stdio.h>
+#include <string.h>
+
+#include "render/draw/markup.h"
+#include "render/schematic/schematic_words.h"
+
+const char *bead_cell_word(size_t beads, bool several)
+{
+    static const char *const words[][2] = {{"bead", "beads"},         {"dimer", "dimers"},       {"trimer", "trimers"},
+                                           {"tetramer", "tetramers"}, {"pentamer", "pentamers"}, {"cell", "cells"}};
+    size_t last = sizeof words / sizeof *words - 1, row = beads - 1 < last ? beads - 1 : last;
+    return words[row][several];
+}
+
+size_t bead_cell_groups(const struct bead_segment *segment, struct bead_cell_group *groups, size_t room)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < segment->cell_beads; i++) {
+        if (count > 0 && groups[count - 1].material == segment->cell[i]) {
+            groups[count - 1].beads++;
+            continue;
+        }
+        if (count == room)
+            return 0;
+        groups[count++] = (struct bead_cell_group){segment->cell[i], 1};
+    }
+    return count;
+}
+
+bool bead_cell_mirrored(const struct bead_segment *segment)
+{
+    for (size_t i = 0, j = segment->cell_beads - 1; i < j; i++, j--) {
+        if (segment->cell[i] != segment->cell[j])
+            return false;
+    }
+    return true;
+}
+
+void bead_material_words(const struct bead_material *material, char *out, size_t size)
+{
+    char name[96], radius[32], mass[32];
+    bead_text_escape(material->name, name, sizeof name);
+    bead_quantity(material->radius, "m", 3, radius, sizeof radius);
+    if (material->mass < 1)
+        bead_quantity(1e3 * material->mass, "g", 3, mass, sizeof mass);
+    else
+        snprintf(mass, sizeof mass, "%.3g kg", material->mass);
+    snprintf(out, size, "%s, " BEAD_SYMBOL("R") " = %s, %s", name, radius, mass);
+}

@@ -1,0 +1,244 @@
+#include "render/view/area_data.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/view/area_kernels.h"
+#include "sim/base/large.h"
+
+static double *numbers(size_t count)
+{
+    return calloc(count ? count : 1, sizeof(double));
+}
+
+static struct share share_of(const struct bead_area *a, size_t i)
+{
+    if (keeps_largest(a))
+        return (struct share){0, 0, i * a->rows / a->beads, ((i + 1) * a->rows - 1) / a->beads};
+    double cell = (double)a->rows / (double)a->beads; /* of a row, < 1 */
+    size_t row = (size_t)((double)i * cell);
+    row = row < a->rows ? row : a->rows - 1;
+    double beyond = (double)(i + 1) * cell - (double)(row + 1), next = row + 1 < a->rows && beyond > 0 ? beyond : 0;
+    return (struct share){cell - next, next, row, next > 0 ? row + 1 : row};
+}
+
+/* Pixels narrower than beads lie in a cell, or across the border of two. In units of 1/pixels of a bead. */
+static void find_levels(struct bead_area *a)
+{
+    size_t pixels = (size_t)a->setup.across;
+    for (size_t p = 0; p < pixels; p++) {
+        size_t from = p * a->beads, to = from + a->beads, bead = from / pixels, border = (bead + 1) * pixels;
+        a->level[p] = (unsigned)(to > border ? a->rows + bead : bead);
+        if (to > border)
+            a->beyond[bead] = (double)(to - border) / (double)a->beads;
+    }
+}
+
+/* False: no memory. */
+static bool allocate(struct bead_area *a)
+{
+    size_t along = (size_t)a->setup.along, across = (size_t)a->setup.across;
+    bool fits = a->rows < SIZE_MAX / sizeof(double) / along;
+    a->sums = fits ? bead_large_take(a->rows * along * sizeof(double)) : NULL;
+    a->covered = numbers(along);
+    a->rest = numbers(a->beads);
+    a->resting = numbers(a->rows);
+    a->before = numbers(a->rows);
+    a->now = numbers(a->rows);
+    a->low = numbers(a->rows);
+    a->high = numbers(a->rows);
+    a->shown = numbers(a->rows);
+    a->shares = a->rows < a->beads ? calloc(a->beads, sizeof *a->shares) : NULL;
+    a->level = a->rows < across ? calloc(across, sizeof *a->level) : NULL;
+    a->beyond = numbers(a->rows);
+    a->levels = numbers(bead_area_levels(a));
+    return a->sums && a->covered && a->rest && a->resting && a->before && a->now && a->low && a->high && a->shown && a->beyond &&
+           a->levels && (a->shares || a->rows == a->beads) && (a->level || a->rows == across);
+}
+
+enum bead_error bead_area_create(const struct bead_area_setup *setup, struct bead_area **area, struct bead_message *msg)
+{
+    struct bead_area *a = *area = calloc(1, sizeof *a);
+    if (!a)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image");
+    a->setup = *setup;
+    a->beads = setup->beads.last - setup->beads.first + 1;
+    a->rows = a->beads < (size_t)setup->across ? a->beads : (size_t)setup->across;
+    if (!allocate(a)) {
+        bead_area_destroy(a);
+        *area = NULL;
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image of %d x %d pixels", setup->along, setup->across);
+    }
+    for (size_t i = 0; a->shares && i < a->beads; i++)
+        a->shares[i] = share_of(a, i);
+    if (a->level)
+        find_levels(a);
+    for (size_t r = 0; r < a->rows; r++) {
+        a->low[r] = INFINITY;
+        a->high[r] = -INFINITY;
+    }
+    return BEAD_OK;
+}
+
+void bead_area_destroy(struct bead_area *area)
+{
+    if (!area)
+        return;
+    free(area->sums);
+    free(area->covered);
+    free(area->rest);
+    free(area->resting);
+    free(area->before);
+    free(area->now);
+    free(area->low);
+    free(area->high);
+    free(area->shown);
+    free(area->shares);
+    free(area->level);
+    free(area->beyond);
+    free(area->levels);
+    free(area);
+}
+
+/* Values furthest from 0 in rows, as far as beads below `count` reach; returns how many rows that touches. A bead counts whole in
+ * every row that it reaches into. */
+static size_t largest_in_rows(const struct bead_area *a, const double *values, size_t count, double *rows)
+{
+    size_t touched = 0;
+    for (size_t i = 0; i < a->beads; i++) {
+        const struct share *s = &a->shares[i];
+        if (i >= count && s->row >= touched)
+            break;
+        for (size_t row = s->row; row <= s->last && (i < count || row < touched); row++) {
+            rows[row] = row < touched ? bead_further(rows[row], i < count ? values[i] : a->rest[i]) : values[i];
+            touched = row < touched ? touched : row + 1;
+        }
+    }
+    return touched;
+}
+
+/* Means over rows of values - rest. */
+static size_t means_in_rows(const struct bead_area *a, const double *values, size_t count, double *rows)
+{
+    size_t touched = count ? a->shares[count - 1].row + 1 : 0;
+    touched += touched > 0 && touched < a->rows;
+    memset(rows, 0, touched * sizeof *rows);
+    for (size_t i = 0; i < count; i++) {
+        const struct share *s = &a->shares[i];
+        double value = values[i] - a->rest[i];
+        rows[s->row] += s->own * value;
+        if (s->next > 0)
+            rows[s->last] += s->next * value;
+    }
+    return touched;
+}
+
+/* Of beads below `count`; returns how many rows that touches. */
+static size_t into_rows(const struct bead_area *a, const double *values, size_t count, double *rows)
+{
+    if (a->shares)
+        return (keeps_largest(a) ? largest_in_rows : means_in_rows)(a, values, count, rows);
+    if (keeps_largest(a))
+        memcpy(rows, values, count * sizeof *rows);
+    else
+        bead_area_subtract(count, values, a->rest, rows);
+    return count;
+}
+
+static double edge(const struct bead_area *a, int c)
+{
+    const double *time = a->setup.time;
+    return c == a->setup.along ? time[1] : time[0] + (time[1] - time[0]) * c / a->setup.along;
+}
+
+static int column_of(const struct bead_area *a, double time)
+{
+    double place = (time - a->setup.time[0]) / (a->setup.time[1] - a->setup.time[0]) * a->setup.along;
+    return place > 1 ? (int)fmin(place, a->setup.along) - 1 : 0; /* or the one before: rounding must not lose a piece */
+}
+
+static void clear(const struct bead_area *a, double *sums)
+{
+    if (!keeps_largest(a))
+        memset(sums, 0, a->rows * sizeof *sums);
+    for (size_t r = 0; keeps_largest(a) && r < a->rows; r++)
+        sums[r] = NAN;
+}
+
+/* The integral of one linear piece over column c: weights of its two ends, the same for all rows. */
+static void add_piece(struct bead_area *a, int c, double from, double to, double time, size_t lit)
+{
+    double length = to - from, span = time - a->time_before, *sums = column(a, c);
+    double late = length * ((from - a->time_before) + (to - a->time_before)) / (2 * span), early = length - late;
+    if (!(a->covered[c] > 0))
+        clear(a, sums);
+    if (keeps_largest(a))
+        bead_area_add_largest(lit, (from - a->time_before) / span, (to - a->time_before) / span, a->before, a->now, sums);
+    else
+        bead_area_add(lit, early, late, a->before, a->now, sums);
+    a->covered[c] += length;
+}
+
+/* While the column is at hand. */
+static void finish(struct bead_area *a, int c)
+{
+    if (!(a->covered[c] > 0))
+        return;
+    bead_area_show(a, c, column(a, c));
+    bead_area_spread(a->rows, column(a, c), a->low, a->high);
+}
+
+static size_t larger(size_t a, size_t b)
+{
+    return a > b ? a : b;
+}
+
+/* Values of beads that have not moved yet: forces of precompressed chains are not 0 there. */
+static void remember_rest(struct bead_area *a, const double *values, size_t active)
+{
+    for (size_t i = active; i < a->beads; i++) {
+        const struct share s = a->shares ? a->shares[i] : (struct share){1, 0, i, i};
+        a->rest[i] = values[i];
+        for (size_t row = s.row; row <= s.last; row++)
+            a->resting[row] = keeps_largest(a) ? bead_further(a->resting[row], values[i])
+                                               : a->resting[row] + (row == s.row ? s.own : s.next) * values[i];
+    }
+}
+
+/* Rows from..to - 1 as they are while nothing has moved. */
+static void set_at_rest(const struct bead_area *a, double *rows, size_t from, size_t to)
+{
+    for (size_t r = from; r < to; r++)
+        rows[r] = keeps_largest(a) ? a->resting[r] : 0;
+}
+
+void bead_area_feed(struct bead_area *area, double time, const double *values, size_t active)
+{
+    struct bead_area *a = area;
+    size_t first = a->setup.beads.first, count = active > first ? active - first : 0;
+    count = count < a->beads ? count : a->beads;
+    values += first;
+    if (!a->started)
+        remember_rest(a, values, count);
+    size_t touched = into_rows(a, values, count, a->now);
+    size_t lit = larger(touched, a->lit_before);
+    set_at_rest(a, a->now, touched, lit);
+    set_at_rest(a, a->before, a->lit_before, lit);
+    if (a->started && time > a->time_before) {
+        for (int c = column_of(a, a->time_before); c < a->setup.along && edge(a, c) < time; c++) {
+            double from = fmax(a->time_before, edge(a, c)), to = fmin(time, edge(a, c + 1));
+            if (to > from)
+                add_piece(a, c, from, to, time, lit);
+        }
+    }
+    while (a->done < a->setup.along && edge(a, a->done + 1) <= time)
+        finish(a, a->done++);
+    double *spare = a->before;
+    a->before = a->now;
+    a->now = spare;
+    a->lit_before = lit;
+    a->time_before = time;
+    a->started = true;
+}

@@ -1,0 +1,44 @@
+/* Areas: samples averaged exactly over the pixels of a space-time image, as they arrive.
+ *
+ * Between samples, values are linear in time; across the chain, bead j is a cell from j - 1/2 to j + 1/2. Every pixel is the mean
+ * of this function over the pixel's rectangle, so a pulse shorter than a pixel keeps its integral; or, where asked, the function's
+ * value furthest from 0 within the pixel, so that it keeps its height. Only one number for each pixel is kept, never the samples.
+ */
+#ifndef BEADREEL_RENDER_VIEW_AREA_H
+#define BEADREEL_RENDER_VIEW_AREA_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/error.h"
+#include "beadreel/sample.h"
+#include "beadreel/scene.h"
+
+struct bead_area;
+
+struct bead_area_setup {
+    struct bead_span beads; /* or contacts */
+    double time[2];         /* s */
+    int across, along;      /* pixels along the chain, along time */
+    enum bead_sampling sampling;
+};
+
+/* Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_area_create(const struct bead_area_setup *setup, struct bead_area **area, struct bead_message *msg);
+void bead_area_destroy(struct bead_area *area);
+/* Values of all beads at `time`, later than the one before; beads >= active have the values they had at the first sample. Costs
+ * as much as beads are active. */
+void bead_area_feed(struct bead_area *area, double time, const double *values, size_t active);
+/* Means (or values furthest from 0) of the pixels of time column `c` from the chain's first to its last, [across]; false: no sample
+ * has touched it. */
+bool bead_area_column(const struct bead_area *area, int c, double *means);
+/* The same without repetition: the different values that pixels of a column can have, [levels], and for each pixel which of them it
+ * has; NULL: pixels are levels. */
+size_t bead_area_levels(const struct bead_area *area);
+const unsigned *bead_area_level(const struct bead_area *area);
+bool bead_area_column_levels(const struct bead_area *area, int c, double *values);
+size_t bead_area_across(const struct bead_area *area);
+/* Least and largest of all pixels touched; low > high where there are none. */
+void bead_area_extremes(const struct bead_area *area, double *low, double *high);
+
+#endif

@@ -1,0 +1,78 @@
+#include "render/view/area_colours.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { BLOCK = 16 };
+
+/* Room for a few columns side by side: rows of the image are written BLOCK bytes at a time, not a byte in each. */
+struct block {
+    size_t across, levels;
+    const unsigned *level;
+    double *values;   /* [levels], of a column */
+    uint8_t *columns; /* [BLOCK][levels] */
+    uint8_t *rows;    /* [levels][BLOCK] */
+};
+
+static void put_rows(const struct block *b, int count, uint8_t *origin, ptrdiff_t step)
+{
+    for (size_t l = 0; l < b->levels; l++)
+        for (size_t c = 0; c < BLOCK; c++)
+            b->rows[BLOCK * l + c] = b->columns[c * b->levels + l];
+    for (size_t p = 0; p < b->across; p++) {
+        const uint8_t *row = b->rows + BLOCK * (b->level ? b->level[p] : p);
+        if (count == BLOCK)
+            memcpy(origin + (ptrdiff_t)p * step, row, BLOCK);
+        else
+            memcpy(origin + (ptrdiff_t)p * step, row, (size_t)count);
+    }
+}
+
+/* Columns that lie as rows in the image. */
+static void put_columns(const struct block *b, int count, uint8_t *origin, ptrdiff_t step)
+{
+    for (int c = 0; c < count; c++) {
+        const uint8_t *column = b->columns + (size_t)c * b->levels;
+        uint8_t *row = origin + c * step;
+        for (size_t p = 0; p < b->across; p++)
+            row[p] = column[b->level ? b->level[p] : p];
+    }
+}
+
+/* Returns how many of `most` columns samples have touched. */
+static int take_columns(const struct block *b, const struct bead_area *area, const struct bead_colour_table *table, int from,
+                        int most)
+{
+    int count = 0;
+    while (count < most && bead_area_column_levels(area, from + count, b->values)) {
+        bead_colour_table_find(table, b->levels, b->values, b->columns + (size_t)count * b->levels);
+        count++;
+    }
+    return count;
+}
+
+enum bead_error bead_area_colour(const struct bead_area *area, const struct bead_colour_table *table, int from, int to,
+                                 const struct bead_area_image *image, int *done, struct bead_message *msg)
+{
+    struct block b = {.across = bead_area_across(area), .levels = bead_area_levels(area), .level = bead_area_level(area)};
+    b.values = malloc(b.levels * sizeof *b.values);
+    b.columns = calloc(b.levels, BLOCK);
+    b.rows = malloc(b.levels * BLOCK);
+    enum bead_error err =
+        b.values && b.columns && b.rows ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image");
+    bool touched = true;
+    for (*done = from; !err && touched && *done < to;) {
+        int most = to - *done < BLOCK ? to - *done : BLOCK, count = take_columns(&b, area, table, *done, most);
+        uint8_t *origin = image->origin + *done * image->along;
+        if (image->across == 1)
+            put_columns(&b, count, origin, image->along);
+        else
+            put_rows(&b, count, origin, image->across);
+        touched = count == most;
+        *done += count;
+    }
+    free(b.values);
+    free(b.columns);
+    free(b.rows);
+    return err;
+}

@@ -1,0 +1,21 @@
+/* Areas into images of indices. */
+#ifndef BEADREEL_RENDER_VIEW_AREA_COLOURS_H
+#define BEADREEL_RENDER_VIEW_AREA_COLOURS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "render/draw/colour_table.h"
+#include "render/view/area.h"
+
+/* Where pixels go: pixel p of column c to origin[c * along + p * across]. One of the two steps is 1. */
+struct bead_area_image {
+    uint8_t *origin;
+    ptrdiff_t along, across;
+};
+
+/* Columns from..to - 1, as far as samples have touched them; `done`: the first that was not. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_area_colour(const struct bead_area *area, const struct bead_colour_table *table, int from, int to,
+                                            const struct bead_area_image *image, int *done, struct bead_message *msg);
+
+#endif

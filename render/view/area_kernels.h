@@ -1,0 +1,30 @@
+/* Inner loops of areas and colours: element by element, so that any vector width gives the same bits. Arrays do not overlap. */
+#ifndef BEADREEL_RENDER_VIEW_AREA_KERNELS_H
+#define BEADREEL_RENDER_VIEW_AREA_KERNELS_H
+
+#include <math.h>
+#include <stddef.h>
+
+/* The one further from 0; b where a is NaN. */
+static inline double bead_further(double a, double b)
+{
+    return fabs(b) <= fabs(a) ? a : b;
+}
+
+/* out = values - rest. */
+void bead_area_subtract(size_t n, const double *values, const double *rest, double *out);
+/* sums += early * before + late * now. */
+void bead_area_add(size_t n, double early, double late, const double *before, const double *now, double *sums);
+/* Of the values from `begin` to `end`, parts of the way from `before` to `now`, the one furthest from 0: a line has it at an end.
+ */
+void bead_area_add_largest(size_t n, double begin, double end, const double *before, const double *now, double *largest);
+/* means = resting + sums / covered. `means` may be `sums`. */
+void bead_area_means(size_t n, double covered, const double *resting, const double *sums, double *means);
+/* The largest where there is one, else resting. `out` may be `largest`. */
+void bead_area_largest(size_t n, const double *resting, const double *largest, double *out);
+void bead_area_spread(size_t n, const double *values, double *low, double *high);
+/* Across the borders of n + 1 cells: `beyond` of what lies there is in the next one. */
+void bead_area_borders(size_t n, const double *beyond, const double *cells, double *means);
+void bead_area_borders_largest(size_t n, const double *cells, double *largest);
+
+#endif

@@ -1,0 +1,91 @@
+/* The beads view's own state: the row of all beads, and the lens that follows the front. */
+#ifndef BEADREEL_RENDER_VIEW_BEADS_H
+#define BEADREEL_RENDER_VIEW_BEADS_H
+
+#include "beadreel/view.h"
+#include "render/paint/paint.h"
+#include "render/view/camera.h"
+#include "render/view/moving_labels.h"
+
+/* How a piece of the chain lies on the picture: x = left + (position - from) * scale. */
+struct bead_window {
+    struct bead_rect rect; /* what it may draw into, px of the view's own rectangle `area` */
+    double left;           /* px */
+    double from;           /* m */
+    double scale;          /* px a metre; 0: there is no such window */
+    double middle;         /* px: y of the beads' centres */
+};
+
+/* Balls and marks of one window, as of now and as drawn last. */
+struct bead_drawing {
+    struct bead_ball *balls, *old_balls;
+    uint8_t *glow, *old_glow; /* of the contact at each ball's right, 0..255 */
+    size_t first, count;      /* in beads of the view */
+    size_t old_first, old_count;
+    struct bead_mark *marks, *old_marks;
+    size_t mark_count, old_mark_count;
+};
+
+struct bead_view {
+    struct bead_view_setup setup;
+    struct bead_look look;
+    struct bead_colormap map;
+
+    /* The chain's beads first .. first + count - 1 are shown. */
+    size_t first, count;
+    const double *position, *radius; /* of bead `first` on */
+    double largest;                  /* m: radius */
+    double ends[2];                  /* m: outer edges at rest */
+    double compression;              /* m: what counts as strongly compressed */
+    bool striker, wall;              /* shown */
+
+    /* The last two samples: displacement (m) and field value of every bead shown. */
+    double *u[2], *value[2], time[2];
+    int fed, newest;
+
+    /* As of the time drawn. */
+    double *shift; /* m: magnified displacement */
+    double *shown; /* field */
+    uint8_t (*colour)[4];
+    double *load;                  /* compression of the contact at the right of each bead, in units of `compression` */
+    double *reached;               /* largest load so far, up to `reaching` */
+    double speed;                  /* m/s: of the striker */
+    double front;                  /* beads from the first */
+    struct bead_follower follower; /* of the front's place, m; where there is no camera */
+
+    struct bead_rect plot, area;       /* px of the frame: plot rectangle, and what the view draws into */
+    double label_y;                    /* px of the area: baseline of names; < 0: no room */
+    struct bead_window row, lens;      /* with a camera: the lens alone, and it shows the camera's window */
+    struct bead_moving_labels *labels; /* above it; NULL: none */
+    struct bead_rect zoom;             /* between row and lens, px of the area */
+    bool strip;                        /* the row's beads are too small to be drawn one by one */
+    double (*base)[3];                 /* colour of the materials in each of the strip's columns, 0..1; NULL: no strip */
+    struct bead_drawing row_drawing, lens_drawing;
+    struct bead_mark zoom_mark, old_zoom_mark;
+
+    struct bead_canvas *canvas; /* borrowed */
+    struct bead_backdrop *backdrop;
+    bool drawn;
+};
+
+/* Divide the plot rectangle into row, connection and lens. */
+void bead_beads_divide(struct bead_view *v);
+/* Displacements, colours, loads, front and lens as of `time`. */
+void bead_beads_advance(struct bead_view *v, double time);
+/* Balls and marks of a window (that of the view); what was there becomes the old ones. */
+void bead_beads_compose(struct bead_view *v, const struct bead_window *window, struct bead_drawing *drawing);
+/* x in a window, px, of a place along the chain, m. */
+double bead_window_x(const struct bead_window *window, double position);
+/* How much of a bead's colour is that of the field, 0..1; the rest is its material's. */
+double bead_colour_weight(const struct bead_view *v, double value);
+/* Colours of the materials along the strip. False: out of memory. */
+BEAD_CHECK bool bead_beads_prepare_strip(struct bead_view *v);
+/* The row as a density strip into the frame; adds the columns that changed. */
+void bead_beads_strip(struct bead_view *v, struct bead_frame *frame, const struct bead_frame *background,
+                      struct bead_changes *changes);
+/* Names and wall of the row; panel of the lens. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_beads_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg);
+/* Everything composed, as paths. */
+void bead_beads_vector(struct bead_view *v, cairo_t *cr);
+
+#endif

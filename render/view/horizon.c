@@ -1,0 +1,177 @@
+#include "render/view/horizon.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* In units of axis lines: the line, and the dark seam that shows it on bright colours. */
+static const double core = 1, seam = 3;
+
+struct bead_horizon {
+    struct bead_area_setup setup; /* across: places, a bead each or a pixel where these are fewer */
+    struct bead_area *area;       /* of the difference */
+    double *difference;           /* [last bead + 1] */
+    double *means;                /* [places] */
+    int *first;                   /* [places]: column; INT_MAX: none yet */
+    int done, earliest;           /* columns */
+};
+
+enum bead_error bead_horizon_create(const struct bead_area_setup *setup, struct bead_horizon **horizon, struct bead_message *msg)
+{
+    *horizon = NULL;
+    struct bead_horizon *h = calloc(1, sizeof *h);
+    if (!h)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a horizon");
+    size_t beads = setup->beads.last - setup->beads.first + 1;
+    h->setup = *setup;
+    h->setup.across = beads < (size_t)setup->across ? (int)beads : setup->across;
+    h->earliest = INT_MAX;
+    h->difference = calloc(setup->beads.last + 1, sizeof *h->difference);
+    h->means = calloc((size_t)h->setup.across, sizeof *h->means);
+    h->first = calloc((size_t)h->setup.across, sizeof *h->first);
+    enum bead_error err =
+        h->difference && h->means && h->first ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a horizon");
+    if (!err)
+        err = bead_area_create(&h->setup, &h->area, msg);
+    if (err) {
+        bead_horizon_destroy(h);
+        return err;
+    }
+    for (int p = 0; p < h->setup.across; p++)
+        h->first[p] = INT_MAX;
+    *horizon = h;
+    return BEAD_OK;
+}
+
+void bead_horizon_destroy(struct bead_horizon *horizon)
+{
+    if (!horizon)
+        return;
+    bead_area_destroy(horizon->area);
+    free(horizon->difference);
+    free(horizon->means);
+    free(horizon->first);
+    free(horizon);
+}
+
+void bead_horizon_feed(struct bead_horizon *h, double time, const double *first, const double *second, size_t active)
+{
+    size_t end = active <= h->setup.beads.last ? active : h->setup.beads.last + 1;
+    for (size_t j = h->setup.beads.first; j < end; j++)
+        h->difference[j] = first[j] - second[j];
+    bead_area_feed(h->area, time, h->difference, active); /* means of differences are differences of means */
+}
+
+/* Neighbours on one side that a place looks at: single beads that stay quiet among others make no spikes. */
+static int neighbours(const struct bead_horizon *h)
+{
+    return 1 + h->setup.across / 48;
+}
+
+/* Column of the line at a place: the earliest of it and its neighbours. */
+static int line_at(const struct bead_horizon *h, int place)
+{
+    int earliest = INT_MAX, side = neighbours(h), last = place + side;
+    for (int p = place > side ? place - side : 0; p <= last && p < h->setup.across; p++)
+        earliest = h->first[p] < earliest ? h->first[p] : earliest;
+    return earliest;
+}
+
+/* Where the line begins to be another when a place has got its horizon: at the neighbours of those that it moves. */
+static int changed_from(const struct bead_horizon *h, int place)
+{
+    int earliest = INT_MAX, side = neighbours(h) + 1;
+    for (int p = place - side; p <= place + side; p++) {
+        int column = p >= 0 && p < h->setup.across ? line_at(h, p) : INT_MAX;
+        earliest = column < earliest ? column : earliest;
+    }
+    return earliest;
+}
+
+int bead_horizon_find(struct bead_horizon *h, double threshold, int to)
+{
+    int changed = INT_MAX;
+    for (int c = h->done; c < to; c++) {
+        if (!bead_area_column(h->area, c, h->means))
+            continue;
+        for (int p = 0; p < h->setup.across; p++) {
+            if (h->first[p] < INT_MAX || !(fabs(h->means[p]) > threshold))
+                continue;
+            h->first[p] = c;
+            h->earliest = c < h->earliest ? c : h->earliest;
+            int from = changed_from(h, p);
+            changed = from < changed ? from : changed;
+        }
+    }
+    h->done = to > h->done ? to : h->done;
+    return changed;
+}
+
+double bead_horizon_time(const struct bead_horizon *h)
+{
+    const double *time = h->setup.time;
+    return h->earliest == INT_MAX ? INFINITY : time[0] + (time[1] - time[0]) * h->earliest / h->setup.along;
+}
+
+double bead_horizon_reach(const struct bead_look *look)
+{
+    return seam * look->line / 2;
+}
+
+void bead_horizon_stroke(cairo_t *cr, const struct bead_look *look)
+{
+    cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_cap(cr, CAIRO_LINE_CAP_BUTT);
+    cairo_set_source_rgb(cr, 0.08, 0.08, 0.1);
+    cairo_set_line_width(cr, seam * look->line);
+    cairo_stroke_preserve(cr);
+    cairo_set_source_rgb(cr, 1, 1, 1);
+    cairo_set_line_width(cr, core * look->line);
+    cairo_stroke(cr);
+}
+
+/* One point of the line: `across` from 0 to 1 along the chain, `along` in columns. */
+struct point {
+    double across, along;
+};
+
+static void add_point(cairo_t *cr, struct bead_rect plot, bool time_down, int columns, struct point p, bool begin)
+{
+    double along = p.along / columns;
+    double x = plot.x + plot.width * (time_down ? p.across : along);
+    double y = plot.y + plot.height * (time_down ? along : 1 - p.across);
+    if (begin)
+        cairo_move_to(cr, x, y);
+    else
+        cairo_line_to(cr, x, y);
+}
+
+void bead_horizon_draw(const struct bead_horizon *h, cairo_t *cr, const struct bead_look *look, struct bead_rect plot,
+                       bool time_down, bool closed)
+{
+    int places = h->setup.across, columns = h->setup.along;
+    bool drawing = false;
+    if (h->earliest == INT_MAX)
+        return;
+    cairo_save(cr);
+    cairo_rectangle(cr, plot.x, plot.y, plot.width, plot.height);
+    cairo_clip(cr);
+    cairo_new_path(cr);
+    for (int p = 0; p < places; p++) {
+        int column = line_at(h, p);
+        double reach = 2 * bead_horizon_reach(look); /* beyond the end: out of sight */
+        double along = column < INT_MAX ? column : columns * (1 + reach / (time_down ? plot.height : plot.width));
+        if (column == INT_MAX && !closed) {
+            drawing = false;
+            continue;
+        }
+        if (p == 0 || !drawing) /* from the edge of the chain, or of the bead */
+            add_point(cr, plot, time_down, columns, (struct point){(double)p / places, along}, true);
+        add_point(cr, plot, time_down, columns, (struct point){(p + 0.5) / places, along}, false);
+        if (p + 1 == places)
+            add_point(cr, plot, time_down, columns, (struct point){1, along}, false);
+        drawing = true;
+    }
+    bead_horizon_stroke(cr, look);
+    cairo_restore(cr);
+}

@@ -1,0 +1,29 @@
+/* Labels of an axis that moves: drawn once each, then shifted by parts of a pixel, so that they glide and do not jump; they fade
+ * out before they reach the ends. */
+#ifndef BEADREEL_RENDER_VIEW_MOVING_LABELS_H
+#define BEADREEL_RENDER_VIEW_MOVING_LABELS_H
+
+#include "beadreel/frame.h"
+#include "beadreel/look.h"
+
+enum bead_label_sign { BEAD_LABEL_PLAIN, BEAD_LABEL_TICK /* above the text */, BEAD_LABEL_POINTER /* below it */ };
+
+struct bead_moving_labels;
+
+/* `strip` of the frame; `scale`: px a metre. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_moving_labels_create(const struct bead_look *look, struct bead_rect strip, double scale,
+                                                     struct bead_moving_labels **labels, struct bead_message *msg);
+void bead_moving_labels_destroy(struct bead_moving_labels *labels);
+/* At `place`, m along the chain; left out where an earlier one is in the way. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_moving_labels_add(struct bead_moving_labels *labels, double place, const char *markup,
+                                                  struct bead_rgb colour, enum bead_label_sign sign, struct bead_message *msg);
+/* The numbers of beads first .. first + count - 1 at their places, as many as have room in a window of `width` m. */
+BEAD_CHECK enum bead_error bead_moving_labels_count(struct bead_moving_labels *labels, const double *place, size_t first,
+                                                    size_t count, double width, enum bead_label_sign sign,
+                                                    struct bead_message *msg);
+/* With the strip's left edge at `left`, m; changes NULL: draws in any case. Errors: GRAPHICS. */
+BEAD_CHECK enum bead_error bead_moving_labels_draw(struct bead_moving_labels *labels, double left, struct bead_frame *frame,
+                                                   const struct bead_frame *background, struct bead_changes *changes,
+                                                   struct bead_message *msg);
+
+#endif

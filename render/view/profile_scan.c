@@ -1,0 +1,197 @@
+#include "render/view/profile_scan.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "render/paint/pixel_kernels.h"
+
+/* Columns are cut into slices for soft edges of steep parts; of a pen's half width this many at most. */
+enum { SLICES = BEAD_SLICES, MOST_TAPS = 64 };
+
+/* Lowest and highest y of the curve in a slice; empty where the curve does not reach. */
+struct extent {
+    float low, high;
+};
+
+static const struct extent nothing = {INFINITY, -INFINITY};
+
+/* As expressions: the library's functions mind NaN, and none comes here. */
+static inline float least(float a, float b)
+{
+    return a < b ? a : b;
+}
+
+static inline float most(float a, float b)
+{
+    return a > b ? a : b;
+}
+
+static inline void widen(struct extent *e, float y)
+{
+    e->low = least(e->low, y);
+    e->high = most(e->high, y);
+}
+
+static float y_at(const struct bead_curve *c, size_t segment, float x)
+{
+    float span = c->x[segment + 1] - c->x[segment];
+    float part = span > 0 ? (x - c->x[segment]) / span : 1;
+    part = most(0, least(part, 1));
+    return c->y[segment] + part * (c->y[segment + 1] - c->y[segment]);
+}
+
+/* The segment that holds x. */
+static size_t find_segment(const struct bead_curve *c, float x)
+{
+    size_t low = 0, high = c->count - 1;
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (c->x[middle] <= x)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* `segment` is the one that holds the slice's beginning, or one before; moved on. */
+static struct extent slice(const struct bead_curve *c, size_t *segment, float from, float to)
+{
+    struct extent e = nothing;
+    from = most(from, c->x[0]);
+    to = least(to, c->x[c->count - 1]);
+    if (from > to)
+        return e;
+    while (*segment + 2 < c->count && c->x[*segment + 1] <= from)
+        ++*segment;
+    widen(&e, y_at(c, *segment, from));
+    size_t s = *segment;
+    while (s + 2 < c->count && c->x[s + 1] < to)
+        widen(&e, c->y[++s]);
+    widen(&e, y_at(c, s, to));
+    return e;
+}
+
+/* Half heights of a disc as wide as the line, at each slice's distance from its middle. */
+struct pen {
+    float half[MOST_TAPS];
+    int taps;
+};
+
+static void make_pen(const struct bead_curve *c, struct pen *pen)
+{
+    float r = 0.5f * c->width;
+    pen->taps = (int)fminf(ceilf(r * SLICES), MOST_TAPS);
+    for (int i = 0; i < pen->taps; i++) {
+        float x = (float)i / SLICES;
+        pen->half[i] = sqrtf(fmaxf(0, r * r - x * x));
+    }
+}
+
+int bead_curve_reach(const struct bead_curve *curve)
+{
+    return (int)ceilf(0.5f * curve->width) + 2;
+}
+
+/* What the pen covers in a slice when it is drawn along the curve. */
+static struct extent stroke(const struct extent *around, const struct pen *pen)
+{
+    struct extent e = nothing;
+    for (int i = -pen->taps + 1; i < pen->taps; i++) {
+        float half = pen->half[i < 0 ? -i : i];
+        e.low = least(e.low, around[i].low - half);
+        e.high = most(e.high, around[i].high + half);
+    }
+    return e;
+}
+
+static void keep(struct bead_extents *extents, int slice, int x, const struct extent *e)
+{
+    extents->low[slice][x] = e->low;
+    extents->high[slice][x] = e->high;
+}
+
+/* Line and area of a column; returns the rows that they reach into. */
+static struct extent make_column(const struct bead_curve *c, const struct extent *curve, const struct pen *pen,
+                                 struct bead_columns *k, int x)
+{
+    struct extent rows = nothing;
+    for (int s = 0; s < SLICES; s++) {
+        struct extent line = stroke(curve + s, pen), area = nothing;
+        if (curve[s].low <= curve[s].high) { /* else nothing or the round end of the line */
+            float middle = 0.5f * (curve[s].low + curve[s].high);
+            area = (struct extent){least(middle, c->base), most(middle, c->base)};
+            widen(&rows, c->base);
+        }
+        rows.low = least(rows.low, line.low);
+        rows.high = most(rows.high, line.high);
+        keep(&k->line, s, x, &line);
+        keep(&k->area, s, x, &area);
+    }
+    return rows;
+}
+
+static void set_rows(struct bead_columns *k, int group, const struct extent *rows, int height)
+{
+    const float low = most(0, least(rows->low, (float)height)), high = most(0, least(rows->high, (float)height));
+    k->from[group] = (int)floorf(low);
+    k->to[group] = low > high ? k->from[group] : (int)ceilf(high);
+}
+
+static void set_colours(const struct bead_curve *c, struct bead_columns *k)
+{
+    const double line[3] = {c->line.b, c->line.g, c->line.r}, area[3] = {c->area.b, c->area.g, c->area.r};
+    for (int i = 0; i < 3; i++) {
+        k->over[i] = 255 * (float)line[i];
+        k->under[i] = 255 * (float)area[i];
+    }
+    k->area_alpha = (float)c->area_alpha;
+}
+
+/* Slices are computed for a block of columns and the pen's reach on both sides. */
+enum { BLOCK = BEAD_COLUMNS, GROUP = BEAD_COLUMN_GROUP, ROOM = (BLOCK * SLICES + 2 * MOST_TAPS) };
+
+/* Columns from..to of the BLOCK from `begin` on. */
+static void make_columns(const struct bead_curve *curve, const struct pen *pen, int begin, int from, int to, int height,
+                         struct bead_columns *k)
+{
+    struct extent around[ROOM], rows = nothing;
+    const int first = begin * SLICES - MOST_TAPS;
+    const int low = (from - begin) * SLICES + MOST_TAPS - pen->taps, high = (to - begin) * SLICES + MOST_TAPS + pen->taps;
+    size_t segment = find_segment(curve, (float)(first + low) / SLICES);
+    for (int i = low; i < high; i++)
+        around[i] = slice(curve, &segment, (float)(first + i) / SLICES, (float)(first + i + 1) / SLICES);
+    for (int x = 0; x < BLOCK; x++) {
+        struct extent own = nothing;
+        if (begin + x >= from && begin + x < to)
+            own = make_column(curve, around + x * SLICES + MOST_TAPS, pen, k, x);
+        for (int s = 0; s < SLICES && !(begin + x >= from && begin + x < to); s++) {
+            keep(&k->line, s, x, &nothing);
+            keep(&k->area, s, x, &nothing);
+        }
+        rows = (struct extent){least(rows.low, own.low), most(rows.high, own.high)};
+        if (x % GROUP == GROUP - 1) {
+            set_rows(k, x / GROUP, &rows, height);
+            rows = nothing;
+        }
+    }
+}
+
+void bead_curve_draw(const struct bead_curve *curve, struct bead_rect rect, int from, int to, struct bead_frame *frame,
+                     const struct bead_frame *background)
+{
+    const struct bead_pixel_kernels *kernels = bead_pixel_kernels_find(NULL);
+    struct bead_columns columns;
+    struct pen pen;
+    if (curve->count < 2)
+        return;
+    bead_frame_copy(frame, background, (struct bead_rect){rect.x + from, rect.y, to - from, rect.height});
+    make_pen(curve, &pen);
+    set_colours(curve, &columns);
+    const int offset = (rect.x + from) % GROUP; /* vectors do not reach into another row */
+    for (int begin = from - offset; begin < to; begin += BLOCK) {
+        make_columns(curve, &pen, begin, begin < from ? from : begin, begin + BLOCK < to ? begin + BLOCK : to, rect.height,
+                     &columns);
+        kernels->curve(&columns, frame->pixels + (size_t)rect.y * frame->stride + 4 * (ptrdiff_t)(rect.x + begin), frame->stride);
+    }
+}

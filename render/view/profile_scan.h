@@ -1,0 +1,26 @@
+/* A curve y(x) with a line of some width and the area below it, pixel by pixel. Every column depends only on what is near it, so
+ * that parts can be drawn alone. */
+#ifndef BEADREEL_RENDER_VIEW_PROFILE_SCAN_H
+#define BEADREEL_RENDER_VIEW_PROFILE_SCAN_H
+
+#include <stddef.h>
+
+#include "beadreel/frame.h"
+#include "beadreel/look.h"
+
+struct bead_curve {
+    const float *x, *y; /* points in px of the rectangle, x rising, y downwards */
+    size_t count;
+    float base;  /* y that the area reaches to */
+    float width; /* of the line, px */
+    struct bead_rgb line, area;
+    double area_alpha;
+};
+
+/* How far a point's influence reaches beyond its neighbours, px. */
+int bead_curve_reach(const struct bead_curve *curve);
+/* Columns from..to (exclusive, of `rect`) over `background`. */
+void bead_curve_draw(const struct bead_curve *curve, struct bead_rect rect, int from, int to, struct bead_frame *frame,
+                     const struct bead_frame *background);
+
+#endif

@@ -1,0 +1,368 @@
+/* View: the chain's beads, as spheres. Where they are small, a lens below the row shows those at the front. */
+#include "render/view/view_beads.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/paint/canvas_private.h"
+#include "render/view/beads.h"
+#include "render/view/magnify.h"
+#include "render/view/views.h"
+
+enum { MOST_SPANS = 6, MERGE_GAP = 16 };
+
+static unsigned beads_fields(const struct bead_view_setup *setup)
+{
+    return BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(setup->field);
+}
+
+static void free_drawing(struct bead_drawing *d)
+{
+    free(d->balls);
+    free(d->old_balls);
+    free(d->glow);
+    free(d->old_glow);
+    free(d->marks);
+    free(d->old_marks);
+}
+
+static void beads_destroy(struct bead_view *v)
+{
+    if (!v)
+        return;
+    for (int k = 0; k < 2; k++) {
+        free(v->u[k]);
+        free(v->value[k]);
+    }
+    free(v->shift);
+    free(v->shown);
+    free(v->base);
+    free(v->colour);
+    free(v->load);
+    free(v->reached);
+    bead_moving_labels_destroy(v->labels);
+    free_drawing(&v->row_drawing);
+    free_drawing(&v->lens_drawing);
+    bead_backdrop_destroy(v->canvas, v->backdrop);
+    free(v);
+}
+
+static bool make_drawing(struct bead_drawing *d, size_t balls, size_t marks)
+{
+    d->balls = calloc(balls, sizeof *d->balls);
+    d->old_balls = calloc(balls, sizeof *d->balls);
+    d->glow = calloc(balls, sizeof *d->glow);
+    d->old_glow = calloc(balls, sizeof *d->glow);
+    d->marks = calloc(marks, sizeof *d->marks);
+    d->old_marks = calloc(marks, sizeof *d->marks);
+    return d->balls && d->old_balls && d->glow && d->old_glow && d->marks && d->old_marks;
+}
+
+static bool make_arrays(struct bead_view *v)
+{
+    size_t n = v->count, sensors;
+    (void)bead_chain_sensors(v->setup.chain, &sensors);
+    bool good = true;
+    for (int k = 0; k < 2; k++) {
+        v->u[k] = calloc(n, sizeof(double));
+        v->value[k] = calloc(n, sizeof(double));
+        good = good && v->u[k] && v->value[k];
+    }
+    v->shift = calloc(n, sizeof *v->shift);
+    v->shown = calloc(n, sizeof *v->shown);
+    v->colour = calloc(n, sizeof *v->colour);
+    v->load = calloc(n, sizeof *v->load);
+    v->reached = calloc(n, sizeof *v->reached);
+    size_t marks = n + sensors + 8;
+    return good && v->shift && v->shown && v->colour && v->load && v->reached && make_drawing(&v->row_drawing, n, marks) &&
+           make_drawing(&v->lens_drawing, n, marks);
+}
+
+static void measure(struct bead_view *v)
+{
+    const struct bead_chain *chain = v->setup.chain;
+    size_t beads = bead_chain_beads(chain), last = v->setup.beads.last < beads ? v->setup.beads.last : beads - 1;
+    v->first = v->setup.beads.first < last ? v->setup.beads.first : last;
+    v->count = last - v->first + 1;
+    v->position = bead_chain_position(chain) + v->first;
+    v->radius = bead_chain_radius(chain) + v->first;
+    v->ends[0] = INFINITY;
+    v->ends[1] = -INFINITY;
+    for (size_t i = 0; i < v->count; i++) {
+        v->largest = fmax(v->largest, v->radius[i]);
+        v->ends[0] = fmin(v->ends[0], v->position[i] - v->radius[i]);
+        v->ends[1] = fmax(v->ends[1], v->position[i] + v->radius[i]);
+    }
+    v->compression = bead_compression_scale(chain);
+    v->striker = v->first == 0 && !bead_chain_spec(chain)->equation.name;
+    v->wall = last + 1 == beads && bead_chain_spec(chain)->wall != BEAD_WALL_NONE;
+    v->newest = 0;
+}
+
+static enum bead_error beads_create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
+{
+    *view = NULL;
+    struct bead_view *v = calloc(1, sizeof *v);
+    if (!v)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a view of beads");
+    v->setup = *setup;
+    v->look = *setup->look;
+    v->map = *setup->colours.map;
+    v->setup.look = &v->look;
+    v->setup.colours.map = &v->map;
+    measure(v);
+    if (!make_arrays(v)) {
+        beads_destroy(v);
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a view of %zu beads",
+                         setup->beads.last - setup->beads.first + 1);
+    }
+    *view = v;
+    return BEAD_OK;
+}
+
+static enum bead_error beads_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg)
+{
+    int left = 0, right = 0;
+    if (v->setup.axes)
+        bead_beads_margins(&v->look, &left, &right);
+    left = left < plot.x ? left : plot.x;
+    v->plot = plot;
+    v->area = (struct bead_rect){plot.x - left, plot.y, plot.width + left + right, plot.height};
+    v->canvas = canvas;
+    if (canvas && (v->area.width > canvas->width || v->area.height > canvas->height))
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "beads need a canvas of %d x %d pixels", v->area.width, v->area.height);
+    bead_beads_divide(v);
+    if (v->strip && !bead_beads_prepare_strip(v))
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a strip of %zu beads", v->count);
+    return BEAD_OK;
+}
+
+static enum bead_error beads_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
+{
+    return bead_beads_decorate(v, cr, msg);
+}
+
+/* A bead's value of a field of contacts is the mean of its two. */
+static double value_of(const struct bead_view *v, const double *field, size_t bead)
+{
+    if (!bead_field_info(v->setup.field)->of_contacts)
+        return field[bead];
+    size_t contacts = bead_chain_contacts(v->setup.chain);
+    bool left = bead > v->setup.beads.first, right = bead < contacts && bead <= v->setup.beads.last;
+    double sum = (left ? field[bead - 1] : 0) + (right ? field[bead] : 0);
+    return left && right ? 0.5 * sum : sum;
+}
+
+static enum bead_error beads_feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
+{
+    const double *u = sample->field[BEAD_FIELD_DISPLACEMENT], *field = sample->field[v->setup.field];
+    if (!u || !field)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a view of beads needs displacement and %s",
+                         bead_field_info(v->setup.field)->name);
+    v->newest = 1 - v->newest;
+    v->fed += v->fed < 2;
+    v->time[v->newest] = sample->time;
+    for (size_t i = 0; i < v->count; i++) {
+        v->u[v->newest][i] = u[v->first + i];
+        v->value[v->newest][i] = value_of(v, field, v->first + i);
+    }
+    return BEAD_OK;
+}
+
+/* Columns of the row that look different now. */
+struct spans {
+    int from[MOST_SPANS], to[MOST_SPANS]; /* px of the area, `to` exclusive */
+    size_t count;
+};
+
+static void add_span(struct spans *spans, double from, double to, const struct bead_rect *limits)
+{
+    int a = (int)floor(fmax(from, limits->x)), b = (int)ceil(fmin(to, limits->x + limits->width));
+    if (b <= a)
+        return;
+    size_t last = spans->count - 1;
+    if (spans->count > 0 && (a <= spans->to[last] + MERGE_GAP || spans->count == MOST_SPANS)) {
+        spans->from[last] = a < spans->from[last] ? a : spans->from[last];
+        spans->to[last] = b > spans->to[last] ? b : spans->to[last];
+    } else {
+        spans->from[spans->count] = a;
+        spans->to[spans->count++] = b;
+    }
+}
+
+static void span_of_ball(struct spans *spans, const struct bead_ball *ball, const struct bead_rect *limits)
+{
+    add_span(spans, ball->x - ball->r - 3, ball->x + ball->r + 3, limits);
+}
+
+/* The row shows all beads, always: old and new are the same beads. */
+static void find_changes(const struct bead_view *v, struct spans *spans)
+{
+    const struct bead_drawing *d = &v->row_drawing;
+    const struct bead_rect *limits = &v->row.rect;
+    if (!v->drawn || d->count != d->old_count || d->first != d->old_first) {
+        add_span(spans, limits->x, limits->x + limits->width, limits);
+        return;
+    }
+    for (size_t m = 0; m < 2 && v->striker; m++) { /* arrow: the only mark that is not beside a bead that changed */
+        const struct bead_mark *now = &d->marks[0], *old = &d->old_marks[0];
+        bool same = d->mark_count && d->old_mark_count && memcmp(now, old, sizeof *now) == 0;
+        const struct bead_mark *mark = m ? now : old;
+        if (!same && (m ? d->mark_count : d->old_mark_count) && mark->kind == BEAD_MARK_ARROW)
+            add_span(spans, mark->box[0] - 2, mark->box[2] + 2, limits);
+    }
+    for (size_t i = 0; i < d->count; i++) {
+        if (d->glow[i] == d->old_glow[i] && memcmp(&d->balls[i], &d->old_balls[i], sizeof d->balls[i]) == 0)
+            continue;
+        span_of_ball(spans, &d->old_balls[i], limits);
+        span_of_ball(spans, &d->balls[i], limits);
+    }
+}
+
+/* Everything of a drawing within `rect` of the area. */
+static enum bead_error paint(struct bead_view *v, const struct bead_drawing *d, const struct bead_mark *behind,
+                             struct bead_rect rect, struct bead_frame *frame, struct bead_changes *changes,
+                             struct bead_message *msg)
+{
+    size_t first = d->count, end = 0;
+    for (size_t i = 0; i < d->count; i++) {
+        if (d->balls[i].x + d->balls[i].r + 2 < rect.x || d->balls[i].x - d->balls[i].r - 2 > rect.x + rect.width)
+            continue;
+        first = i < first ? i : first;
+        end = i + 1;
+    }
+    enum bead_error err = bead_paint_begin(v->canvas, v->backdrop, frame, rect, msg);
+    if (err)
+        return err;
+    if (behind)
+        bead_paint_marks(v->canvas, behind, 1);
+    if (first < end)
+        bead_paint_balls(v->canvas, d->balls + first, end - first);
+    bead_paint_marks(v->canvas, d->marks, d->mark_count);
+    err = bead_paint_end(v->canvas, msg);
+    if (changes)
+        bead_changes_add(changes, (struct bead_rect){v->area.x + rect.x, v->area.y + rect.y, rect.width, rect.height});
+    return err;
+}
+
+static enum bead_error paint_row(struct bead_view *v, struct bead_frame *frame, struct bead_changes *changes,
+                                 struct bead_message *msg)
+{
+    struct spans spans = {.count = 0};
+    enum bead_error err = BEAD_OK;
+    find_changes(v, &spans);
+    for (size_t i = 0; !err && i < spans.count; i++) {
+        struct bead_rect rect = {spans.from[i], v->row.rect.y, spans.to[i] - spans.from[i], v->row.rect.height};
+        err = paint(v, &v->row_drawing, NULL, rect, frame, changes, msg);
+    }
+    return err;
+}
+
+/* The place of the lens on the row, and the way down to it. */
+static void compose_zoom(struct bead_view *v)
+{
+    if (v->zoom.height == 0)
+        return;
+    double from = fmax(0, bead_window_x(&v->row, v->lens.from));
+    double to = fmin(v->area.width, bead_window_x(&v->row, v->lens.from + v->lens.rect.width / v->lens.scale));
+    double wider = fmax(0, 0.5 * (4 - (to - from))); /* in a row of thousands */
+    from -= wider;
+    to += wider;
+    const struct bead_rect *z = &v->zoom;
+    v->old_zoom_mark = v->zoom_mark;
+    v->zoom_mark = (struct bead_mark){
+        .box = {(float)(z->x - v->look.gap), (float)z->y, (float)(z->x + z->width + v->look.gap), (float)(z->y + z->height)},
+        .shape = {(float)from, (float)to, (float)z->x, (float)(z->x + z->width)},
+        .kind = BEAD_MARK_ZOOM};
+    const double rgb[3] = {v->look.accent.r, v->look.accent.g, v->look.accent.b};
+    for (int c = 0; c < 3; c++)
+        v->zoom_mark.rgba[c] = (uint8_t)lround(255 * rgb[c]);
+    v->zoom_mark.rgba[3] = 190;
+}
+
+static bool lens_changed(const struct bead_view *v)
+{
+    const struct bead_drawing *d = &v->lens_drawing;
+    return !v->drawn || d->first != d->old_first || d->count != d->old_count || d->mark_count != d->old_mark_count ||
+           memcmp(d->balls, d->old_balls, d->count * sizeof *d->balls) != 0 ||
+           memcmp(d->marks, d->old_marks, d->mark_count * sizeof *d->marks) != 0;
+}
+
+static enum bead_error paint_lens(struct bead_view *v, struct bead_frame *frame, struct bead_changes *changes,
+                                  struct bead_message *msg)
+{
+    static const struct bead_drawing nothing = {0};
+    enum bead_error err = BEAD_OK;
+    if (v->zoom.height > 0 && (!v->drawn || memcmp(&v->zoom_mark, &v->old_zoom_mark, sizeof v->zoom_mark) != 0)) {
+        int left = v->zoom.x < (int)v->look.gap ? v->zoom.x : (int)v->look.gap;
+        struct bead_rect rect = {v->zoom.x - left, v->zoom.y, v->zoom.width + left, v->zoom.height};
+        err = paint(v, &nothing, &v->zoom_mark, rect, frame, changes, msg);
+    }
+    if (!err && lens_changed(v))
+        err = paint(v, &v->lens_drawing, NULL, v->lens.rect, frame, changes, msg);
+    return err;
+}
+
+static enum bead_error beads_draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
+                                  struct bead_changes *changes, struct bead_message *msg)
+{
+    if (!v->canvas)
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "beads are drawn on a canvas, and there is none");
+    enum bead_error err = BEAD_OK;
+    if (!v->backdrop) {
+        v->area.width = v->area.width < background->width - v->area.x ? v->area.width : background->width - v->area.x;
+        v->row.rect.width = v->row.rect.width < v->area.width ? v->row.rect.width : v->area.width;
+        err = bead_backdrop_create(v->canvas, background, v->area, &v->backdrop, msg);
+    }
+    if (err || v->fed == 0)
+        return err;
+    v->drawn = v->drawn && changes;
+    bead_beads_advance(v, time);
+    if (v->strip) {
+        struct bead_changes own = {0};
+        bead_beads_strip(v, frame, background, changes ? changes : &own);
+    } else if (v->row.scale > 0) {
+        bead_beads_compose(v, &v->row, &v->row_drawing);
+        err = paint_row(v, frame, changes, msg);
+    }
+    if (!err && v->lens.scale > 0) {
+        bead_beads_compose(v, &v->lens, &v->lens_drawing);
+        compose_zoom(v);
+        err = paint_lens(v, frame, changes, msg);
+    }
+    if (!err && v->labels)
+        err = bead_moving_labels_draw(v->labels, v->lens.from, frame, background, changes, msg);
+    v->drawn = !err;
+    return err;
+}
+
+static enum bead_error beads_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
+{
+    (void)msg;
+    if (v->fed == 0)
+        return BEAD_OK;
+    bead_beads_advance(v, time);
+    if (v->row.scale > 0)
+        bead_beads_compose(v, &v->row, &v->row_drawing);
+    if (v->lens.scale > 0)
+        bead_beads_compose(v, &v->lens, &v->lens_drawing);
+    bead_beads_vector(v, cr);
+    return BEAD_OK;
+}
+
+const struct bead_view_type bead_view_beads_type = {
+    .kind = BEAD_VIEW_BEADS,
+    .name = "beads",
+    .help = "the beads, coloured by the field where there is any; a lens follows the front",
+    .height = 0.34,
+    .canvas = true,
+    .fields = beads_fields,
+    .create = beads_create,
+    .place = beads_place,
+    .decorate = beads_decorate,
+    .feed = beads_feed,
+    .draw = beads_draw,
+    .vector = beads_vector,
+    .destroy = beads_destroy,
+};

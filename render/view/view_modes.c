@@ -1,0 +1,176 @@
+/* View: energies of the linear modes of an equation, a bar for each. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/draw/raster.h"
+#include "render/view/views.h"
+
+/* Part of its room that a bar has; end of the axis, in parts of the energy at the start. */
+static const double fullness = 0.62, high = 1.04;
+
+struct bead_view {
+    struct bead_view_setup setup;
+    struct bead_look look;
+    size_t modes;
+    double energy[2][BEAD_MODES], time[2];
+    int fed, newest;
+    double whole; /* energy of these modes in the first sample: 1 on the axis */
+    struct bead_axis axis;
+    struct bead_rect plot;
+    int top[BEAD_MODES]; /* px of the bars as drawn last, in parts of `steps` */
+    bool drawn;
+};
+
+/* Heights are rounded to this part of a pixel. */
+static const double steps = 16;
+
+static unsigned fields(const struct bead_view_setup *setup)
+{
+    return bead_chain_mode_fields(setup->chain);
+}
+
+static void destroy(struct bead_view *v)
+{
+    free(v);
+}
+
+static enum bead_error create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
+{
+    *view = NULL;
+    if (!bead_chain_mode_fields(setup->chain))
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a view of modes needs an equation that has some");
+    struct bead_view *v = calloc(1, sizeof *v);
+    if (!v)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a view of modes");
+    v->setup = *setup;
+    v->look = *setup->look;
+    v->setup.look = &v->look;
+    v->modes = setup->modes;
+    *view = v;
+    return BEAD_OK;
+}
+
+static enum bead_error place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg)
+{
+    (void)canvas, (void)msg;
+    v->plot = plot;
+    bead_axis_make(&v->axis, 0, high, "", BEAD_SCALE_LINEAR, plot.height, v->look.tick, false);
+    return BEAD_OK;
+}
+
+static double middle_of(const struct bead_view *v, size_t k)
+{
+    return v->plot.x + ((double)k + 0.5) * v->plot.width / (double)v->modes;
+}
+
+static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
+{
+    struct bead_axis numbers;
+    (void)msg;
+    cairo_set_source_rgb(cr, v->look.panel.r, v->look.panel.g, v->look.panel.b);
+    cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
+    cairo_fill(cr);
+    if (!v->setup.axes)
+        return BEAD_OK;
+    if (!v->look.dark)
+        bead_box_draw(cr, &v->look, v->plot);
+    bead_axis_draw(cr, &v->look, &v->axis, v->plot, BEAD_SIDE_LEFT, false, true, "energy share");
+    bead_axis_make(&numbers, 0.5, (double)v->modes + 0.5, "1", BEAD_SCALE_LINEAR, v->plot.width, v->look.tick, true);
+    bead_axis_draw(cr, &v->look, &numbers, v->plot, BEAD_SIDE_BOTTOM, false, v->setup.bead_labels, "mode");
+    return BEAD_OK;
+}
+
+static enum bead_error feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
+{
+    unsigned needed = bead_chain_mode_fields(v->setup.chain);
+    for (size_t f = 0; f < BEAD_FIELD_COUNT; f++) {
+        if (needed & BEAD_FIELD_BIT(f) && !sample->field[f])
+            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "energies of modes need the field %s", bead_field_info(f)->name);
+    }
+    v->newest = 1 - v->newest;
+    v->fed += v->fed < 2;
+    v->time[v->newest] = sample->time;
+    bead_chain_mode_energies(v->setup.chain, sample->field, v->modes, v->energy[v->newest]);
+    for (size_t k = 0; v->fed == 1 && k < v->modes; k++)
+        v->whole += v->energy[v->newest][k];
+    v->whole = v->whole > 0 ? v->whole : 1;
+    return BEAD_OK;
+}
+
+static double energy_at(const struct bead_view *v, size_t k, double time)
+{
+    const double *now = v->energy[v->newest], *before = v->energy[1 - v->newest];
+    double span = v->time[v->newest] - v->time[1 - v->newest], weight = 1;
+    if (v->fed == 2 && span > 0)
+        weight = fmin(1, fmax(0, (time - v->time[1 - v->newest]) / span));
+    return weight >= 1 ? now[k] : before[k] + weight * (now[k] - before[k]);
+}
+
+/* Distance of a bar's top from the plot's, px. */
+static double top_of(const struct bead_view *v, double energy)
+{
+    return round((1 - fmin(1, fmax(0, energy / (high * v->whole)))) * v->plot.height * steps) / steps;
+}
+
+static void draw_bar(const struct bead_view *v, cairo_t *cr, size_t k, double top)
+{
+    double width = fullness * v->plot.width / (double)v->modes;
+    struct bead_rgb colour = bead_look_curve(&v->look, k);
+    cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
+    cairo_rectangle(cr, round(middle_of(v, k) - 0.5 * width), v->plot.y + top, round(width), v->plot.height - top);
+    cairo_fill(cr);
+}
+
+/* Only bars whose height has changed. */
+static enum bead_error draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
+                            struct bead_changes *changes, struct bead_message *msg)
+{
+    if (v->fed == 0)
+        return BEAD_OK;
+    cairo_t *cr = bead_raster_begin(frame);
+    for (size_t k = 0; k < v->modes; k++) {
+        double top = top_of(v, energy_at(v, k, time));
+        if (v->drawn && changes && v->top[k] == (int)lround(top * steps))
+            continue;
+        int left = (int)floor(middle_of(v, k) - 0.5 * v->plot.width / (double)v->modes);
+        int right = (int)ceil(middle_of(v, k) + 0.5 * v->plot.width / (double)v->modes);
+        left = left > v->plot.x ? left : v->plot.x;
+        right = right < v->plot.x + v->plot.width ? right : v->plot.x + v->plot.width;
+        struct bead_rect rect = {left, v->plot.y, right - left, v->plot.height};
+        cairo_surface_flush(cairo_get_target(cr));
+        if (background)
+            bead_frame_copy(frame, background, rect);
+        cairo_surface_mark_dirty(cairo_get_target(cr));
+        draw_bar(v, cr, k, top);
+        v->top[k] = (int)lround(top * steps);
+        if (changes)
+            bead_changes_add(changes, rect);
+    }
+    v->drawn = true;
+    return bead_raster_end(cr, "bars of modes", msg);
+}
+
+static enum bead_error vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
+{
+    (void)msg;
+    for (size_t k = 0; v->fed > 0 && k < v->modes; k++)
+        draw_bar(v, cr, k, top_of(v, energy_at(v, k, time)));
+    return BEAD_OK;
+}
+
+const struct bead_view_type bead_view_modes_type = {
+    .kind = BEAD_VIEW_MODES,
+    .name = "modes",
+    .help = "energies of an equation's linear modes, in parts of those at the start",
+    .height = 0.3,
+    .fields = fields,
+    .create = create,
+    .place = place,
+    .decorate = decorate,
+    .feed = feed,
+    .draw = draw,
+    .vector = vector,
+    .destroy = destroy,
+};

@@ -1,0 +1,324 @@
+/* View: the field along the chain, as a line over a filled area. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/draw/chain_axis.h"
+#include "render/view/camera.h"
+#include "render/view/moving_labels.h"
+#include "render/view/profile_scan.h"
+#include "render/view/views.h"
+
+/* Heights are rounded to this part of a pixel; what moves less is not drawn again. */
+static const double steps_per_pixel = 32;
+static const double area_alpha = 0.26;
+enum { MOST_SPANS = 8, MERGE_GAP = 12 };
+
+struct bead_view {
+    struct bead_view_setup setup;
+    struct bead_look look;
+    size_t first, count; /* values shown */
+    double *value[2], time[2];
+    int fed, newest;
+    float *x, *y, *old_y; /* px of the plot */
+    double *place;        /* m along the chain: with a camera */
+    double left;          /* m: the camera's, as drawn last */
+    size_t from, to;      /* values in the plot, and one more on each side; `to` exclusive */
+    struct bead_moving_labels *labels;
+    struct bead_axis axis;
+    double base; /* value that the area reaches to */
+    struct bead_rect plot;
+    bool drawn;
+};
+
+static unsigned profile_fields(const struct bead_view_setup *setup)
+{
+    return BEAD_FIELD_BIT(setup->field);
+}
+
+static void profile_destroy(struct bead_view *v)
+{
+    if (!v)
+        return;
+    for (int k = 0; k < 2; k++)
+        free(v->value[k]);
+    free(v->x);
+    free(v->y);
+    free(v->old_y);
+    free(v->place);
+    bead_moving_labels_destroy(v->labels);
+    free(v);
+}
+
+static enum bead_error profile_create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
+{
+    *view = NULL;
+    struct bead_view *v = calloc(1, sizeof *v);
+    size_t n = setup->beads.last - setup->beads.first + 1;
+    if (v) {
+        v->setup = *setup;
+        v->look = *setup->look;
+        v->setup.look = &v->look;
+        v->first = setup->beads.first;
+        v->count = n;
+        for (int k = 0; k < 2; k++)
+            v->value[k] = calloc(n, sizeof(double));
+        v->x = calloc(n, sizeof *v->x);
+        v->y = calloc(n, sizeof *v->y);
+        v->old_y = calloc(n, sizeof *v->old_y);
+        v->place = calloc(n, sizeof *v->place);
+        v->to = n;
+    }
+    if (!v || !v->value[0] || !v->value[1] || !v->x || !v->y || !v->old_y || !v->place) {
+        profile_destroy(v);
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a profile of %zu beads", n);
+    }
+    *view = v;
+    return BEAD_OK;
+}
+
+/* The range of the colours, with some air above the highest value. */
+static void make_axis(struct bead_view *v)
+{
+    const struct bead_colours *colours = &v->setup.colours;
+    enum bead_scale scale = colours->scale == BEAD_SCALE_LOG ? BEAD_SCALE_LOG : BEAD_SCALE_LINEAR;
+    double low = colours->low, high = colours->high, air = 0.04 * (high - low);
+    if (scale == BEAD_SCALE_LINEAR) {
+        high += air;
+        low -= low < 0 ? air : 0;
+    }
+    bead_axis_make(&v->axis, low, high, bead_chain_field(v->setup.chain, v->setup.field)->unit, scale, v->plot.height, v->look.tick,
+                   false);
+    v->base = scale == BEAD_SCALE_LOG ? low : fmin(high, fmax(low, 0));
+}
+
+static float y_of(const struct bead_view *v, double value)
+{
+    double place = bead_axis_place(&v->axis, value), line = 0.5 * fmax(1, v->look.line);
+    place = place > -0.01 ? fmin(place, 1.2) : -0.01; /* minus infinity on a logarithmic axis, and what is not a number */
+    double y = line + (1 - place) * (v->plot.height - 2 * line);
+    return (float)(round(y * steps_per_pixel) / steps_per_pixel);
+}
+
+/* Where values belong along the chain: a contact is at the right of its bead. */
+static void find_places(struct bead_view *v)
+{
+    const struct bead_chain *chain = v->setup.chain;
+    bool contacts = bead_field_info(v->setup.field)->of_contacts;
+    for (size_t i = 0; i < v->count; i++) {
+        size_t bead = v->first + i;
+        v->place[i] = bead_chain_position(chain)[bead] + (contacts ? bead_chain_radius(chain)[bead] : 0);
+    }
+}
+
+/* x of all values where the camera is now; which of them are in the plot. */
+static void follow(struct bead_view *v)
+{
+    double left = bead_camera_left(v->setup.camera), scale = v->plot.width / bead_camera_width(v->setup.camera);
+    size_t from = v->count, to = 0;
+    for (size_t i = 0; i < v->count; i++) {
+        double x = (v->place[i] - left) * scale;
+        v->x[i] = (float)x;
+        if (x < 0 || x > v->plot.width)
+            continue;
+        from = i < from ? i : from;
+        to = i + 1;
+    }
+    v->from = from > 0 && from < to ? from - 1 : 0;
+    v->to = to < v->count ? to + 1 : v->count;
+    v->drawn = v->drawn && left == v->left;
+    v->left = left;
+}
+
+static enum bead_error profile_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas,
+                                     struct bead_message *msg)
+{
+    (void)canvas;
+    (void)msg;
+    v->plot = plot;
+    make_axis(v);
+    if (v->setup.camera)
+        find_places(v);
+    for (size_t i = 0; i < v->count; i++)
+        v->x[i] = (float)(((double)i + 0.5) * plot.width / (double)v->count);
+    if (v->count == 1) { /* a level line */
+        v->x[0] = 0;
+    }
+    return BEAD_OK;
+}
+
+/* Numbers below the plot that move with the camera; what they count stands at their left. */
+static enum bead_error move_labels(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
+{
+    struct bead_text_style style = {.family = v->look.family,
+                                    .size = 0.95 * v->look.tick,
+                                    .colour = v->look.faint,
+                                    .across = BEAD_ALIGN_END,
+                                    .down = BEAD_ALIGN_BASELINE};
+    const char *name = bead_field_info(v->setup.field)->of_contacts ? "contact" : "bead";
+    bead_text_draw(cr, &style, v->plot.x - 0.4 * v->look.tick, v->plot.y + v->plot.height + 1.38 * v->look.tick, name);
+    struct bead_rect strip = {v->plot.x, v->plot.y + v->plot.height, v->plot.width, (int)ceil(1.8 * v->look.tick)};
+    double width = bead_camera_width(v->setup.camera);
+    enum bead_error err = bead_moving_labels_create(&v->look, strip, v->plot.width / width, &v->labels, msg);
+    return err ? err : bead_moving_labels_count(v->labels, v->place, v->first, v->count, width, BEAD_LABEL_TICK, msg);
+}
+
+static enum bead_error profile_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
+{
+    const struct bead_look *look = &v->look;
+    double y = v->plot.y + y_of(v, v->base);
+    cairo_set_source_rgb(cr, look->panel.r, look->panel.g, look->panel.b);
+    cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
+    cairo_fill(cr);
+    cairo_set_source_rgba(cr, look->faint.r, look->faint.g, look->faint.b, 0.35);
+    cairo_rectangle(cr, v->plot.x, round(y - 0.5 * look->line), v->plot.width, fmax(1, look->line));
+    cairo_fill(cr);
+    if (!v->setup.axes)
+        return BEAD_OK;
+    const struct bead_field_info *field = bead_chain_field(v->setup.chain, v->setup.field);
+    const char *title = strrchr(field->title, ' '); /* short: "force" for "bead force" */
+    bead_axis_draw(cr, look, &v->axis, v->plot, BEAD_SIDE_LEFT, false, !v->setup.ticks_only, title ? title + 1 : field->title);
+    if (v->setup.bead_labels && v->setup.camera)
+        return move_labels(v, cr, msg);
+    if (v->setup.bead_labels) {
+        struct bead_axis beads;
+        const char *name = bead_along_axis(&beads, v->setup.chain, field->of_contacts, v->first, v->first + v->count - 1,
+                                           v->plot.width, look->tick, true);
+        bead_axis_draw(cr, look, &beads, v->plot, BEAD_SIDE_BOTTOM, false, true, name);
+    }
+    return BEAD_OK;
+}
+
+static enum bead_error profile_feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
+{
+    const double *field = sample->field[v->setup.field];
+    if (!field)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a profile of %s needs that field", bead_field_info(v->setup.field)->name);
+    v->newest = 1 - v->newest;
+    v->fed += v->fed < 2;
+    v->time[v->newest] = sample->time;
+    memcpy(v->value[v->newest], field + v->first, v->count * sizeof(double));
+    return BEAD_OK;
+}
+
+static void advance(struct bead_view *v, double time)
+{
+    const double *now = v->value[v->newest], *before = v->value[1 - v->newest];
+    double span = v->time[v->newest] - v->time[1 - v->newest], weight = 1;
+    if (v->fed == 2 && span > 0)
+        weight = fmin(1, fmax(0, (time - v->time[1 - v->newest]) / span));
+    float *was = v->old_y;
+    v->old_y = v->y;
+    v->y = was;
+    for (size_t i = 0; i < v->count; i++)
+        v->y[i] = y_of(v, weight >= 1 ? now[i] : before[i] + weight * (now[i] - before[i]));
+}
+
+static struct bead_curve curve_of(const struct bead_view *v)
+{
+    return (struct bead_curve){.x = v->x + v->from,
+                               .y = v->y + v->from,
+                               .count = v->to - v->from,
+                               .base = y_of(v, v->base),
+                               .width = (float)fmax(1.6, 1.8 * v->look.line),
+                               .line = v->look.accent,
+                               .area = v->look.accent,
+                               .area_alpha = area_alpha};
+}
+
+static void draw_span(const struct bead_view *v, const struct bead_curve *curve, int from, int to, struct bead_frame *frame,
+                      const struct bead_frame *background, struct bead_changes *changes)
+{
+    bead_curve_draw(curve, v->plot, from, to, frame, background);
+    if (changes)
+        bead_changes_add(changes, (struct bead_rect){v->plot.x + from, v->plot.y, to - from, v->plot.height});
+}
+
+/* Columns that value i has a part in. */
+static void span_of(const struct bead_view *v, const struct bead_curve *curve, size_t i, int *from, int *to)
+{
+    int reach = bead_curve_reach(curve);
+    *from = i == v->from ? 0 : (int)floorf(v->x[i - 1]) - reach;
+    *to = i + 1 == v->to ? v->plot.width : (int)ceilf(v->x[i + 1]) + reach;
+    *from = *from < 0 ? 0 : *from;
+    *to = *to > v->plot.width ? v->plot.width : *to;
+}
+
+static enum bead_error profile_draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
+                                    struct bead_changes *changes, struct bead_message *msg)
+{
+    if (v->fed == 0)
+        return BEAD_OK;
+    advance(v, time);
+    if (v->setup.camera)
+        follow(v);
+    struct bead_curve curve = curve_of(v);
+    int from = 0, to = 0; /* waiting to be drawn */
+    size_t spans = 0;
+    for (size_t i = v->from; i < v->to; i++) {
+        int a, b;
+        if (v->drawn && changes && v->y[i] == v->old_y[i])
+            continue;
+        span_of(v, &curve, i, &a, &b);
+        if (b <= a)
+            continue;
+        if (to > from && a > to + MERGE_GAP && spans < MOST_SPANS) {
+            draw_span(v, &curve, from, to, frame, background, changes);
+            spans++;
+            from = a;
+        } else if (to <= from) {
+            from = a;
+        }
+        to = b;
+    }
+    if (to > from)
+        draw_span(v, &curve, from, to, frame, background, changes);
+    v->drawn = true;
+    return v->labels ? bead_moving_labels_draw(v->labels, v->left, frame, background, changes, msg) : BEAD_OK;
+}
+
+static enum bead_error profile_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
+{
+    (void)msg;
+    if (v->fed == 0 || v->count == 0)
+        return BEAD_OK;
+    advance(v, time);
+    struct bead_curve curve = curve_of(v);
+    cairo_save(cr);
+    cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
+    cairo_clip(cr);
+    cairo_translate(cr, v->plot.x, v->plot.y);
+    cairo_new_path(cr);
+    for (size_t i = 0; i < v->count; i++)
+        cairo_line_to(cr, v->x[i], v->y[i]);
+    cairo_path_t *path = cairo_copy_path(cr);
+    cairo_line_to(cr, v->x[v->count - 1], curve.base);
+    cairo_line_to(cr, v->x[0], curve.base);
+    cairo_close_path(cr);
+    cairo_set_source_rgba(cr, curve.area.r, curve.area.g, curve.area.b, curve.area_alpha);
+    cairo_fill(cr);
+    cairo_append_path(cr, path);
+    cairo_path_destroy(path);
+    cairo_set_source_rgb(cr, curve.line.r, curve.line.g, curve.line.b);
+    cairo_set_line_width(cr, curve.width);
+    cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
+    cairo_stroke(cr);
+    cairo_restore(cr);
+    return BEAD_OK;
+}
+
+const struct bead_view_type bead_view_profile_type = {
+    .kind = BEAD_VIEW_PROFILE,
+    .name = "profile",
+    .help = "the field along the chain at one time",
+    .height = 0.22,
+    .canvas = false,
+    .fields = profile_fields,
+    .create = profile_create,
+    .place = profile_place,
+    .decorate = profile_decorate,
+    .feed = profile_feed,
+    .draw = profile_draw,
+    .vector = profile_vector,
+    .destroy = profile_destroy,
+};

@@ -1,0 +1,364 @@
+/* Sensors: the force of each against time, in one plot with the names at the curves. */
+#include "render/view/view_sensors.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/draw/raster.h"
+#include "render/view/horizon.h"
+#include "render/view/sensor_curves.h"
+#include "render/view/views.h"
+
+/* In units of axis lines; of the label's font size. */
+static const double curve_width = 2, strip = 1.5, sample_length = 1.6;
+
+struct bead_view {
+    struct bead_view_setup setup;
+    struct bead_look look;
+    struct bead_rect plot;
+    const struct bead_sensor *sensors;
+    size_t count;
+    double *values; /* of one time */
+    struct bead_curves curves;
+    struct bead_curves differences; /* from the twin's, where asked for */
+    double low, high;               /* N: what the curves may reach; the axis leaves a strip for names above */
+    struct bead_axis force;
+    double shown; /* s: drawn until here */
+    bool drawn;
+};
+
+/* What a sensor measures is the bead force; beside other views of a movie, whose range it shares, it shows what they show. */
+static enum bead_field shown_field(const struct bead_view_setup *setup)
+{
+    return setup->fill && !bead_field_info(setup->field)->of_contacts ? setup->field : BEAD_FIELD_FORCE;
+}
+
+static unsigned fields(const struct bead_view_setup *setup)
+{
+    return BEAD_FIELD_BIT(shown_field(setup));
+}
+
+static void destroy(struct bead_view *v)
+{
+    if (!v)
+        return;
+    bead_curves_free(&v->curves);
+    bead_curves_free(&v->differences);
+    free(v->values);
+    free(v);
+}
+
+static enum bead_error create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
+{
+    *view = NULL;
+    size_t count;
+    const struct bead_sensor *sensors = bead_chain_sensors(setup->chain, &count);
+    const struct bead_scene *scene = bead_chain_scene(setup->chain);
+    struct bead_place place = bead_chain_spec(setup->chain)->place;
+    if (count == 0)
+        return bead_fail(msg, BEAD_ERROR_SCENE,
+                         "%s:%zu:%zu: there is no sensor to show; give a bead one: {bead: steel, sensor: first}", scene->file,
+                         place.line, place.column);
+    struct bead_view *v = calloc(1, sizeof *v);
+    if (v)
+        v->values = calloc(count, sizeof *v->values);
+    if (!v || !v->values) {
+        destroy(v);
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of sensors");
+    }
+    v->setup = *setup;
+    v->look = *setup->look;
+    v->setup.look = &v->look;
+    v->sensors = sensors;
+    v->count = count;
+    bead_curves_init(&v->curves, count, setup->time);
+    bead_curves_init(&v->differences, count, setup->time);
+    bead_sensors_set_range(v, fmin(0, setup->colours.low), setup->colours.high);
+    *view = v;
+    return BEAD_OK;
+}
+
+void bead_sensors_extremes(const struct bead_view *view, double *low, double *high)
+{
+    *low = view->curves.low;
+    *high = view->curves.high;
+}
+
+void bead_sensors_set_range(struct bead_view *view, double low, double high)
+{
+    view->low = fmin(0, low);
+    view->high = high > view->low ? high : view->low + 1;
+}
+
+static enum bead_error place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg)
+{
+    (void)canvas;
+    (void)msg;
+    v->plot = plot;
+    return BEAD_OK;
+}
+
+static enum bead_error feed_twin(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
+{
+    const enum bead_field field = shown_field(&v->setup);
+    const double *force = sample->field[field], *twin = sample->twin[field];
+    if (!twin)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no twin to compare with");
+    enum bead_error err = bead_curves_reserve(&v->differences, msg);
+    for (size_t k = 0; !err && k < v->count; k++)
+        v->values[k] = force[v->sensors[k].bead] - twin[v->sensors[k].bead];
+    if (!err)
+        bead_curves_add(&v->differences, sample->time, v->values);
+    return err;
+}
+
+static enum bead_error feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
+{
+    const double *force = sample->field[shown_field(&v->setup)];
+    if (!force)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "sensors need the field force");
+    enum bead_error err = bead_curves_reserve(&v->curves, msg);
+    for (size_t k = 0; !err && k < v->count; k++)
+        v->values[k] = force[v->sensors[k].bead];
+    if (!err)
+        bead_curves_add(&v->curves, sample->time, v->values);
+    return !err && v->setup.trust ? feed_twin(v, sample, msg) : err;
+}
+
+double bead_sensors_horizon(const struct bead_view *v)
+{
+    double threshold = BEAD_HORIZON_PART * (v->high - v->low);
+    for (size_t s = 0; s < v->differences.count; s++) {
+        const struct bead_stretch *stretch = v->differences.stretch + s * v->count;
+        for (size_t k = 0; k < v->count; k++) {
+            if (fmax(-stretch[k].low.value, stretch[k].high.value) > threshold)
+                return stretch[k].first.time;
+        }
+    }
+    return INFINITY;
+}
+
+static struct bead_rgb ink(const struct bead_view *v, size_t k)
+{
+    return bead_look_curve(&v->look, k);
+}
+
+/* ---- names ---- */
+
+/* Where a name stands: a row of `strip` px, from `x`. Rows are counted from the top of the plot. */
+struct name {
+    double x, width;
+    char markup[128];
+    int row;
+};
+
+static struct bead_text_style name_style(const struct bead_view *v)
+{
+    return (struct bead_text_style){
+        .family = v->look.family, .size = v->look.label, .down = BEAD_ALIGN_MIDDLE, .across = BEAD_ALIGN_START};
+}
+
+/* A legend in rows of the plot's width: a line and a name for each sensor, or the name alone in the line's colour. Returns the
+ * number of rows. */
+static int lay_out_names(const struct bead_view *v, cairo_t *cr, struct name *names, bool lines)
+{
+    double em = v->look.label, left = v->plot.x + 0.6 * em, x = left, height;
+    struct bead_text_style style = name_style(v);
+    int row = 0;
+    for (size_t k = 0; k < v->count; k++) {
+        bead_text_escape(v->sensors[k].name, names[k].markup, sizeof names[k].markup);
+        bead_text_size(cr, &style, names[k].markup, &names[k].width, &height);
+        double all = (lines ? (sample_length + 0.4) * em : 0) + names[k].width;
+        if (x + all > v->plot.x + v->plot.width - 0.2 * em && x > left) {
+            row++;
+            x = left;
+        }
+        names[k].x = x;
+        names[k].row = row;
+        x += all + (lines ? 1.2 : 0.8) * em;
+    }
+    return row + 1;
+}
+
+static void draw_names(const struct bead_view *v, cairo_t *cr, const struct name *names, bool lines)
+{
+    double em = v->look.label;
+    struct bead_text_style style = name_style(v);
+    cairo_save(cr);
+    cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
+    cairo_clip(cr);
+    for (size_t k = 0; k < v->count; k++) {
+        double x = names[k].x, y = v->plot.y + (names[k].row + 0.65) * strip * em;
+        struct bead_rgb colour = ink(v, k);
+        if ((names[k].row + 1) * strip * em > v->plot.height) /* half a name is none */
+            continue;
+        style.colour = lines ? v->look.ink : colour;
+        if (lines) {
+            cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
+            cairo_set_line_width(cr, curve_width * v->look.line);
+            cairo_move_to(cr, x, y);
+            cairo_rel_line_to(cr, sample_length * em, 0);
+            cairo_stroke(cr);
+            x += (sample_length + 0.4) * em;
+        }
+        bead_text_draw(cr, &style, x, y, names[k].markup);
+    }
+    cairo_restore(cr);
+}
+
+/* The axis reaches higher than the curves by what the rows of names take, but never by more than half of the plot. */
+static void make_force_axis(struct bead_view *v, int rows)
+{
+    double taken = fmin((rows + 0.15) * strip * v->look.label / v->plot.height, 0.5);
+    double high = v->low + (v->high - v->low) * 1.03 / (1 - taken);
+    bead_axis_make(&v->force, v->low, high, bead_field_info(shown_field(&v->setup))->unit, BEAD_SCALE_LINEAR, v->plot.height,
+                   v->look.tick, false);
+}
+
+static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
+{
+    struct name *names = calloc(v->count, sizeof *names);
+    if (!names)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for names of sensors");
+    bool lines = lay_out_names(v, cr, names, true) == 1;
+    make_force_axis(v, lay_out_names(v, cr, names, lines));
+    if (v->look.dark) {
+        cairo_set_source_rgb(cr, v->look.panel.r, v->look.panel.g, v->look.panel.b);
+        cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
+        cairo_fill(cr);
+    }
+    draw_names(v, cr, names, lines);
+    free(names);
+    if (!v->setup.axes)
+        return BEAD_OK;
+    struct bead_axis time;
+    bead_axis_make(&time, v->setup.time[0], v->setup.time[1], "s", BEAD_SCALE_LINEAR, v->plot.width, v->look.tick, true);
+    if (!v->look.dark)
+        bead_box_draw(cr, &v->look, v->plot);
+    bead_axis_draw(cr, &v->look, &v->force, v->plot, BEAD_SIDE_LEFT, false, !v->setup.ticks_only,
+                   bead_field_info(shown_field(&v->setup))->title);
+    bead_axis_draw(cr, &v->look, &time, v->plot, BEAD_SIDE_BOTTOM, false, !v->setup.time_shared, "time");
+    return BEAD_OK;
+}
+
+/* ---- curves ---- */
+
+static double x_of(const struct bead_view *v, double time)
+{
+    return v->plot.x + (time - v->setup.time[0]) / (v->setup.time[1] - v->setup.time[0]) * v->plot.width;
+}
+
+static double y_of(const struct bead_view *v, double value)
+{
+    return v->plot.y + (1 - bead_axis_place(&v->force, value)) * v->plot.height;
+}
+
+/* The part of the curves from one time to another; clipped to the plot by the caller. */
+static void paint_curves(const struct bead_view *v, cairo_t *cr, double from, double to)
+{
+    cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_width(cr, curve_width * v->look.line);
+    for (size_t k = 0; k < v->count; k++) {
+        struct bead_rgb colour = ink(v, k);
+        struct bead_point points[4], before = {0, 0};
+        bool begun = false, have = false;
+        cairo_new_path(cr);
+        for (size_t s = 0; s < v->curves.count; s++) {
+            size_t count = bead_curves_points(&v->curves, s, k, points);
+            for (size_t i = 0; i < count && points[i].time <= to; i++) {
+                if (points[i].time >= from) {
+                    if (!begun && have)
+                        cairo_move_to(cr, x_of(v, before.time), y_of(v, before.value));
+                    cairo_line_to(cr, x_of(v, points[i].time), y_of(v, points[i].value));
+                    begun = true;
+                }
+                before = points[i];
+                have = true;
+            }
+        }
+        cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
+        cairo_stroke(cr);
+    }
+}
+
+/* A line where the curves stop to be predictable; under them. */
+static void paint_horizon(const struct bead_view *v, cairo_t *cr)
+{
+    double time = v->setup.trust ? bead_sensors_horizon(v) : INFINITY;
+    if (!(time <= v->setup.time[1]))
+        return;
+    cairo_new_path(cr);
+    double line = v->look.line; /* covers whole pixels */
+    cairo_move_to(cr, round(x_of(v, time) - line / 2) + line / 2, v->plot.y);
+    cairo_rel_line_to(cr, 0, v->plot.height);
+    bead_horizon_stroke(cr, &v->look);
+}
+
+static void clip(cairo_t *cr, struct bead_rect rect)
+{
+    cairo_rectangle(cr, rect.x, rect.y, rect.width, rect.height);
+    cairo_clip(cr);
+}
+
+/* Stills show everything; movies what has passed. */
+static double until(const struct bead_view *v, double time)
+{
+    return v->setup.fill ? time : INFINITY;
+}
+
+/* Pixel columns that lines from one time to another may touch. */
+static struct bead_rect touched(const struct bead_view *v, double from, double to)
+{
+    double margin = curve_width * v->look.line + 1;
+    double left = fmax(v->plot.x, floor(x_of(v, from) - margin));
+    double right = fmin(v->plot.x + v->plot.width, ceil(x_of(v, to) + margin));
+    return (struct bead_rect){(int)left, v->plot.y, (int)fmax(0, right - left), v->plot.height};
+}
+
+static enum bead_error draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
+                            struct bead_changes *changes, struct bead_message *msg)
+{
+    double to = fmin(until(v, time), v->setup.time[1]), from = v->drawn ? v->shown : v->setup.time[0];
+    if (v->drawn && to <= v->shown)
+        return BEAD_OK;
+    struct bead_rect rect = touched(v, from, to);
+    if (background && v->setup.fill)
+        bead_frame_copy(frame, background, rect);
+    cairo_t *cr = bead_raster_begin(frame);
+    clip(cr, rect);
+    paint_horizon(v, cr);
+    double margin = (v->setup.time[1] - v->setup.time[0]) * (4 * curve_width * v->look.line + 4) / v->plot.width;
+    paint_curves(v, cr, from - margin, until(v, time));
+    bead_changes_add(changes, rect);
+    v->shown = to;
+    v->drawn = true;
+    return bead_raster_end(cr, "curves of sensors", msg);
+}
+
+static enum bead_error vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
+{
+    (void)msg;
+    cairo_save(cr);
+    clip(cr, v->plot);
+    paint_horizon(v, cr);
+    paint_curves(v, cr, -INFINITY, until(v, time));
+    cairo_restore(cr);
+    return BEAD_OK;
+}
+
+const struct bead_view_type bead_view_sensors_type = {
+    .kind = BEAD_VIEW_SENSORS,
+    .name = "sensors",
+    .help = "force against time of every sensor",
+    .height = 0.3,
+    .fields = fields,
+    .create = create,
+    .place = place,
+    .decorate = decorate,
+    .feed = feed,
+    .draw = draw,
+    .vector = vector,
+    .destroy = destroy,
+};

@@ -1,0 +1,391 @@
+/* Space-time image: every pixel the exact mean of the field over its stretch of chain and time.
+ *
+ * Which way it lies: in papers and stills time runs to the right and beads go up; in movies (time_down) time runs down and beads
+ * go to the right, below the beads themselves. With `fill` only what has passed is shown, with a line at the present. */
+#include "render/view/view_spacetime.h"
+#include "render/draw/chain_axis.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/draw/raster.h"
+#include "render/view/area_colours.h"
+#include "render/view/camera.h"
+#include "render/view/horizon.h"
+#include "render/view/views.h"
+#include "sim/base/large.h"
+
+struct bead_view {
+    struct bead_view_setup setup;
+    struct bead_look look;
+    struct bead_rect plot;
+    struct bead_area *area;
+    struct bead_horizon *horizon; /* NULL: not asked for */
+    int along, across;            /* pixels along time, along the chain */
+    uint8_t *indices;             /* [plot.height][plot.width], colours of the columns (or rows) done */
+    int first, done;              /* time columns first <= c < done have their final colours */
+    int shown;                    /* columns up to here are in the frame */
+    int mark[2];                  /* pixels across that the cursor shows the camera's window at */
+    bool drawn, finished;
+    uint32_t colour[256]; /* as in frames */
+    struct bead_colour_table table;
+};
+
+static unsigned fields(const struct bead_view_setup *setup)
+{
+    return BEAD_FIELD_BIT(setup->field);
+}
+
+void bead_spacetime_recolour(struct bead_view *view, const struct bead_colours *colours)
+{
+    view->setup.colours = *colours;
+    bead_colour_table_make(&view->setup.colours, &view->table);
+    for (int i = 0; i < 256; i++) {
+        const uint8_t *rgb = colours->map->rgb[i];
+        view->colour[i] = (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
+    }
+}
+
+static enum bead_error create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
+{
+    if (!(setup->time[1] > setup->time[0]) || setup->beads.last < setup->beads.first)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a space-time image needs a stretch of time and of beads");
+    struct bead_view *v = *view = calloc(1, sizeof *v);
+    if (!v)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a space-time image");
+    v->setup = *setup;
+    v->look = *setup->look;
+    v->setup.look = &v->look;
+    bead_spacetime_recolour(v, &setup->colours);
+    return BEAD_OK;
+}
+
+static enum bead_error place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg)
+{
+    (void)canvas;
+    if (plot.width < 1 || plot.height < 1)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "there is no room for a space-time image: make the picture larger");
+    v->plot = plot;
+    v->along = v->setup.time_down ? plot.height : plot.width;
+    v->across = v->setup.time_down ? plot.width : plot.height;
+    return BEAD_OK;
+}
+
+/* Sums and indices are taken when the first sample comes: a view that only decorates needs none. */
+static enum bead_error prepare(struct bead_view *v, struct bead_message *msg)
+{
+    struct bead_area_setup setup = {v->setup.beads, {v->setup.time[0], v->setup.time[1]}, v->across, v->along, BEAD_SAMPLING_AREA};
+    struct bead_area_setup sampled = setup; /* the horizon is always of means */
+    sampled.sampling = v->setup.sampling;
+    enum bead_error err = bead_area_create(&sampled, &v->area, msg);
+    if (!err && v->setup.trust)
+        err = bead_horizon_create(&setup, &v->horizon, msg);
+    if (err)
+        return err;
+    v->indices = bead_large_take((size_t)v->plot.width * (size_t)v->plot.height);
+    return v->indices ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a space-time image");
+}
+
+static void set_source(cairo_t *cr, struct bead_rgb colour)
+{
+    cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
+}
+
+static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
+{
+    (void)msg;
+    const struct bead_view_setup *s = &v->setup;
+    set_source(cr, v->look.panel);
+    cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
+    cairo_fill(cr);
+    if (!s->axes)
+        return BEAD_OK;
+    struct bead_axis time, beads;
+    const char *unit = bead_chain_time_unit(s->chain);
+    bead_axis_make(&time, s->time[0], s->time[1], unit, BEAD_SCALE_LINEAR, v->along, v->look.tick, !s->time_down);
+    const char *name = bead_along_axis(&beads, s->chain, bead_field_info(s->field)->of_contacts, s->beads.first, s->beads.last,
+                                       v->across, v->look.tick, s->time_down);
+    enum bead_side time_side = s->time_down ? BEAD_SIDE_LEFT : BEAD_SIDE_BOTTOM;
+    enum bead_side bead_side = s->time_down ? BEAD_SIDE_BOTTOM : BEAD_SIDE_LEFT;
+    if (!v->look.dark)
+        bead_box_draw(cr, &v->look, v->plot);
+    bead_axis_draw(cr, &v->look, &time, v->plot, time_side, true, !s->time_shared && !(s->ticks_only && s->time_down), "time");
+    bead_axis_draw(cr, &v->look, &beads, v->plot, bead_side, false, s->bead_labels, name);
+    return BEAD_OK;
+}
+
+static enum bead_error feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
+{
+    if (!sample->field[v->setup.field])
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no %s", bead_field_info(v->setup.field)->title);
+    const double *values = sample->field[v->setup.field], *twin = sample->twin[v->setup.field];
+    if (v->setup.trust && !twin)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no twin to compare with");
+    enum bead_error err = v->area ? BEAD_OK : prepare(v, msg);
+    if (!err)
+        bead_area_feed(v->area, sample->time, values, sample->active);
+    if (!err && v->horizon)
+        bead_horizon_feed(v->horizon, sample->time, values, twin,
+                          sample->active > sample->twin_active ? sample->active : sample->twin_active);
+    return err;
+}
+
+/* Colours of columns from v->done to `to`: beads up, or to the right with time down. Columns that no sample has touched lie only at
+ * the ends and are passed over. */
+static enum bead_error colour_columns(struct bead_view *v, int to, struct bead_message *msg)
+{
+    const ptrdiff_t width = v->plot.width;
+    const struct bead_area_image up = {v->indices + (v->across - 1) * width, 1, -width}, down = {v->indices, width, 1};
+    enum bead_error err = BEAD_OK;
+    bool before = true; /* the first sample */
+    while (!err && before && v->done < to) {
+        err = bead_area_colour(v->area, &v->table, v->done, to, v->setup.time_down ? &down : &up, &v->done, msg);
+        before = v->done == v->first && v->done < to;
+        if (before)
+            v->first = ++v->done;
+    }
+    return err;
+}
+
+/* Pixels of columns from..to into the frame. */
+static void show_columns(const struct bead_view *v, int from, int to, struct bead_frame *frame)
+{
+    struct bead_rect part = v->setup.time_down ? (struct bead_rect){0, from, v->plot.width, to - from}
+                                               : (struct bead_rect){from, 0, to - from, v->plot.height};
+    for (int y = part.y; y < part.y + part.height; y++) {
+        const uint8_t *index = v->indices + (size_t)y * (size_t)v->plot.width + (size_t)part.x;
+        uint8_t *row = frame->pixels + (size_t)(v->plot.y + y) * frame->stride + 4 * (size_t)(v->plot.x + part.x);
+        for (int x = 0; x < part.width; x++)
+            memcpy(row + 4 * x, &v->colour[index[x]], 4);
+    }
+}
+
+static uint32_t pixel_of(struct bead_rgb c)
+{
+    return (uint32_t)lround(c.r * 255) << 16 | (uint32_t)lround(c.g * 255) << 8 | (uint32_t)lround(c.b * 255);
+}
+
+/* The bead, with parts, at a place along the chain (m): cells as in the image, from j - 1/2 to j + 1/2. */
+static double bead_at(const struct bead_view *v, double place)
+{
+    const double *position = bead_chain_position(v->setup.chain);
+    size_t low = v->setup.beads.first, high = v->setup.beads.last, most = bead_chain_beads(v->setup.chain) - 1;
+    high = high < most ? high : most;
+    if (place <= position[low] || low == high)
+        return (double)low - 0.5;
+    if (place >= position[high])
+        return (double)v->setup.beads.last + 0.5;
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (position[middle] <= place)
+            low = middle;
+        else
+            high = middle;
+    }
+    return (double)low + (place - position[low]) / (position[high] - position[low]);
+}
+
+/* Where the camera's window lies across the picture; true where it has moved. */
+static bool find_mark(struct bead_view *v)
+{
+    int mark[2] = {0, 0};
+    if (!v->setup.camera || !v->setup.fill)
+        return false;
+    double left = bead_camera_left(v->setup.camera), ends[2] = {left, left + bead_camera_width(v->setup.camera)};
+    for (int k = 0; k < 2; k++) {
+        double part = (bead_at(v, ends[k]) - (double)v->setup.beads.first + 0.5) /
+                      ((double)v->setup.beads.last - (double)v->setup.beads.first + 1);
+        mark[k] = (int)lround(v->across * fmin(1, fmax(0, part)));
+    }
+    bool moved = mark[0] != v->mark[0] || mark[1] != v->mark[1];
+    memcpy(v->mark, mark, sizeof mark);
+    return moved;
+}
+
+static void draw_cursor(const struct bead_view *v, int at, int thickness, struct bead_frame *frame)
+{
+    uint32_t ink = pixel_of(v->look.ink), accent = pixel_of(v->look.accent);
+    int width = v->setup.time_down ? v->plot.width : thickness, height = v->setup.time_down ? thickness : v->plot.height;
+    int left = v->plot.x + (v->setup.time_down ? 0 : at), top = v->plot.y + (v->setup.time_down ? at : 0);
+    for (int y = top; y < top + height; y++) {
+        for (int x = left; x < left + width; x++) {
+            int across = v->setup.time_down ? x - v->plot.x : v->plot.y + v->plot.height - 1 - y;
+            bool marked = across >= v->mark[0] && across < v->mark[1];
+            memcpy(frame->pixels + (size_t)y * frame->stride + 4 * (size_t)x, marked ? &accent : &ink, 4);
+        }
+    }
+}
+
+/* The twin's columns up to `to` are looked at; returns the first one where the line is new. */
+static int find_horizon(struct bead_view *v, int to)
+{
+    double range = v->setup.colours.high - v->setup.colours.low;
+    return v->horizon ? bead_horizon_find(v->horizon, BEAD_HORIZON_PART * range, to) : INT_MAX;
+}
+
+double bead_spacetime_horizon(struct bead_view *view)
+{
+    if (!view->setup.fill)
+        find_horizon(view, view->along);
+    return view->horizon ? bead_horizon_time(view->horizon) : INFINITY;
+}
+
+/* A light line with dark borders, over any colours: the moment that the other views show. */
+static void stroke_mark(const struct bead_view *v, cairo_t *cr)
+{
+    double place = (v->setup.mark - v->setup.time[0]) / (v->setup.time[1] - v->setup.time[0]), line = v->look.line;
+    if (!v->setup.marked || v->setup.fill || !(place > 0 && place < 1))
+        return;
+    bool down = v->setup.time_down;
+    double at = round((down ? v->plot.y + place * v->plot.height : v->plot.x + place * v->plot.width) - line / 2) + line / 2;
+    for (int pass = 0; pass < 2; pass++) {
+        cairo_new_path(cr);
+        cairo_move_to(cr, down ? v->plot.x : at, down ? at : v->plot.y);
+        cairo_rel_line_to(cr, down ? v->plot.width : 0, down ? 0 : v->plot.height);
+        cairo_set_source_rgba(cr, pass, pass, pass, pass ? 1 : 0.6);
+        cairo_set_line_width(cr, pass ? line : 3 * line);
+        cairo_stroke(cr);
+    }
+}
+
+/* Horizon and mark over a part of the frame. */
+static enum bead_error draw_lines(const struct bead_view *v, struct bead_rect part, struct bead_frame *frame,
+                                  struct bead_message *msg)
+{
+    if ((!v->horizon && !v->setup.marked) || part.width < 1 || part.height < 1)
+        return BEAD_OK;
+    cairo_t *cr = bead_raster_begin(frame);
+    cairo_rectangle(cr, part.x, part.y, part.width, part.height);
+    cairo_clip(cr);
+    if (v->horizon)
+        bead_horizon_draw(v->horizon, cr, &v->look, v->plot, v->setup.time_down, !v->setup.fill);
+    stroke_mark(v, cr);
+    return bead_raster_end(cr, "horizon", msg);
+}
+
+/* Time columns that have passed at `time`, so that their means are final: all of them in stills. */
+static int columns_until(const struct bead_view *v, double time)
+{
+    double place = (time - v->setup.time[0]) / (v->setup.time[1] - v->setup.time[0]) * v->along;
+    if (!v->setup.fill)
+        return v->along;
+    return place > 0 ? (int)fmin(floor(place + 1e-6), v->along) : 0;
+}
+
+static int smaller(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+/* Columns as a rectangle of the frame. */
+static struct bead_rect columns_rect(const struct bead_view *v, int from, int to)
+{
+    return v->setup.time_down ? (struct bead_rect){v->plot.x, v->plot.y + from, v->plot.width, to - from}
+                              : (struct bead_rect){v->plot.x + from, v->plot.y, to - from, v->plot.height};
+}
+
+static enum bead_error draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
+                            struct bead_changes *changes, struct bead_message *msg)
+{
+    int line_width = (int)v->look.line * (v->setup.camera ? 2 : 1); /* wide enough that its colours tell */
+    int until = columns_until(v, time), thickness = smaller(line_width, v->along), last = v->along - thickness;
+    bool cursor = v->setup.fill && time < v->setup.time[1], moved = find_mark(v);
+    if (v->drawn && until == v->shown && ((cursor && !moved) || v->finished))
+        return BEAD_OK;
+    enum bead_error err = v->area ? colour_columns(v, until, msg) : BEAD_OK;
+    if (err)
+        return err;
+    /* From where the cursor stood, or where the horizon has changed. */
+    double reach = ceil(bead_horizon_reach(&v->look)) + 1;
+    int from = v->drawn ? smaller(v->shown, last) : 0, end = until, line = find_horizon(v, until);
+    if (line < INT_MAX)
+        from = smaller(from, line > (int)reach ? line - (int)reach : 0);
+    if (v->setup.fill && background)
+        bead_frame_copy(frame, background, columns_rect(v, from, until));
+    int first = from < v->first ? v->first : from, to = smaller(v->done, until);
+    if (v->area && to > first)
+        show_columns(v, first, to, frame);
+    err = draw_lines(v, columns_rect(v, first, to), frame, msg);
+    if (cursor) {
+        int at = smaller(until, last);
+        draw_cursor(v, at, thickness, frame);
+        end = at + thickness > end ? at + thickness : end;
+    }
+    bead_changes_add(changes, columns_rect(v, from, end));
+    v->shown = until;
+    v->drawn = true;
+    v->finished = !cursor;
+    return err;
+}
+
+void bead_spacetime_extremes(const struct bead_view *view, double *low, double *high)
+{
+    *low = INFINITY;
+    *high = -INFINITY;
+    if (view->area)
+        bead_area_extremes(view->area, low, high);
+}
+
+/* The same pixels, as an image of their own in the file. */
+static enum bead_error vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
+{
+    int until = columns_until(v, time);
+    enum bead_error err = v->area ? colour_columns(v, until, msg) : BEAD_OK;
+    int to = smaller(v->done, until), count = to - v->first;
+    if (err || !v->area || count < 1)
+        return err;
+    bool down = v->setup.time_down;
+    int width = down ? v->plot.width : count, height = down ? count : v->plot.height;
+    int left = down ? 0 : v->first, top = down ? v->first : 0;
+    cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
+    cairo_status_t status = cairo_surface_status(image);
+    if (!status) {
+        unsigned char *pixels = cairo_image_surface_get_data(image);
+        size_t stride = (size_t)cairo_image_surface_get_stride(image);
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++)
+                memcpy(pixels + (size_t)y * stride + 4 * (size_t)x,
+                       &v->colour[v->indices[(size_t)(top + y) * (size_t)v->plot.width + (size_t)(left + x)]], 4);
+        }
+        cairo_surface_mark_dirty(image);
+        cairo_set_source_surface(cr, image, v->plot.x + left, v->plot.y + top);
+        cairo_pattern_set_filter(cairo_get_source(cr), CAIRO_FILTER_NEAREST);
+        cairo_paint(cr);
+        status = cairo_status(cr);
+    }
+    cairo_surface_destroy(image);
+    find_horizon(v, until);
+    if (v->horizon && !status) {
+        bead_horizon_draw(v->horizon, cr, &v->look, v->plot, down, !v->setup.fill);
+        status = cairo_status(cr);
+    }
+    stroke_mark(v, cr);
+    return status ? bead_fail(msg, BEAD_ERROR_MEMORY, "space-time image: %s", cairo_status_to_string(status)) : BEAD_OK;
+}
+
+static void destroy(struct bead_view *v)
+{
+    if (!v)
+        return;
+    bead_area_destroy(v->area);
+    bead_horizon_destroy(v->horizon);
+    free(v->indices);
+    free(v);
+}
+
+const struct bead_view_type bead_view_spacetime_type = {
+    .kind = BEAD_VIEW_SPACETIME,
+    .name = "spacetime",
+    .help = "the field over chain and time, area-averaged; fills as time passes in movies",
+    .height = 0.5,
+    .fields = fields,
+    .create = create,
+    .place = place,
+    .decorate = decorate,
+    .feed = feed,
+    .draw = draw,
+    .vector = vector,
+    .destroy = destroy,
+};

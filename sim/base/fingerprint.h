@@ -1,0 +1,20 @@
+/* Fingerprints: 64 bits that tell apart what was not meant to differ; no protection against malice. */
+#ifndef BEADREEL_SIM_BASE_FINGERPRINT_H
+#define BEADREEL_SIM_BASE_FINGERPRINT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+enum { BEAD_FINGERPRINT_START = 0x2545f491 };
+
+/* `hash` with `size` more bytes in it: FNV-1a, mixed at the end, so that every bit of the result depends on every byte. */
+static inline uint64_t bead_fingerprint(uint64_t hash, const void *bytes, size_t size)
+{
+    hash ^= 0xcbf29ce484222325u;
+    for (size_t i = 0; i < size; i++)
+        hash = (hash ^ ((const unsigned char *)bytes)[i]) * 0x100000001b3u;
+    hash = (hash ^ (hash >> 31)) * 0xbf58476d1ce4e5b9u;
+    return hash ^ (hash >> 29);
+}
+
+#endif

@@ -1,0 +1,346 @@
+/* Files, errors and small metadata: see h5.h. Growing datasets are in h5_series.c, reading is in h5_read.c. */
+#include "sim/base/h5_private.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <hdf5_hl.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+struct bead_h5_quiet bead_h5_quiet_begin(void)
+{
+    struct bead_h5_quiet before = {NULL, NULL};
+    H5Eget_auto2(H5E_DEFAULT, &before.print, &before.data);
+    H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+    return before;
+}
+
+void bead_h5_quiet_end(struct bead_h5_quiet *before)
+{
+    H5Eset_auto2(H5E_DEFAULT, before->print, before->data);
+}
+
+void bead_h5_release(hid_t *id)
+{
+    if (*id >= 0)
+        H5Idec_ref(*id);
+    *id = -1;
+}
+
+/* The innermost record of HDF5's error stack names the cause. */
+static herr_t first_cause(unsigned n, const H5E_error2_t *record, void *text)
+{
+    if (n == 0)
+        snprintf(text, 200, "%s", record->desc ? record->desc : "");
+    return 0;
+}
+
+enum bead_error bead_h5_fail(struct bead_h5 *h5, bool cause, const char *format, ...)
+{
+    if (h5->error)
+        return h5->error;
+    char text[400], reason[200] = "";
+    va_list values;
+    va_start(values, format);
+    vsnprintf(text, sizeof text, format, values);
+    va_end(values);
+    if (cause)
+        H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, first_cause, reason);
+    reason[strcspn(reason, "\n")] = '\0';
+    h5->error = bead_fail(h5->msg, h5->code, "%s: %s%s%s%s", h5->path, text, *reason ? " (" : "", reason, *reason ? ")" : "");
+    return h5->error;
+}
+
+/* The new file, locked against another run that writes the same. Returns false where that failed. */
+static bool take_file(struct bead_h5 *h5)
+{
+    h5->disk.file = open(h5->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (h5->disk.file < 0) {
+        bead_h5_fail(h5, false, "cannot be written: %s", strerror(errno));
+        return false;
+    }
+    /* Some file systems have no locks. */
+    if (flock(h5->disk.file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        bead_h5_fail(h5, false, "is being written by another run");
+    else if (ftruncate(h5->disk.file, 0) != 0)
+        bead_h5_fail(h5, false, "cannot be written: %s", strerror(errno));
+    return !h5->error;
+}
+
+void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *msg)
+{
+    BEAD_H5_QUIET;
+    *h5 = (struct bead_h5){.file = -1, .path = path, .code = BEAD_ERROR_IO, .msg = msg, .disk = {.file = -1}};
+    BEAD_H5_AUTO access_list = H5Pcreate(H5P_FILE_ACCESS);
+    if (take_file(h5)) {
+        if (access_list >= 0 && bead_h5_disk_use(access_list, &h5->disk) >= 0)
+            h5->file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, access_list);
+        if (h5->file < 0) {
+            bead_h5_fail(h5, true, "cannot be made an HDF5 file");
+            unlink(path);
+        }
+    }
+    if (h5->disk.file >= 0)
+        close(h5->disk.file);
+    if (h5->file < 0)
+        bead_h5_disk_leave(&h5->disk);
+}
+
+/* What the disk said, if it failed: HDF5 has not noticed. */
+static void check_disk(struct bead_h5 *h5)
+{
+    if (h5->disk.error)
+        bead_h5_fail(h5, false, "cannot be written: %s", strerror(h5->disk.error));
+}
+
+/* A link out of the file is not followed: a file that is not trusted must not name others. */
+static herr_t refuse_external(const char *file, const char *path, const char *target, const char *object, unsigned *flags,
+                              hid_t access, void *data)
+{
+    (void)file, (void)path, (void)target, (void)object, (void)flags, (void)access, (void)data;
+    return -1;
+}
+
+hid_t bead_h5_access(hid_t class)
+{
+    hid_t access = H5Pcreate(class);
+    if (access >= 0 && H5Pset_elink_cb(access, refuse_external, NULL) < 0)
+        bead_h5_release(&access);
+    return access;
+}
+
+void bead_h5_open(struct bead_h5 *h5, const char *path, struct bead_message *msg)
+{
+    BEAD_H5_QUIET;
+    *h5 = (struct bead_h5){.file = -1, .path = path, .code = BEAD_ERROR_FORMAT, .msg = msg};
+    if (access(path, R_OK) != 0) {
+        h5->code = BEAD_ERROR_IO;
+        bead_h5_fail(h5, false, "cannot be read: %s", strerror(errno));
+        h5->code = BEAD_ERROR_FORMAT;
+        return;
+    }
+    if (!bead_h5_is(path)) {
+        bead_h5_fail(h5, false, "not an HDF5 file");
+        return;
+    }
+    BEAD_H5_AUTO access_list = H5Pcreate(H5P_FILE_ACCESS);
+    /* Closing the file closes all that is open in it. A run still writing holds a lock; what it flushed may be read. */
+    if (access_list < 0 || H5Pset_fclose_degree(access_list, H5F_CLOSE_STRONG) < 0) {
+        bead_h5_fail(h5, true, "cannot be opened");
+        return;
+    }
+#if H5_VERSION_GE(1, 10, 7) && !(H5_VERS_MAJOR == 1 && H5_VERS_MINOR == 12 && H5_VERS_RELEASE == 0)
+    H5Pset_file_locking(access_list, 0, 1);
+#endif
+    h5->file = H5Fopen(path, H5F_ACC_RDONLY, access_list);
+    if (h5->file < 0)
+        bead_h5_fail(h5, true, "damaged, or cut off");
+}
+
+/* As H5Fis_hdf5, but without waking the library up for what is none: the signature stands at the beginning, or at 512 bytes or a
+ * power of two times as many. */
+bool bead_h5_is(const char *path)
+{
+    static const char signature[8] = "\211HDF\r\n\032\n";
+    char bytes[sizeof signature];
+    int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    off_t at = 0;
+    bool found = false, more = file >= 0;
+    while (!found && more) {
+        more = pread(file, bytes, sizeof bytes, at) == (ssize_t)sizeof bytes;
+        found = more && memcmp(bytes, signature, sizeof bytes) == 0;
+        more = more && __builtin_mul_overflow(at ? at : 256, 2, &at) == 0;
+    }
+    if (file >= 0)
+        close(file);
+    return found;
+}
+
+void bead_h5_shut(struct bead_h5 *h5)
+{
+    BEAD_H5_QUIET;
+    if (h5->file >= 0 && H5Fclose(h5->file) < 0)
+        bead_h5_fail(h5, true, "cannot be closed properly");
+    h5->file = -1;
+    bead_h5_disk_leave(&h5->disk);
+    check_disk(h5);
+}
+
+void bead_h5_flush(struct bead_h5 *h5)
+{
+    BEAD_H5_QUIET;
+    if (!h5->error && H5Fflush(h5->file, H5F_SCOPE_GLOBAL) < 0)
+        bead_h5_fail(h5, true, "cannot be flushed");
+    check_disk(h5);
+}
+
+void bead_h5_close(struct bead_h5 *h5, hid_t *object)
+{
+    BEAD_H5_QUIET;
+    if (*object >= 0 && H5Idec_ref(*object) < 0)
+        bead_h5_fail(h5, true, "cannot be written");
+    *object = -1;
+}
+
+hid_t bead_h5_text_type(size_t size)
+{
+    hid_t type = H5Tcopy(H5T_C_S1);
+    if (type >= 0 && (H5Tset_size(type, size) < 0 || H5Tset_cset(type, H5T_CSET_UTF8) < 0))
+        bead_h5_release(&type);
+    return type;
+}
+
+hid_t bead_h5_make_group(struct bead_h5 *h5, hid_t parent, const char *name)
+{
+    if (h5->error)
+        return -1;
+    BEAD_H5_QUIET;
+    BEAD_H5_AUTO links = H5Pcreate(H5P_LINK_CREATE);
+    if (links < 0 || H5Pset_create_intermediate_group(links, 1) < 0) {
+        bead_h5_fail(h5, true, "cannot make %s", name);
+        return -1;
+    }
+    hid_t group = H5Gcreate2(parent, name, links, H5P_DEFAULT, H5P_DEFAULT);
+    if (group < 0)
+        bead_h5_fail(h5, true, "cannot make %s", name);
+    return group;
+}
+
+static hid_t vector_space(size_t count)
+{
+    hsize_t length = count;
+    return count ? H5Screate_simple(1, &length, NULL) : H5Screate(H5S_SCALAR);
+}
+
+static void put(struct bead_h5 *h5, hid_t object, const char *name, hid_t type, hid_t memory, size_t count, const void *values)
+{
+    if (h5->error)
+        return;
+    BEAD_H5_QUIET;
+    BEAD_H5_AUTO space = vector_space(count);
+    BEAD_H5_AUTO attribute = space < 0 ? -1 : H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    if (attribute < 0 || H5Awrite(attribute, memory, values) < 0)
+        bead_h5_fail(h5, true, "cannot write the attribute %s", name);
+}
+
+void bead_h5_put_text(struct bead_h5 *h5, hid_t object, const char *name, const char *text)
+{
+    BEAD_H5_AUTO type = bead_h5_text_type(strlen(text) + 1);
+    put(h5, object, name, type, type, 0, text);
+}
+
+/* Texts one after the other, each in `width` bytes; to be freed. */
+static char *pack_texts(struct bead_h5 *h5, const char *const *texts, size_t count, size_t *width)
+{
+    *width = 1;
+    for (size_t i = 0; i < count; i++)
+        if (strlen(texts[i]) + 1 > *width)
+            *width = strlen(texts[i]) + 1;
+    char *block = calloc(count ? count : 1, *width);
+    if (!block && !h5->error)
+        h5->error = bead_fail(h5->msg, BEAD_ERROR_MEMORY, "%s: no memory for %zu names", h5->path, count);
+    for (size_t i = 0; block && i < count; i++)
+        memcpy(block + i * *width, texts[i], strlen(texts[i]));
+    return block;
+}
+
+void bead_h5_put_texts(struct bead_h5 *h5, hid_t object, const char *name, const char *const *texts, size_t count)
+{
+    size_t width;
+    char *block = pack_texts(h5, texts, count, &width);
+    BEAD_H5_AUTO type = bead_h5_text_type(width);
+    put(h5, object, name, type, type, count, block);
+    free(block);
+}
+
+void bead_h5_put_double(struct bead_h5 *h5, hid_t object, const char *name, double value)
+{
+    put(h5, object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 0, &value);
+}
+
+void bead_h5_put_ints(struct bead_h5 *h5, hid_t object, const char *name, const int64_t *values, size_t count)
+{
+    put(h5, object, name, H5T_STD_I64LE, H5T_NATIVE_INT64, count, values);
+}
+
+void bead_h5_set_int(struct bead_h5 *h5, hid_t object, const char *name, int64_t value)
+{
+    if (h5->error)
+        return;
+    BEAD_H5_QUIET;
+    BEAD_H5_AUTO attribute = H5Aopen(object, name, H5P_DEFAULT);
+    if (attribute < 0 || H5Awrite(attribute, H5T_NATIVE_INT64, &value) < 0)
+        bead_h5_fail(h5, true, "cannot write the attribute %s", name);
+}
+
+void bead_h5_make_scale(struct bead_h5 *h5, hid_t dataset, const char *name)
+{
+    if (h5->error)
+        return;
+    BEAD_H5_QUIET;
+    if (H5DSset_scale(dataset, name) < 0)
+        bead_h5_fail(h5, true, "cannot make a scale of %s", name);
+}
+
+void bead_h5_attach(struct bead_h5 *h5, hid_t dataset, unsigned axis, hid_t scale)
+{
+    if (h5->error)
+        return;
+    BEAD_H5_QUIET;
+    if (H5DSattach_scale(dataset, scale, axis) < 0)
+        bead_h5_fail(h5, true, "cannot attach a scale");
+}
+
+static void write_once(struct bead_h5 *h5, hid_t parent, const char *name, const char *units, hid_t scale, hid_t type, hid_t memory,
+                       size_t count, const void *values)
+{
+    if (h5->error)
+        return;
+    BEAD_H5_QUIET;
+    BEAD_H5_AUTO space = vector_space(count);
+    BEAD_H5_AUTO links = H5Pcreate(H5P_LINK_CREATE);
+    BEAD_H5_AUTO layout = H5Pcreate(H5P_DATASET_CREATE);
+    BEAD_H5_AUTO dataset = -1;
+    /* No time stamps: same scene, same bytes. */
+    if (space >= 0 && links >= 0 && layout >= 0 && H5Pset_obj_track_times(layout, 0) >= 0 &&
+        H5Pset_create_intermediate_group(links, 1) >= 0)
+        dataset = H5Dcreate2(parent, name, type, space, links, layout, H5P_DEFAULT);
+    if (dataset < 0 || H5Dwrite(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) {
+        bead_h5_fail(h5, true, "cannot write %s", name);
+        return;
+    }
+    if (units)
+        bead_h5_put_text(h5, dataset, "units", units);
+    if (scale >= 0)
+        bead_h5_attach(h5, dataset, 0, scale);
+}
+
+void bead_h5_write_doubles(struct bead_h5 *h5, hid_t parent, const char *name, const char *units, hid_t scale, const double *values,
+                           size_t count)
+{
+    write_once(h5, parent, name, units, scale, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, count, values);
+}
+
+void bead_h5_write_ints(struct bead_h5 *h5, hid_t parent, const char *name, hid_t scale, const int64_t *values, size_t count)
+{
+    write_once(h5, parent, name, NULL, scale, H5T_STD_I64LE, H5T_NATIVE_INT64, count, values);
+}
+
+void bead_h5_write_texts(struct bead_h5 *h5, hid_t parent, const char *name, hid_t scale, const char *const *texts, size_t count)
+{
+    size_t width;
+    char *block = pack_texts(h5, texts, count, &width);
+    BEAD_H5_AUTO type = bead_h5_text_type(width);
+    write_once(h5, parent, name, NULL, scale, type, type, count, block);
+    free(block);
+}
+
+void bead_h5_write_text(struct bead_h5 *h5, hid_t parent, const char *name, const char *text)
+{
+    BEAD_H5_AUTO type = bead_h5_text_type(strlen(text) + 1);
+    write_once(h5, parent, name, NULL, -1, type, type, 0, text);
+}

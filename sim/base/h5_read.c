@@ -1,0 +1,248 @@
+/* Reading files that are not trusted: see h5.h. */
+#include "sim/base/h5_private.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool bead_h5_has(struct bead_h5 *h5, const char *name)
+{
+    if (h5->error)
+        return false;
+    BEAD_H5_QUIET;
+    char path[256];
+    BEAD_H5_AUTO access = bead_h5_access(H5P_LINK_ACCESS);
+    size_t length = strlen(name);
+    if (access < 0 || length >= sizeof path)
+        return false;
+    /* H5Lexists wants every group on the way to exist. */
+    for (size_t i = 1; i <= length; i++) {
+        if (name[i] != '/' && name[i] != '\0')
+            continue;
+        memcpy(path, name, i);
+        path[i] = '\0';
+        if (H5Lexists(h5->file, path, access) <= 0)
+            return false;
+    }
+    return H5Oexists_by_name(h5->file, name, access) > 0;
+}
+
+bool bead_h5_has_attribute(struct bead_h5 *h5, const char *name)
+{
+    BEAD_H5_QUIET;
+    return !h5->error && H5Aexists(h5->file, name) > 0;
+}
+
+static hid_t open_object(struct bead_h5 *h5, const char *name, H5I_type_t kind)
+{
+    if (h5->error)
+        return -1;
+    if (!bead_h5_has(h5, name)) {
+        bead_h5_fail(h5, false, "not a %s of this program: it has no %s", h5->kind ? h5->kind : "trajectory", name);
+        return -1;
+    }
+    BEAD_H5_AUTO access = bead_h5_access(kind == H5I_GROUP ? H5P_GROUP_ACCESS : H5P_DATASET_ACCESS);
+    hid_t object = -1;
+    if (access >= 0)
+        object = kind == H5I_GROUP ? H5Gopen2(h5->file, name, access) : H5Dopen2(h5->file, name, access);
+    if (object < 0)
+        bead_h5_fail(h5, false, "not a %s of this program: %s is not a %s", h5->kind ? h5->kind : "trajectory", name,
+                     kind == H5I_GROUP ? "group" : "dataset");
+    return object;
+}
+
+hid_t bead_h5_open_group(struct bead_h5 *h5, const char *name)
+{
+    BEAD_H5_QUIET;
+    return open_object(h5, name, H5I_GROUP);
+}
+
+/* Data that stand in other files are not read: a file that is not trusted must not name others. */
+hid_t bead_h5_open_dataset(struct bead_h5 *h5, const char *name)
+{
+    BEAD_H5_QUIET;
+    hid_t dataset = open_object(h5, name, H5I_DATASET);
+    if (dataset < 0)
+        return -1;
+    BEAD_H5_AUTO layout = H5Dget_create_plist(dataset);
+    if (layout < 0 || H5Pget_layout(layout) == H5D_VIRTUAL || H5Pget_external_count(layout) != 0) {
+        bead_h5_fail(h5, false, "%s lies in another file", name);
+        bead_h5_release(&dataset);
+    }
+    return dataset;
+}
+
+static bool type_is(hid_t type, H5T_class_t class)
+{
+    return type >= 0 && H5Tget_class(type) == class && (class != H5T_STRING || H5Tis_variable_str(type) == 0);
+}
+
+/* Number of values of a scalar or one-dimensional space, -1 for others. */
+static hssize_t vector_length(hid_t space)
+{
+    int rank = space < 0 ? -1 : H5Sget_simple_extent_ndims(space);
+    return rank == 0 || rank == 1 ? H5Sget_simple_extent_npoints(space) : -1;
+}
+
+/* A memory type for texts like those of `file_type`: HDF5 does not convert between character sets. */
+static hid_t text_type_like(hid_t file_type, size_t size)
+{
+    hid_t type = bead_h5_text_type(size);
+    if (type >= 0 && H5Tset_cset(type, H5Tget_cset(file_type)) < 0)
+        bead_h5_release(&type);
+    return type;
+}
+
+/* `memory` -1: a text of `size` bytes. */
+static void get(struct bead_h5 *h5, hid_t object, const char *name, H5T_class_t class, hid_t memory, size_t size, void *value)
+{
+    if (h5->error)
+        return;
+    BEAD_H5_QUIET;
+    BEAD_H5_AUTO attribute = H5Aexists(object, name) > 0 ? H5Aopen(object, name, H5P_DEFAULT) : -1;
+    BEAD_H5_AUTO type = attribute < 0 ? -1 : H5Aget_type(attribute);
+    BEAD_H5_AUTO space = attribute < 0 ? -1 : H5Aget_space(attribute);
+    bool fits = type_is(type, class) && vector_length(space) == 1;
+    BEAD_H5_AUTO text = fits && memory < 0 ? text_type_like(type, size) : -1;
+    if (!fits || H5Aread(attribute, memory < 0 ? text : memory, value) < 0)
+        bead_h5_fail(h5, false, "the attribute %s is missing or of a wrong kind", name);
+}
+
+void bead_h5_get_text(struct bead_h5 *h5, hid_t object, const char *name, char *text, size_t size)
+{
+    memset(text, 0, size);
+    get(h5, object, name, H5T_STRING, -1, size, text);
+    text[size - 1] = '\0';
+}
+
+double bead_h5_get_double(struct bead_h5 *h5, hid_t object, const char *name)
+{
+    double value = 0;
+    get(h5, object, name, H5T_FLOAT, H5T_NATIVE_DOUBLE, 0, &value);
+    return value;
+}
+
+int64_t bead_h5_get_int(struct bead_h5 *h5, hid_t object, const char *name, int64_t low, int64_t high)
+{
+    int64_t value = low;
+    get(h5, object, name, H5T_INTEGER, H5T_NATIVE_INT64, 0, &value);
+    if (!h5->error && (value < low || value > high))
+        bead_h5_fail(h5, false, "the attribute %s is %lld, must be %lld to %lld", name, (long long)value, (long long)low,
+                     (long long)high);
+    return value;
+}
+
+/* `memory` -1: texts of `size` bytes each. */
+static void read_vector(struct bead_h5 *h5, const char *name, H5T_class_t class, hid_t memory, size_t size, void *values,
+                        size_t count)
+{
+    BEAD_H5_QUIET;
+    BEAD_H5_AUTO dataset = bead_h5_open_dataset(h5, name);
+    if (h5->error)
+        return;
+    BEAD_H5_AUTO type = H5Dget_type(dataset);
+    BEAD_H5_AUTO space = H5Dget_space(dataset);
+    bool fits = type_is(type, class) && vector_length(space) >= 0 && (size_t)vector_length(space) == count;
+    BEAD_H5_AUTO text = fits && memory < 0 ? text_type_like(type, size) : -1;
+    if (!fits)
+        bead_h5_fail(h5, false, "%s must have %zu values of the right kind", name, count);
+    else if (H5Dread(dataset, memory < 0 ? text : memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+        bead_h5_fail(h5, true, "%s cannot be read", name);
+}
+
+void bead_h5_read_doubles(struct bead_h5 *h5, const char *name, double *values, size_t count)
+{
+    read_vector(h5, name, H5T_FLOAT, H5T_NATIVE_DOUBLE, 0, values, count);
+}
+
+void bead_h5_read_ints(struct bead_h5 *h5, const char *name, int64_t *values, size_t count)
+{
+    read_vector(h5, name, H5T_INTEGER, H5T_NATIVE_INT64, 0, values, count);
+}
+
+void bead_h5_read_texts(struct bead_h5 *h5, const char *name, struct bead_h5_text *texts, size_t count)
+{
+    read_vector(h5, name, H5T_STRING, -1, sizeof *texts, texts, count);
+    for (size_t i = 0; i < count; i++)
+        texts[i].text[sizeof texts[i].text - 1] = '\0';
+}
+
+char *bead_h5_read_text(struct bead_h5 *h5, const char *name, size_t limit)
+{
+    BEAD_H5_QUIET;
+    BEAD_H5_AUTO dataset = bead_h5_open_dataset(h5, name);
+    if (h5->error)
+        return NULL;
+    BEAD_H5_AUTO type = H5Dget_type(dataset);
+    BEAD_H5_AUTO space = H5Dget_space(dataset);
+    size_t size = type_is(type, H5T_STRING) ? H5Tget_size(type) : 0;
+    if (size == 0 || size > limit || vector_length(space) != 1) {
+        bead_h5_fail(h5, false, "%s must be a text of at most %zu bytes", name, limit);
+        return NULL;
+    }
+    /* As it is stored, where it has a NUL: HDF5 takes half a megabyte to change the length of one text. */
+    BEAD_H5_AUTO memory = text_type_like(type, H5Tget_strpad(type) == H5T_STR_NULLTERM ? size : size + 1);
+    char *text = calloc(1, size + 1);
+    if (!text) {
+        h5->error = bead_fail(h5->msg, BEAD_ERROR_MEMORY, "%s: no memory for %s", h5->path, name);
+        return NULL;
+    }
+    if (memory < 0 || H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, text) < 0) {
+        bead_h5_fail(h5, true, "%s cannot be read", name);
+        free(text);
+        return NULL;
+    }
+    return text;
+}
+
+/* Chunks that nothing has packed go from the file straight to where they are wanted, where HDF5 has no cache for them. */
+static hid_t without_cache(struct bead_h5 *h5, const char *name, hid_t dataset)
+{
+    BEAD_H5_AUTO layout = dataset < 0 ? -1 : H5Dget_create_plist(dataset);
+    BEAD_H5_AUTO access = layout < 0 ? -1 : bead_h5_access(H5P_DATASET_ACCESS);
+    if (access < 0 || H5Pget_layout(layout) != H5D_CHUNKED || H5Pget_nfilters(layout) != 0 ||
+        H5Pset_chunk_cache(access, 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT) < 0)
+        return dataset;
+    bead_h5_release(&dataset);
+    dataset = H5Dopen2(h5->file, name, access);
+    if (dataset < 0)
+        bead_h5_fail(h5, true, "%s cannot be opened", name);
+    return dataset;
+}
+
+hid_t bead_h5_open_series(struct bead_h5 *h5, const char *name, size_t columns, size_t components, size_t *rows)
+{
+    BEAD_H5_QUIET;
+    hid_t series = without_cache(h5, name, bead_h5_open_dataset(h5, name));
+    if (series < 0)
+        return -1;
+    BEAD_H5_AUTO type = H5Dget_type(series);
+    BEAD_H5_AUTO space = H5Dget_space(series);
+    hsize_t size[3] = {0, 0, 0};
+    int rank = columns == 0 ? 1 : components > 1 ? 3 : 2;
+    bool fits = type_is(type, H5T_FLOAT) && space >= 0 && H5Sget_simple_extent_ndims(space) == rank &&
+                H5Sget_simple_extent_dims(space, size, NULL) == rank;
+    fits = fits && (rank < 2 || size[1] == columns) && (rank < 3 || size[2] == components) && size[0] <= SIZE_MAX;
+    if (!fits) {
+        bead_h5_fail(h5, false, "%s has a wrong type or shape: floating-point [times]%s wanted", name,
+                     rank == 1   ? ""
+                     : rank == 2 ? "[columns]"
+                                 : "[beads][3]");
+        bead_h5_release(&series);
+        return -1;
+    }
+    *rows = (size_t)size[0];
+    return series;
+}
+
+void bead_h5_read_rows(struct bead_h5 *h5, hid_t series, size_t first, size_t rows, size_t columns, double *values)
+{
+    if (h5->error)
+        return;
+    BEAD_H5_QUIET;
+    hsize_t start[3] = {first, 0, 0}, count[3] = {rows, columns, 1};
+    BEAD_H5_AUTO file_space = H5Dget_space(series);
+    BEAD_H5_AUTO memory_space = H5Screate_simple(columns ? 2 : 1, count, NULL);
+    if (file_space < 0 || memory_space < 0 || H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, NULL, count, NULL) < 0 ||
+        H5Dread(series, H5T_NATIVE_DOUBLE, memory_space, file_space, H5P_DEFAULT, values) < 0)
+        bead_h5_fail(h5, true, "samples from %zu on cannot be read", first);
+}

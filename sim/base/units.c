@@ -1,0 +1,226 @@
+#include "sim/base/units.h"
+
+#include <locale.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <udunits2.h>
+
+#include "sim/base/yaml.h"
+
+/* The usual units, so that UDUNITS-2 (5 ms to read its tables) is seldom needed: value in SI = number * factor * 10^power. */
+static const struct usual {
+    const char *unit, *si;
+    int power;
+    double factor;
+} usual[] = {
+    {"s", "s", 0, 1},
+    {"ms", "s", -3, 1},
+    {"us", "s", -6, 1},
+    {"\u00b5s", "s", -6, 1},
+    {"\u03bcs", "s", -6, 1},
+    {"ns", "s", -9, 1},
+    {"m", "m", 0, 1},
+    {"cm", "m", -2, 1},
+    {"mm", "m", -3, 1},
+    {"um", "m", -6, 1},
+    {"\u00b5m", "m", -6, 1},
+    {"\u03bcm", "m", -6, 1},
+    {"nm", "m", -9, 1},
+    {"m/s", "m/s", 0, 1},
+    {"cm/s", "m/s", -2, 1},
+    {"mm/s", "m/s", -3, 1},
+    {"um/s", "m/s", -6, 1},
+    {"km/s", "m/s", 3, 1},
+    {"kg", "kg", 0, 1},
+    {"g", "kg", -3, 1},
+    {"mg", "kg", -6, 1},
+    {"kg/m3", "kg/m3", 0, 1},
+    {"kg/m^3", "kg/m3", 0, 1},
+    {"g/cm3", "kg/m3", 3, 1},
+    {"g/cm^3", "kg/m3", 3, 1},
+    {"Pa", "Pa", 0, 1},
+    {"kPa", "Pa", 3, 1},
+    {"MPa", "Pa", 6, 1},
+    {"GPa", "Pa", 9, 1},
+    {"N", "N", 0, 1},
+    {"kN", "N", 3, 1},
+    {"mN", "N", -3, 1},
+    {"uN", "N", -6, 1},
+    {"N/m", "N/m", 0, 1},
+    {"J", "J", 0, 1},
+    {"mJ", "J", -3, 1},
+    {"uJ", "J", -6, 1},
+    {"nJ", "J", -9, 1},
+    {"rad", "rad", 0, 1},
+    {"deg", "rad", 0, 0.017453292519943295},
+    {"\u00b0", "rad", 0, 0.017453292519943295},
+    {"1/m", "1/m", 0, 1},
+};
+
+enum { LONGEST = 128 }; /* of a number with its unit */
+
+struct bead_units {
+    locale_t c;        /* a point is a point, whatever the user's language */
+    ut_system *system; /* NULL until needed */
+    bool failed;       /* UDUNITS-2 has no tables here */
+};
+
+struct bead_units *bead_units_create(void)
+{
+    struct bead_units *units = calloc(1, sizeof *units);
+    if (units && !(units->c = newlocale(LC_ALL_MASK, "C", (locale_t)0))) {
+        free(units);
+        units = NULL;
+    }
+    return units;
+}
+
+void bead_units_free(struct bead_units *units)
+{
+    if (!units)
+        return;
+    if (units->system)
+        ut_free_system(units->system);
+    freelocale(units->c);
+    free(units);
+}
+
+/* Length of the decimal number that `text` begins with, 0 where there is none; hexadecimal, inf and nan are none. */
+static size_t number_length(const char *text)
+{
+    const char *at = text + (*text == '+' || *text == '-');
+    size_t before = strspn(at, "0123456789");
+    at += before;
+    size_t after = *at == '.' ? strspn(at + 1, "0123456789") : 0;
+    if (before + after == 0)
+        return 0;
+    at += *at == '.' ? after + 1 : 0;
+    if (*at == 'e' || *at == 'E') {
+        size_t sign = at[1] == '+' || at[1] == '-', digits = strspn(at + 1 + sign, "0123456789");
+        at += digits ? 1 + sign + digits : 0;
+    }
+    return (size_t)(at - text);
+}
+
+/* The number of `length` characters times 10^power, rounded once. */
+static double shifted(const struct bead_units *units, const char *text, size_t length, int power)
+{
+    char moved[LONGEST + 32];
+    size_t mantissa = strcspn(text, "eE");
+    mantissa = mantissa < length ? mantissa : length;
+    long exponent = mantissa < length ? strtol(text + mantissa + 1, NULL, 10) : 0;
+    /* Beyond this the number is 0 or infinite anyway. */
+    exponent = exponent > 100000 ? 100000 : exponent < -100000 ? -100000 : exponent;
+    snprintf(moved, sizeof moved, "%.*se%ld", (int)mantissa, text, exponent + power);
+    return strtod_l(moved, NULL, units->c);
+}
+
+static const struct usual *find_usual(const char *unit)
+{
+    for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) {
+        if (strcmp(usual[i].unit, unit) == 0)
+            return &usual[i];
+    }
+    return NULL;
+}
+
+static bool read_tables(struct bead_units *units)
+{
+    if (!units->system && !units->failed) {
+        ut_set_error_message_handler(ut_ignore);
+        units->system = ut_read_xml(NULL);
+        units->failed = !units->system;
+    }
+    return units->system != NULL;
+}
+
+/* A factor that is a power of ten but for rounding. */
+static bool is_power_of_ten(double factor, int *power)
+{
+    *power = factor > 0 ? (int)lrint(log10(factor)) : 0;
+    return factor > 0 && fabs(factor / pow(10, *power) - 1) < 1e-13;
+}
+
+/* Ask UDUNITS-2 for the factor from `unit` to `si`; false: not convertible. Offsets (celsius) and logarithms are not wanted. */
+static bool convert(struct bead_units *units, const char *unit, const char *si, double *factor, const char **why)
+{
+    ut_unit *from = ut_parse(units->system, unit, UT_UTF8), *to = ut_parse(units->system, si, UT_UTF8);
+    cv_converter *converter = from && to ? ut_get_converter(from, to) : NULL;
+    *why = from ? "is not in a unit of" : "has a unit that is not known; wanted is a unit of";
+    if (converter) {
+        *factor = cv_convert_double(converter, 1);
+        if (cv_convert_double(converter, 0) != 0 || cv_convert_double(converter, 2) != 2 * *factor || !isfinite(*factor)) {
+            cv_free(converter);
+            converter = NULL;
+        }
+    }
+    bool good = converter != NULL;
+    if (converter)
+        cv_free(converter);
+    if (from)
+        ut_free(from);
+    if (to)
+        ut_free(to);
+    return good;
+}
+
+static enum bead_error wrong(char *why, size_t size, const char *text, const char *what, const char *si)
+{
+    char shown[64];
+    snprintf(why, size, "`%s` %s%s%s", bead_text_show(text, shown, sizeof shown), what, si ? " " : "", si ? si : "");
+    return BEAD_ERROR_SCENE;
+}
+
+/* Number and a unit behind it. */
+static enum bead_error read_with_unit(struct bead_units *units, const char *text, size_t length, const char *unit, const char *si,
+                                      double *value, char *why, size_t size)
+{
+    const struct usual *known = find_usual(unit);
+    const char *what = "is not in a unit of";
+    double factor = 1;
+    int power = 0;
+    if (!si)
+        return wrong(why, size, text, "carries a unit, where a plain number belongs", NULL);
+    if (known && strcmp(known->si, si) == 0) {
+        *value = shifted(units, text, length, known->power) * known->factor;
+        return BEAD_OK;
+    }
+    if (known)
+        return wrong(why, size, text, what, si);
+    /* UDUNITS-2 would take "5" for a unit, and dates as well. */
+    if ((strchr("0123456789+-.", *unit) && strncmp(unit, "1/", 2) != 0) || strchr(unit, '@'))
+        return wrong(why, size, text, "is not a number with a unit of", si);
+    if (!read_tables(units))
+        return wrong(why, size, text, "has a unit that is not known (the tables of UDUNITS-2 cannot be read); wanted is a unit of",
+                     si);
+    if (!convert(units, unit, si, &factor, &what))
+        return wrong(why, size, text, what, si);
+    *value = is_power_of_ten(factor, &power) ? shifted(units, text, length, power) : shifted(units, text, length, 0) * factor;
+    return BEAD_OK;
+}
+
+enum bead_error bead_units_read(struct bead_units *units, const char *text, const char *si, double *value, char *why, size_t size)
+{
+    char trimmed[LONGEST];
+    size_t from = strspn(text, " \t\r\n"), to = strlen(text);
+    while (to > from && strchr(" \t\r\n", text[to - 1]))
+        to--;
+    if (to - from >= LONGEST)
+        return wrong(why, size, text, "is too long for a number", NULL);
+    snprintf(trimmed, sizeof trimmed, "%.*s", (int)(to - from), text + from);
+    size_t length = number_length(trimmed);
+    if (length == 0)
+        return wrong(why, size, text, si ? "is not a number, plain or with a unit of" : "is not a number", si);
+    const char *unit = trimmed + length + strspn(trimmed + length, " \t\r\n");
+    enum bead_error err = BEAD_OK;
+    if (*unit)
+        err = read_with_unit(units, trimmed, length, unit, si, value, why, size);
+    else
+        *value = shifted(units, trimmed, length, 0);
+    if (!err && !isfinite(*value))
+        err = wrong(why, size, text, "is too large", NULL);
+    return err;
+}

@@ -1,0 +1,68 @@
+/* YAML documents as trees of nodes that know where they stand.
+ *
+ * Read with libyaml, event by event, so that size, depth and number of nodes are bounded before memory is
+ * taken; aliases are copied out, so that a setting changes one place only. Nodes belong to the document. */
+#ifndef BEADREEL_SIM_BASE_YAML_H
+#define BEADREEL_SIM_BASE_YAML_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/error.h"
+#include "beadreel/scene.h"
+
+enum {
+    BEAD_YAML_BYTES = 4 << 20, /* longest text */
+    BEAD_YAML_NODES = 200000,  /* of a document, aliases copied out */
+    BEAD_YAML_DEPTH = 32,      /* of nesting */
+    BEAD_YAML_PAIRS = 1000,    /* of one map */
+    BEAD_YAML_ANCHORS = 1000
+};
+
+enum bead_node_kind { BEAD_NODE_SCALAR, BEAD_NODE_LIST, BEAD_NODE_MAP };
+
+struct bead_node {
+    enum bead_node_kind kind;
+    bool plain;               /* scalar without quotes */
+    bool flow;                /* list or map in brackets */
+    bool setting;             /* from a setting of the command line, not from the file */
+    struct bead_place place;  /* of a setting: its number and the column in it */
+    const char *text;         /* scalar, without NUL bytes */
+    struct bead_node **items; /* list: elements; map: key, value, key, value, ... */
+    size_t count;             /* of items: two a pair */
+};
+
+struct bead_yaml;
+
+/* Parse the one document of `text`; `name` stands for the file in messages. An empty text is an error.
+ * On failure *yaml is NULL. Errors: SCENE (`name:line:column: ...`), MEMORY. */
+BEAD_CHECK enum bead_error bead_yaml_parse(const char *name, const char *text, size_t length, struct bead_yaml **yaml,
+                                           struct bead_message *msg);
+void bead_yaml_free(struct bead_yaml *yaml);
+struct bead_node *bead_yaml_root(const struct bead_yaml *yaml);
+/* `name` for messages about a node: that of the file, or "--set". */
+const char *bead_yaml_name(const struct bead_yaml *yaml, const struct bead_node *node);
+
+/* Parse a piece of text into a node of this document; its place counts from `place` and it is marked as a setting. */
+BEAD_CHECK enum bead_error bead_yaml_piece(struct bead_yaml *yaml, const char *text, size_t length, struct bead_place place,
+                                           struct bead_node **node, struct bead_message *msg);
+/* Apply setting number `number` (from 1), `key.path=value`. Elements of lists are named by index, by `+` (append), or by the
+ * text of their `name`, `sensor` or output file. Errors: SCENE (`--set:number:column: ...`), MEMORY. */
+BEAD_CHECK enum bead_error bead_yaml_set(struct bead_yaml *yaml, const char *setting, size_t number, struct bead_message *msg);
+/* Write the document as text, to be freed with free(). Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_yaml_emit(const struct bead_yaml *yaml, char **text, struct bead_message *msg);
+
+/* Value of a key of a map, NULL where it has none; `key_node` (may be NULL) gets the key's node. */
+struct bead_node *bead_node_get(const struct bead_node *map, const char *key, struct bead_node **key_node);
+/* "a map", "a list", "`text`" (shortened, in one line): for messages; returns `shown`. */
+const char *bead_node_show(const struct bead_node *node, char *shown, size_t size);
+/* Any text as `shown` in a message: one line, shortened. */
+const char *bead_text_show(const char *text, char *shown, size_t size);
+
+/* Make parts of trees; NULL where memory or the allowed number of nodes is used up. */
+struct bead_node *bead_yaml_node(struct bead_yaml *yaml, enum bead_node_kind kind, struct bead_place place);
+const char *bead_yaml_text(struct bead_yaml *yaml, const char *text, size_t length);
+BEAD_CHECK bool bead_yaml_append(struct bead_yaml *yaml, struct bead_node *parent, struct bead_node *item);
+
+#endif

@@ -1,0 +1,26 @@
+/* Inside of YAML documents, shared by sim/yaml*.c. */
+#ifndef BEADREEL_SIM_BASE_YAML_PRIVATE_H
+#define BEADREEL_SIM_BASE_YAML_PRIVATE_H
+
+#include "sim/base/yaml.h"
+
+struct bead_yaml_chunk {
+    struct bead_yaml_chunk *next;
+    size_t size, used;
+    _Alignas(16) unsigned char bytes[];
+};
+
+struct bead_yaml {
+    char *name;
+    struct bead_node *root;
+    struct bead_yaml_chunk *chunks;
+    size_t nodes;
+    bool in_setting; /* nodes made now come from a setting */
+};
+
+/* Zeroed memory that lives as long as the document; NULL where there is none. */
+void *bead_yaml_take(struct bead_yaml *yaml, size_t size);
+/* Levels of nodes, 1 of a scalar. */
+size_t bead_yaml_height(const struct bead_node *node);
+
+#endif

@@ -1,0 +1,136 @@
+/* Trees of nodes: memory, look-ups, and how nodes are shown in messages. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/base/yaml_private.h"
+
+enum { CHUNK = 16384 };
+
+/* Nodes live as long as their document, so memory is given out of chunks and freed all at once. */
+void *bead_yaml_take(struct bead_yaml *yaml, size_t size)
+{
+    size = (size + 15) & ~(size_t)15;
+    if (!yaml->chunks || yaml->chunks->size - yaml->chunks->used < size) {
+        size_t room = size > CHUNK ? size : CHUNK;
+        struct bead_yaml_chunk *chunk = malloc(sizeof *chunk + room);
+        if (!chunk)
+            return NULL;
+        *chunk = (struct bead_yaml_chunk){yaml->chunks, room, 0};
+        yaml->chunks = chunk;
+    }
+    void *taken = yaml->chunks->bytes + yaml->chunks->used;
+    yaml->chunks->used += size;
+    return memset(taken, 0, size);
+}
+
+struct bead_node *bead_yaml_node(struct bead_yaml *yaml, enum bead_node_kind kind, struct bead_place place)
+{
+    if (yaml->nodes >= BEAD_YAML_NODES)
+        return NULL;
+    struct bead_node *node = bead_yaml_take(yaml, sizeof *node);
+    if (!node)
+        return NULL;
+    yaml->nodes++;
+    node->kind = kind;
+    node->place = place;
+    node->setting = yaml->in_setting;
+    return node;
+}
+
+const char *bead_yaml_text(struct bead_yaml *yaml, const char *text, size_t length)
+{
+    char *copy = bead_yaml_take(yaml, length + 1);
+    if (copy)
+        memcpy(copy, text, length);
+    return copy;
+}
+
+bool bead_yaml_append(struct bead_yaml *yaml, struct bead_node *parent, struct bead_node *item)
+{
+    size_t count = parent->count;
+    /* Room doubles at each power of two, from 4 on. */
+    if (count == 0 || (count >= 4 && (count & (count - 1)) == 0)) {
+        size_t room = count < 4 ? 4 : 2 * count;
+        struct bead_node **items = bead_yaml_take(yaml, room * sizeof(struct bead_node *));
+        if (!items)
+            return false;
+        if (count)
+            memcpy(items, parent->items, count * sizeof *items);
+        parent->items = items;
+    }
+    parent->items[parent->count++] = item;
+    return true;
+}
+
+void bead_yaml_free(struct bead_yaml *yaml)
+{
+    if (!yaml)
+        return;
+    for (struct bead_yaml_chunk *chunk = yaml->chunks, *next; chunk; chunk = next) {
+        next = chunk->next;
+        free(chunk);
+    }
+    free(yaml->name);
+    free(yaml);
+}
+
+struct bead_node *bead_yaml_root(const struct bead_yaml *yaml)
+{
+    return yaml->root;
+}
+
+const char *bead_yaml_name(const struct bead_yaml *yaml, const struct bead_node *node)
+{
+    return node && node->setting ? "--set" : yaml->name;
+}
+
+struct bead_node *bead_node_get(const struct bead_node *map, const char *key, struct bead_node **key_node)
+{
+    if (!map || map->kind != BEAD_NODE_MAP)
+        return NULL;
+    for (size_t i = 0; i + 1 < map->count; i += 2) {
+        if (strcmp(map->items[i]->text, key) == 0) {
+            if (key_node)
+                *key_node = map->items[i];
+            return map->items[i + 1];
+        }
+    }
+    return NULL;
+}
+
+const char *bead_text_show(const char *text, char *shown, size_t size)
+{
+    size_t used = 0;
+    for (; *text && used + 4 < size; text++)
+        shown[used++] = (unsigned char)*text < ' ' || *text == 127 ? ' ' : *text;
+    if (*text) {
+        while (used > 0 && ((unsigned char)*text & 0xc0) == 0x80) /* not within a UTF-8 character */
+            text--, used--;
+        memcpy(shown + used, "...", 3);
+        used += 3;
+    }
+    shown[used] = 0;
+    return shown;
+}
+
+const char *bead_node_show(const struct bead_node *node, char *shown, size_t size)
+{
+    if (node->kind != BEAD_NODE_SCALAR)
+        return node->kind == BEAD_NODE_LIST ? "a list" : "a map";
+    if (node->plain && !*node->text)
+        return "nothing";
+    shown[0] = '`';
+    bead_text_show(node->text, shown + 1, size - 2);
+    strcat(shown, "`");
+    return shown;
+}
+
+size_t bead_yaml_height(const struct bead_node *node)
+{
+    size_t most = 0;
+    for (size_t i = 0; i < node->count; i++) {
+        size_t height = bead_yaml_height(node->items[i]);
+        most = height > most ? height : most;
+    }
+    return most + 1;
+}

@@ -1,0 +1,31 @@
+/* A chain's insides, for the computing half only. */
+#ifndef BEADREEL_SIM_CHAIN_CHAIN_DATA_H
+#define BEADREEL_SIM_CHAIN_CHAIN_DATA_H
+
+#include "beadreel/chain.h"
+#include "beadreel/law.h"
+
+struct bead_equation;
+
+struct bead_chain {
+    const struct bead_scene *scene;
+    const struct bead_chain_spec *spec;
+    const struct bead_law *law;
+    const struct bead_equation *equation; /* NULL: beads; else only beads (points), position, mass and radius mean anything */
+    size_t beads, contacts;
+    size_t *material;           /* [beads] */
+    double *mass;               /* [beads] kg */
+    double *inverse_mass;       /* [beads] 1/kg */
+    double *radius;             /* [beads] m */
+    double *position;           /* [beads] m */
+    double *stiffness;          /* [contacts] */
+    double *static_force;       /* [contacts] N */
+    double *static_compression; /* [contacts] m */
+    double striker_force;       /* N: constant force on the striker beyond balance (its weight on a tilt) */
+    char *spins;
+    double magnetism;
+    struct bead_sensor *sensors;
+    size_t sensor_count;
+};
+
+#endif

@@ -1,0 +1,28 @@
+#include "sim/chain/spins.h"
+
+#include <math.h>
+
+#include "sim/base/random.h"
+
+size_t bead_spins_up(size_t count, double magnetism)
+{
+    size_t up = (size_t)floor(((double)count * (1 + magnetism)) / 2 + 0.5);
+    return up > count ? count : up;
+}
+
+void bead_spins_draw(char *digits, size_t count, double magnetism, uint64_t seed, uint64_t configuration)
+{
+    bead_spins_shuffle(digits, count, bead_spins_up(count, magnetism), seed, configuration);
+}
+
+void bead_spins_shuffle(char *digits, size_t count, size_t up, uint64_t seed, uint64_t configuration)
+{
+    for (size_t i = 0; i < count; i++)
+        digits[i] = i < up ? '1' : '0';
+    for (size_t i = count; i > 1; i--) {
+        size_t other = bead_draw_below(seed, configuration, i, i);
+        char keep = digits[i - 1];
+        digits[i - 1] = digits[other];
+        digits[other] = keep;
+    }
+}

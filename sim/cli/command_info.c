@@ -1,0 +1,238 @@
+/* --info: what is in a scene or a trajectory. */
+#include "sim/cli/command_line.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "beadreel/chain.h"
+#include "beadreel/scene.h"
+#include "beadreel/sweep.h"
+#include "beadreel/trajectory.h"
+
+#define SHOWN 72 /* longer spin strings are cut */
+
+static void print_wall(FILE *out, const struct bead_chain *chain)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    if (spec->wall == BEAD_WALL_MATERIAL)
+        fprintf(out, ", wall %s", bead_chain_scene(chain)->materials[spec->wall_material].name);
+    else
+        fprintf(out, ", %s", spec->wall == BEAD_WALL_RIGID ? "rigid wall" : "free end");
+}
+
+static void print_options(FILE *out, const struct bead_chain_spec *spec)
+{
+    char text[32];
+    if (spec->precompression > 0)
+        fprintf(out, "  precompression %s\n", command_quantity(spec->precompression, "N", text, sizeof text));
+    if (spec->tilt > 0)
+        fprintf(out, "  tilt %.4g deg\n", spec->tilt * 180 / 3.14159265358979323846);
+    if (spec->damping_coefficient > 0)
+        fprintf(out, "  damping %.4g N (s/m)^%.3g\n", spec->damping_coefficient, spec->damping_exponent);
+}
+
+/* The keys that an equation was given say it best: those of its own. */
+static void print_equation(FILE *out, const struct bead_chain *chain, size_t index)
+{
+    const struct bead_equation_spec *spec = &bead_chain_spec(chain)->equation;
+    const struct bead_along along = bead_chain_along(chain, false);
+    const char *name = bead_chain_name(chain);
+    char number[24];
+    snprintf(number, sizeof number, "%zu", index);
+    fprintf(out, "chain %s: equation %s, %zu points from x = %.6g, %.6g apart\n", *name ? name : number, spec->name,
+            bead_chain_beads(chain), along.first, along.spacing);
+}
+
+static void print_chain(FILE *out, const struct bead_chain *chain, size_t index)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    if (spec->equation.name) {
+        print_equation(out, chain, index);
+        return;
+    }
+    const char *name = bead_chain_name(chain), *spins = bead_chain_spins(chain);
+    char number[24], velocity[32], text[32];
+    snprintf(number, sizeof number, "%zu", index);
+    fprintf(out, "chain %s: striker and %zu beads, %zu contacts", *name ? name : number, bead_chain_beads(chain) - 1,
+            bead_chain_contacts(chain));
+    print_wall(out, chain);
+    fprintf(out, "\n  striker %s at %s, energy %s\n", bead_chain_scene(chain)->materials[spec->striker_material].name,
+            command_quantity(spec->striker_velocity, "m/s", velocity, sizeof velocity),
+            command_quantity(bead_chain_energy(chain), "J", text, sizeof text));
+    print_options(out, spec);
+    if (*spins)
+        fprintf(out, "  spins %.*s%s (%zu), M = %.4g\n", SHOWN, spins, strlen(spins) > SHOWN ? "..." : "", strlen(spins),
+                bead_chain_magnetism(chain));
+    size_t count = 0;
+    const struct bead_sensor *sensors = bead_chain_sensors(chain, &count);
+    for (size_t i = 0; i < count; i++)
+        fprintf(out, "  sensor %s on bead %zu\n", sensors[i].name, sensors[i].bead);
+}
+
+static void print_outputs(FILE *out, const struct bead_scene *scene)
+{
+    static const char *const kinds[BEAD_OUTPUT_KINDS] = {"trajectory", "image", "movie", "plot", "table", "sweep", "sheet"};
+    for (size_t i = 0; i < scene->output_count; i++)
+        fprintf(out, "output %zu: %s %s\n", i, kinds[scene->outputs[i].kind], scene->outputs[i].path);
+}
+
+static void print_head(FILE *out, const char *path, const char *kind, const struct bead_scene *scene)
+{
+    fprintf(out, "%s: %s\n", path, kind);
+    if (*scene->title)
+        fprintf(out, "title: %s\n", scene->title);
+}
+
+static enum bead_error scene_info(const struct command *command, FILE *out, struct bead_message *msg)
+{
+    char path[PATH_MAX], until[32], step[32];
+    const char *unit = "s";
+    struct bead_scene *scene = NULL;
+    enum bead_error err = bead_scene_find(command->input, path, sizeof path, msg);
+    if (!err)
+        err = bead_scene_load(path, command->settings, command->setting_count, &scene, msg);
+    if (err)
+        return err;
+    print_head(out, path, "scene", scene);
+    for (size_t i = 0; i < scene->chain_count && !err; i++) {
+        struct bead_chain *chain;
+        err = bead_chain_create(scene, i, &chain, msg);
+        if (err)
+            break;
+        print_chain(out, chain, i);
+        unit = bead_chain_time_unit(chain);
+        bead_chain_destroy(chain);
+    }
+    const struct bead_simulate *simulate = &scene->simulate;
+    if (!err) {
+        fprintf(out, "until %s, accuracy %.3g, method %s",
+                isfinite(simulate->until) ? command_quantity(simulate->until, unit, until, sizeof until) : "the front is through",
+                simulate->accuracy, simulate->method);
+        if (simulate->step > 0)
+            fprintf(out, ", step %s", command_quantity(simulate->step, unit, step, sizeof step));
+        fputc('\n', out);
+        print_outputs(out, scene);
+    }
+    bead_scene_free(scene);
+    return err;
+}
+
+static void print_outcome(FILE *out, size_t index, const char *unit, const struct bead_outcome *outcome)
+{
+    char text[32], step[32];
+    fprintf(out, "run of chain %zu: %s, step %s, %llu steps to %s\n", index, outcome->method ? outcome->method : "?",
+            command_quantity(outcome->step, unit, step, sizeof step), (unsigned long long)outcome->steps,
+            command_quantity(outcome->end, unit, text, sizeof text));
+    if (isfinite(outcome->front_arrival))
+        fprintf(out, "  front arrived at the end at %s\n", command_quantity(outcome->front_arrival, unit, text, sizeof text));
+    if (isfinite(outcome->energy_error))
+        fprintf(out, "  errors seen: energy %.2g", outcome->energy_error);
+    if (isfinite(outcome->embedded_error))
+        fprintf(out, ", embedded method %.2g", outcome->embedded_error);
+    if (isfinite(outcome->event_error))
+        fprintf(out, ", contact events %.2g", outcome->event_error);
+    fputc('\n', out);
+}
+
+static void print_samples(FILE *out, const struct bead_trajectory *trajectory, const struct bead_chain *chain)
+{
+    const char *unit = bead_chain_time_unit(chain), *beads_word = *unit ? "beads" : "points";
+    const struct bead_grid *grid = bead_trajectory_grid(trajectory);
+    struct bead_span beads = bead_trajectory_beads(trajectory);
+    char start[32], every[32], end[32];
+    size_t count = bead_grid_count(grid);
+    unsigned fields = bead_trajectory_fields(trajectory);
+    fprintf(out, "samples: %zu", count);
+    if (count > 0)
+        fprintf(out, ", every %s from %s to %s", command_quantity(grid->every, unit, every, sizeof every),
+                command_quantity(grid->start, unit, start, sizeof start),
+                command_quantity(bead_grid_time(grid, count - 1), unit, end, sizeof end));
+    if (beads.last == SIZE_MAX)
+        fprintf(out, ", all %s\nfields:", beads_word);
+    else
+        fprintf(out, ", %s %zu to %zu\nfields:", beads_word, beads.first, beads.last);
+    for (int field = 0; field < BEAD_FIELD_COUNT; field++) {
+        const struct bead_field_info *info =
+            fields & BEAD_FIELD_BIT(field) ? bead_chain_field(chain, (enum bead_field)field) : NULL;
+        if (info)
+            fprintf(out, *info->unit ? " %s (%s)" : " %s", bead_field_info((enum bead_field)field)->name, info->unit);
+    }
+    fputc('\n', out);
+}
+
+static enum bead_error trajectory_info(const struct command *command, FILE *out, struct bead_message *msg)
+{
+    struct bead_trajectory *trajectory;
+    enum bead_error err = bead_trajectory_open(command->input, command->settings, command->setting_count, &trajectory, msg);
+    if (err)
+        return err;
+    size_t count = 0;
+    const struct bead_chain *const *chains = bead_trajectory_chains(trajectory, &count);
+    const char *kind = bead_trajectory_complete(trajectory) ? "trajectory" : "trajectory of a run that was stopped or killed";
+    print_head(out, command->input, kind, bead_trajectory_scene(trajectory));
+    for (size_t i = 0; i < count; i++)
+        print_chain(out, chains[i], i);
+    print_samples(out, trajectory, chains[0]);
+    for (size_t i = 0; i < count && !err; i++) {
+        struct bead_outcome outcome;
+        err = bead_trajectory_outcome(trajectory, i, &outcome, msg);
+        if (!err)
+            print_outcome(out, i, bead_chain_time_unit(chains[i]), &outcome);
+        if (!err)
+            err = command_measures(out, trajectory, i, &outcome, msg);
+    }
+    bead_trajectory_close(trajectory);
+    return err;
+}
+
+static void print_sweep(FILE *out, const struct bead_sweep *sweep, size_t index)
+{
+    const struct bead_sweep_panel *panel = bead_sweep_panel(sweep, index);
+    const struct bead_sweep_spec *spec = panel->spec;
+    fprintf(out, "sweep %s%s%zu configurations of striker and %zu beads, %zu random cells, seed %llu\n", panel->name,
+            *panel->name ? ": " : "", panel->configurations, panel->beads - 1, spec->cells, (unsigned long long)spec->seed);
+    if (spec->spins)
+        fprintf(out, "  spins as given\n");
+    else if (!spec->own_magnetism)
+        fprintf(out, "  magnetism: %zu from %.4g to %.4g\n", spec->group_count, spec->groups[0].magnetism,
+                spec->groups[spec->group_count - 1].magnetism);
+    for (size_t place = 0; place < panel->places; place++) {
+        struct bead_sweep_configuration clean;
+        char force[32];
+        if (bead_sweep_configuration(sweep, index, BEAD_SWEEP_CLEAN, &clean))
+            fprintf(out, "  %s: %s with all cells up\n", bead_sweep_place(sweep, index, place),
+                    command_quantity(clean.peaks[place].force, "N", force, sizeof force));
+    }
+    if (spec->measures.decay)
+        fprintf(out, "  peaks of force and energy of every bead\n");
+}
+
+static enum bead_error sweep_info(const struct command *command, FILE *out, struct bead_message *msg)
+{
+    struct bead_sweep *sweep = NULL;
+    enum bead_error err = bead_sweep_open(command->input, command->settings, command->setting_count, &sweep, msg);
+    if (err)
+        return err;
+    size_t part = 0, parts = 0, known = 0, all = bead_sweep_count(sweep, &known);
+    print_head(out, command->input, "sweep", bead_sweep_scene(sweep));
+    for (size_t i = 0; i < bead_sweep_panels(sweep); i++)
+        print_sweep(out, sweep, i);
+    bead_sweep_part(sweep, &part, &parts);
+    if (parts > 1)
+        fprintf(out, "part %zu of %zu: %zu of %zu chains\n", part, parts, known, all);
+    fprintf(out, "computed by version %s\n", bead_sweep_version(sweep));
+    print_outputs(out, bead_sweep_scene(sweep));
+    bead_sweep_close(sweep);
+    return BEAD_OK;
+}
+
+enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg)
+{
+    if (bead_sweep_is(command->input))
+        return sweep_info(command, out, msg);
+    return bead_trajectory_is(command->input) ? trajectory_info(command, out, msg) : scene_info(command, out, msg);
+}

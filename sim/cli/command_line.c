@@ -1,0 +1,438 @@
+/* Options of both programs: one table gives parser, help, man page and error messages. */
+#include "sim/cli/command_line.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <hdf5.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/scene.h"
+#include "sim/base/suggest.h"
+
+/* Set by the handler, read by sessions. */
+static volatile sig_atomic_t stop_signal;
+
+struct option_row {
+    const char *name;
+    char letter; /* 0: none */
+    const char *argument;
+    const char *help; /* lines separated by \n */
+    enum bead_error (*apply)(struct command *command, const char *value, struct bead_message *msg);
+};
+
+/* An enumerated value of an option; at most CHOICES of them. */
+enum { CHOICES = 12 };
+struct choice {
+    const char *name;
+    int value;
+};
+
+static enum bead_error choose(const char *option, const char *value, const struct choice *choices, size_t count, int *out,
+                              struct bead_message *msg)
+{
+    char all[160] = "", near[64];
+    struct bead_suggest search;
+    bead_suggest_begin(&search, value);
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(value, choices[i].name) == 0) {
+            *out = choices[i].value;
+            return BEAD_OK;
+        }
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s%s", i == 0 ? "" : ", ", choices[i].name);
+        bead_suggest_try(&search, choices[i].name);
+    }
+    return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: unknown value `%s`%s (allowed: %s)", option, value,
+                     bead_suggest_text(&search, near, sizeof near), all);
+}
+
+static enum bead_error set_output(struct command *command, const char *value, struct bead_message *msg)
+{
+    if (!*value)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--output: the name is empty");
+    command->output = value;
+    return BEAD_OK;
+}
+
+static enum bead_error set_setting(struct command *command, const char *value, struct bead_message *msg)
+{
+    const char *equals = strchr(value, '=');
+    if (!equals || equals == value)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--set: `%s` is not of the form key.path=value", value);
+    command->settings[command->setting_count++] = value;
+    return BEAD_OK;
+}
+
+static enum bead_error set_only(struct command *command, const char *value, struct bead_message *msg)
+{
+    if (!*value)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--only: the name is empty");
+    command->only[command->only_count++] = value;
+    return BEAD_OK;
+}
+
+static enum bead_error set_threads(struct command *command, const char *value, struct bead_message *msg)
+{
+    char *end;
+    errno = 0;
+    long threads = strtol(value, &end, 10);
+    if (end == value || *end || errno || threads < 0 || threads > 1024)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--threads: `%s` is not a whole number from 0 (all cores) to 1024", value);
+    command->threads = (int)threads;
+    return BEAD_OK;
+}
+
+static enum bead_error set_progress(struct command *command, const char *value, struct bead_message *msg)
+{
+    static const struct choice choices[] = {{"auto", COMMAND_PROGRESS_AUTO},
+                                            {"plain", COMMAND_PROGRESS_PLAIN},
+                                            {"json", COMMAND_PROGRESS_JSON},
+                                            {"none", COMMAND_PROGRESS_NONE}};
+    int chosen;
+    enum bead_error err = choose("progress", value, choices, sizeof choices / sizeof *choices, &chosen, msg);
+    if (!err)
+        command->progress = (enum command_progress)chosen;
+    return err;
+}
+
+static enum bead_error set_instructions(struct command *command, const char *value, struct bead_message *msg)
+{
+    static const struct choice choices[] = {{"sse2", 0}, {"avx2", 1}, {"avx512", 2}};
+    int chosen;
+    command->instructions = value;
+    return choose("instructions", value, choices, sizeof choices / sizeof *choices, &chosen, msg);
+}
+
+static enum bead_error set_canvas(struct command *command, const char *value, struct bead_message *msg)
+{
+    struct choice choices[CHOICES] = {0};
+    size_t count = 0;
+    const char *const *canvases = command->program->canvases;
+    if (!canvases)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--canvas: %s does not draw", command->program->name);
+    for (; count < CHOICES && canvases[count]; count++)
+        choices[count] = (struct choice){canvases[count], (int)count};
+    int chosen;
+    command->canvas = value;
+    return choose("canvas", value, choices, count, &chosen, msg);
+}
+
+static enum bead_error set_list(struct command *command, const char *value, struct bead_message *msg)
+{
+    struct choice choices[CHOICES] = {0};
+    size_t count = 0;
+    const struct command_list *lists = command->program->lists;
+    for (; count < CHOICES && lists[count].name; count++)
+        choices[count] = (struct choice){lists[count].name, (int)count};
+    int chosen;
+    enum bead_error err = choose("list", value, choices, count, &chosen, msg);
+    if (err)
+        return err;
+    command->action = COMMAND_LIST;
+    command->list = &lists[chosen];
+    return BEAD_OK;
+}
+
+static enum bead_error set_info(struct command *command, const char *value, struct bead_message *msg)
+{
+    (void)msg;
+    command->action = COMMAND_INFO;
+    command->input = value;
+    return BEAD_OK;
+}
+
+static enum bead_error set_plan(struct command *command, const char *value, struct bead_message *msg)
+{
+    (void)value, (void)msg;
+    command->action = COMMAND_PLAN;
+    return BEAD_OK;
+}
+
+static enum bead_error set_configuration(struct command *command, const char *value, struct bead_message *msg)
+{
+    if (!*value)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--configuration: the number is empty");
+    command->configuration = value;
+    return BEAD_OK;
+}
+
+static enum bead_error set_sheet(struct command *command, const char *value, struct bead_message *msg)
+{
+    (void)value, (void)msg;
+    command->sheet = true;
+    return BEAD_OK;
+}
+
+static enum bead_error set_shard(struct command *command, const char *value, struct bead_message *msg)
+{
+    char *slash = NULL, *end = NULL;
+    errno = 0;
+    unsigned long part = strtoul(value, &slash, 10), parts = *slash == '/' ? strtoul(slash + 1, &end, 10) : 0;
+    if (*value < '0' || *value > '9' || *slash != '/' || slash[1] < '0' || slash[1] > '9' || *end || errno || part < 1 ||
+        part > parts || parts > 1000000)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: `%s` is not of the form K/N with K from 1 to N, N at most 1000000",
+                         value);
+    command->shard = part;
+    command->shards = parts;
+    return BEAD_OK;
+}
+
+static enum bead_error set_merge(struct command *command, const char *value, struct bead_message *msg)
+{
+    (void)value, (void)msg;
+    command->action = COMMAND_MERGE;
+    return BEAD_OK;
+}
+
+static enum bead_error set_help(struct command *command, const char *value, struct bead_message *msg)
+{
+    if (value && strcmp(value, "man") != 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--help: takes no value");
+    command->action = value ? COMMAND_MAN : COMMAND_HELP;
+    return BEAD_OK;
+}
+
+static enum bead_error set_version(struct command *command, const char *value, struct bead_message *msg)
+{
+    (void)value, (void)msg;
+    command->action = COMMAND_VERSION;
+    return BEAD_OK;
+}
+
+static const struct option_row rows[] = {
+    {"output", 'o', "PATH", "directory for a scene's files (default: the current one); the file for a trajectory", set_output},
+    {"set", 0, "KEY=VALUE", "change the scene: --set chain.striker.velocity='1 m/s' (repeatable)", set_setting},
+    {"only", 0, "NAME", "make only this output, by its file name (repeatable)", set_only},
+    {"plan", 0, NULL, "say what would be computed, what is skipped and why, and stop", set_plan},
+    {"list", 0, "WHAT", "list %s", set_list},
+    {"info", 0, "FILE", "describe a scene, a trajectory or a sweep's file and stop", set_info},
+    {"configuration", 0, "N", "run chain N of a sweep (a scene or a sweep's file) alone; NAME:N of several sweeps",
+     set_configuration},
+    {"sheet", 0, NULL, "draw many configurations of a sweep, or of a random chain, into the file -o, and nothing else", set_sheet},
+    {"shard", 0, "K/N", "compute part K of N of a sweep, into a file of its own: sweep.h5 -> sweep.KofN.h5", set_shard},
+    {"merge", 0, NULL, "put the parts of a sweep that are named, in any order, together into the file -o", set_merge},
+    {"threads", 0, "N", "use N threads (default 0: all cores); the results are the same for any", set_threads},
+    {"instructions", 0, "SET", "compute with vector instructions sse2, avx2 or avx512 (default: best); same results",
+     set_instructions},
+    {"canvas", 0, "NAME", "what paints beads: plain (default), or as a reference Mesa's OpenGL, osmesa or egl", set_canvas},
+    {"progress", 0, "HOW", "auto (default), plain, json or none; written to stderr", set_progress},
+    {"help", 'h', NULL, "show this and stop", set_help},
+    {"version", 'V', NULL, "show the version and stop", set_version},
+};
+enum { ROWS = sizeof rows / sizeof *rows };
+
+/* Help text of a row; --list names what this program can list. */
+static const char *row_help(const struct command_program *program, const struct option_row *row, char *text, size_t size)
+{
+    if (row->apply != set_list)
+        return row->help;
+    char names[160] = "";
+    for (const struct command_list *list = program->lists; list->name; list++) {
+        size_t used = strlen(names);
+        const char *separator = list == program->lists ? "" : list[1].name ? ", " : " or ";
+        snprintf(names + used, sizeof names - used, "%s%s", separator, list->name);
+    }
+    snprintf(text, size, "list %s", names);
+    return text;
+}
+
+static void print_help(const struct command_program *program, FILE *out)
+{
+    char text[256], left[64];
+    fprintf(out, "%s - %s\n\n%s\nOptions:\n", program->name, program->purpose, program->usage);
+    for (size_t i = 0; i < ROWS; i++) {
+        const struct option_row *row = &rows[i];
+        char letter[8] = "    ";
+        if (row->apply == set_canvas && !program->canvases)
+            continue;
+        if (row->letter)
+            snprintf(letter, sizeof letter, "-%c, ", row->letter);
+        snprintf(left, sizeof left, "%s--%s%s%s", letter, row->name, row->argument ? " " : "", row->argument ? row->argument : "");
+        fprintf(out, "  %-22s  %s\n", left, row_help(program, row, text, sizeof text));
+    }
+    fprintf(out, "\n%s\nExit status: 0 done; 1 failed while running; 2 wrong command line or scene; 128+N stopped by signal N.\n",
+            program->examples);
+}
+
+/* The man page from its options to the keys of scenes. */
+static void print_man(const struct command_program *program, FILE *out)
+{
+    char text[256];
+    for (size_t i = 0; i < ROWS; i++) {
+        const struct option_row *row = &rows[i];
+        fputs(".TP\n", out);
+        if (row->letter)
+            fprintf(out, "\\fB\\-%c\\fR, ", row->letter);
+        fprintf(out, "\\fB\\-\\-%s\\fR", row->name);
+        if (row->argument)
+            fprintf(out, " \\fI%s\\fR", row->argument);
+        fputc('\n', out);
+        for (const char *c = row_help(program, row, text, sizeof text); *c; c++)
+            fputs(*c == '-' ? "\\-" : *c == '\'' ? "\\(aq" : (char[]){*c, 0}, out);
+        fputc('\n', out);
+    }
+    fputs(".SH KEYS OF A SCENE\n", out);
+    bead_scene_help_man(out);
+}
+
+static void print_version(const struct command_program *program, FILE *out)
+{
+    fprintf(out, "%s " BEADREEL_VERSION "\nLicence GPL-3.0-or-later: free software, without any warranty.\n", program->name);
+}
+
+/* What getopt_long could not make sense of. */
+static enum bead_error unknown_option(char **argv, int found, struct bead_message *msg)
+{
+    char near[64];
+    if (found == ':')
+        for (size_t i = 0; i < ROWS; i++)
+            if (rows[i].letter == optopt || 256 + (int)i == optopt)
+                return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: needs a value: %s", rows[i].name, rows[i].argument);
+    if (optopt >= 256 && optopt < 256 + ROWS)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: takes no value", rows[optopt - 256].name);
+    if (optopt)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "unknown option `-%c`; see --help", optopt);
+    char word[64];
+    struct bead_suggest search;
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(argv[optind - 1], "="), argv[optind - 1]);
+    bead_suggest_begin(&search, word);
+    char names[ROWS][32];
+    for (size_t i = 0; i < ROWS; i++) {
+        snprintf(names[i], sizeof names[i], "--%s", rows[i].name);
+        bead_suggest_try(&search, names[i]);
+    }
+    bead_suggest_text(&search, near, sizeof near);
+    return bead_fail(msg, BEAD_ERROR_USAGE, "unknown option `%s`%s", word, *near ? near : "; see --help");
+}
+
+static enum bead_error take_input(struct command *command, int argc, char **argv, struct bead_message *msg)
+{
+    while (command->action == COMMAND_MERGE && optind < argc)
+        command->parts[command->part_count++] = argv[optind++];
+    if (optind < argc && command->input)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: `%s` and `%s`", command->input, argv[optind]);
+    if (optind < argc)
+        command->input = argv[optind++];
+    if (optind < argc)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: `%s` and `%s`", command->input, argv[optind]);
+    bool needed = command->action == COMMAND_RUN || command->action == COMMAND_PLAN;
+    if (needed && (!command->input || !*command->input))
+        return bead_fail(msg, BEAD_ERROR_USAGE, "no scene given; see --help, or --list scenes for ready ones");
+    return BEAD_OK;
+}
+
+static enum bead_error parse(struct command *command, int argc, char **argv, struct bead_message *msg)
+{
+    struct option options[ROWS + 1] = {0};
+    char letters[2 * ROWS + 2] = ":"; /* a leading colon: tell apart missing values */
+    size_t used = 1;
+    for (size_t i = 0; i < ROWS; i++) {
+        int takes = rows[i].argument ? required_argument : rows[i].apply == set_help ? optional_argument : no_argument;
+        options[i] = (struct option){rows[i].name, takes, NULL, 256 + (int)i};
+        if (rows[i].letter)
+            letters[used++] = rows[i].letter;
+        if (rows[i].letter && rows[i].argument)
+            letters[used++] = ':';
+    }
+    opterr = 0;
+    for (int found; (found = getopt_long(argc, argv, letters, options, NULL)) != -1;) {
+        if (found == '?' || found == ':')
+            return unknown_option(argv, found, msg);
+        size_t i = found >= 256 ? (size_t)found - 256 : 0;
+        while (found < 256 && rows[i].letter != found)
+            i++;
+        enum bead_error err = rows[i].apply(command, optarg, msg);
+        if (err)
+            return err;
+        if (command->action >= COMMAND_HELP)
+            return BEAD_OK;
+    }
+    return take_input(command, argc, argv, msg);
+}
+
+static void on_signal(int number)
+{
+    stop_signal = number;
+}
+
+/* A first signal ends the run in good order; a second of the same kind ends it at once. */
+static enum bead_error catch_signals(struct bead_message *msg)
+{
+    struct sigaction stop = {.sa_handler = on_signal, .sa_flags = SA_RESTART | (int)SA_RESETHAND};
+    struct sigaction ignore = {.sa_handler = SIG_IGN}; /* a closed pipe is an error of write() */
+    sigemptyset(&stop.sa_mask);
+    sigemptyset(&ignore.sa_mask);
+    if (sigaction(SIGINT, &stop, NULL) || sigaction(SIGTERM, &stop, NULL) || sigaction(SIGPIPE, &ignore, NULL))
+        return bead_fail(msg, BEAD_ERROR_IO, "cannot catch signals: %s", strerror(errno));
+    return BEAD_OK;
+}
+
+static enum bead_error act(const struct command *command, struct bead_message *msg)
+{
+    switch (command->action) {
+    case COMMAND_HELP:
+        print_help(command->program, stdout);
+        return BEAD_OK;
+    case COMMAND_MAN:
+        print_man(command->program, stdout);
+        return BEAD_OK;
+    case COMMAND_VERSION:
+        print_version(command->program, stdout);
+        return BEAD_OK;
+    case COMMAND_LIST:
+        return command->list->print(stdout, msg);
+    case COMMAND_INFO:
+        return command_info(command, stdout, msg);
+    case COMMAND_MERGE:
+        return command_merge(command, msg);
+    case COMMAND_PLAN:
+        return command_plan(command, &stop_signal, msg);
+    case COMMAND_RUN:
+        break;
+    }
+    enum bead_error err = catch_signals(msg);
+    return err ? err : command_run(command, &stop_signal, msg);
+}
+
+/* One line, whatever is in the message. */
+static void complain(const char *program, const char *text)
+{
+    fprintf(stderr, "%s: ", program);
+    for (const char *c = text; *c; c++)
+        fputc((unsigned char)*c < ' ' ? ' ' : *c, stderr);
+    fputc('\n', stderr);
+}
+
+int command_main(const struct command_program *program, int argc, char **argv)
+{
+    struct bead_message msg = {""};
+    struct command command = {.program = program};
+    enum bead_error err = BEAD_OK;
+    /* All files are closed before the end. What damage in one makes HDF5 keep open it would complain of on stderr, at exit. */
+    H5dont_atexit();
+    command.settings = calloc((size_t)argc + 1, sizeof *command.settings);
+    command.only = calloc((size_t)argc + 1, sizeof *command.only);
+    command.parts = calloc((size_t)argc + 1, sizeof *command.parts);
+    if (!err && (!command.settings || !command.only || !command.parts))
+        err = bead_fail(&msg, BEAD_ERROR_MEMORY, "out of memory");
+    if (!err)
+        err = parse(&command, argc, argv, &msg);
+    if (!err)
+        err = act(&command, &msg);
+    if ((fflush(stdout) || ferror(stdout)) && !err)
+        err = bead_fail(&msg, BEAD_ERROR_IO, "cannot write to standard output: %s", strerror(errno));
+    free(command.settings);
+    free(command.only);
+    free(command.parts);
+    int number = stop_signal;
+    if (err == BEAD_ERROR_STOPPED && number) {
+        snprintf(msg.text, sizeof msg.text, "stopped by signal %d (%s)", number, strsignal(number));
+        complain(program->name, msg.text);
+        return 128 + number;
+    }
+    if (err)
+        complain(program->name, msg.text[0] ? msg.text : bead_error_text(err));
+    return bead_error_status(err);
+}

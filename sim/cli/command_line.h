@@ -1,0 +1,101 @@
+/* The command line of both programs: options, help, lists, progress and results.
+ * Linked into the two programs only; the libraries neither print nor exit. */
+#ifndef BEADREEL_SIM_CLI_COMMAND_LINE_H
+#define BEADREEL_SIM_CLI_COMMAND_LINE_H
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include "beadreel/error.h"
+#include "beadreel/session.h"
+#include "beadreel/sink.h"
+#include "beadreel/trajectory.h"
+
+/* One thing that --list can show: a line each with a name and a description. */
+struct command_list {
+    const char *name;
+    enum bead_error (*print)(FILE *out, struct bead_message *msg);
+};
+
+/* What differs between the programs. */
+struct command_program {
+    const char *name;                                 /* "beadreel" */
+    const char *purpose;                              /* one line for --help */
+    const char *usage, *examples;                     /* paragraphs for --help */
+    const struct command_list *lists;                 /* ends with a NULL name */
+    const struct bead_sink_type *const *const *sinks; /* for the job, NULL-terminated */
+    const struct bead_sweep_sink *const *const *sweep_sinks;
+    const char *const *canvases; /* what --canvas allows, NULL-terminated; NULL: the program does not draw */
+};
+
+enum command_action {
+    COMMAND_RUN,
+    COMMAND_PLAN,
+    COMMAND_LIST,
+    COMMAND_INFO,
+    COMMAND_MERGE,
+    COMMAND_HELP,
+    COMMAND_MAN,
+    COMMAND_VERSION
+};
+enum command_progress { COMMAND_PROGRESS_AUTO, COMMAND_PROGRESS_PLAIN, COMMAND_PROGRESS_JSON, COMMAND_PROGRESS_NONE };
+
+/* A parsed command line; strings are borrowed from argv. */
+struct command {
+    const struct command_program *program;
+    enum command_action action;
+    const struct command_list *list;
+    const char *input, *output, *instructions, *canvas, *configuration;
+    bool sheet;
+    const char **settings, **only, **parts; /* owned arrays; parts: files to merge */
+    size_t setting_count, only_count, part_count;
+    size_t shard, shards; /* 0, 0: all */
+    int threads;
+    enum command_progress progress;
+};
+
+/* All of it: returns the exit status (0 done, 1 failed while running, 2 wrong command line or scene, 128+n signal n). */
+int command_main(const struct command_program *program, int argc, char **argv);
+
+/* The actions. Errors: those of session.h, scene.h, trajectory.h; IO where stdout fails. */
+enum bead_error command_run(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
+enum bead_error command_plan(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
+enum bead_error command_merge(const struct command *command, struct bead_message *msg);
+enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg);
+
+/* Lists that need no graphics. */
+enum bead_error command_list_scenes(FILE *out, struct bead_message *msg);
+enum bead_error command_list_materials(FILE *out, struct bead_message *msg);
+enum bead_error command_list_methods(FILE *out, struct bead_message *msg);
+enum bead_error command_list_laws(FILE *out, struct bead_message *msg);
+enum bead_error command_list_equations(FILE *out, struct bead_message *msg); /* that a chain may be instead of beads */
+enum bead_error command_list_measures(FILE *out, struct bead_message *msg);
+enum bead_error command_list_thresholds(FILE *out, struct bead_message *msg);
+enum bead_error command_list_keys(FILE *out, struct bead_message *msg); /* of scenes: unit, range, default */
+
+/* Progress on stderr. */
+struct command_meter {
+    enum command_progress mode;     /* AUTO stands for a bar on a terminal */
+    double done_began, items_began; /* of a stage that goes on where another process was stopped */
+    double began, said;             /* s, monotonic clock: this stage began, the last line was written */
+    char what[160];
+    bool drawn; /* the terminal's line is not empty */
+};
+void command_meter_init(struct command_meter *meter, enum command_progress mode);
+/* `context` is the meter; fits bead_job.progress. */
+void command_meter_tell(void *context, const struct bead_progress *progress);
+/* Clear the terminal's line, so that other text can be written. */
+void command_meter_clear(struct command_meter *meter);
+/* Seconds of a clock that only runs forward. */
+double command_clock(void);
+
+/* What the samples of a chain say in numbers (measure.h), where they have what that takes and are not too many. */
+enum bead_error command_measures(FILE *out, struct bead_trajectory *trajectory, size_t chain, const struct bead_outcome *outcome,
+                                 struct bead_message *msg);
+
+/* "4.76 mm", "470 kB": number with an SI prefix and unit into `text`; returns text. */
+const char *command_quantity(double value, const char *unit, char *text, size_t size);
+
+#endif

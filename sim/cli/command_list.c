@@ -1,0 +1,97 @@
+/* Lists that need no graphics: ready scenes, materials, methods, laws, keys of scenes. */
+#include "sim/cli/command_line.h"
+
+#include <math.h>
+
+#include "beadreel/law.h"
+#include "beadreel/measure.h"
+#include "beadreel/methods.h"
+#include "beadreel/scene.h"
+#include "beadreel/statistics.h"
+#include "sim/equation/equation.h"
+
+enum bead_error command_list_scenes(FILE *out, struct bead_message *msg)
+{
+    struct bead_ready_scene *scenes;
+    size_t count;
+    enum bead_error err = bead_scene_ready(&scenes, &count, msg);
+    if (err)
+        return err;
+    for (size_t i = 0; i < count; i++)
+        fprintf(out, "%-24s  %s\n", scenes[i].name, scenes[i].title);
+    bead_scene_ready_free(scenes, count);
+    return BEAD_OK;
+}
+
+enum bead_error command_list_materials(FILE *out, struct bead_message *msg)
+{
+    struct bead_scene *scene;
+    enum bead_error err = bead_scene_materials(&scene, msg);
+    if (err)
+        return err;
+    for (size_t i = 0; i < scene->material_count; i++) {
+        const struct bead_material *material = &scene->materials[i];
+        char mass[32] = "for walls", radius[32] = "-", modulus[32];
+        if (isfinite(material->mass))
+            command_quantity(1e3 * material->mass, "g", mass, sizeof mass);
+        if (isfinite(material->radius))
+            command_quantity(material->radius, "m", radius, sizeof radius);
+        fprintf(out, "%-16s  %-9s  radius %-8s  modulus %-8s  poisson %g\n", material->name, mass, radius,
+                command_quantity(material->modulus, "Pa", modulus, sizeof modulus), material->poisson);
+    }
+    bead_scene_free(scene);
+    return BEAD_OK;
+}
+
+enum bead_error command_list_methods(FILE *out, struct bead_message *msg)
+{
+    (void)msg;
+    const struct bead_method_info *method;
+    for (size_t i = 0; (method = bead_method_info(i)); i++)
+        fprintf(out, "%-10s  order %d, %d force evaluation%s a step%s: %s\n", method->name, method->order, method->evaluations,
+                method->evaluations == 1 ? "" : "s", method->damping ? ", damping" : "", method->description);
+    return BEAD_OK;
+}
+
+enum bead_error command_list_equations(FILE *out, struct bead_message *msg)
+{
+    (void)msg;
+    const struct bead_equation *equation;
+    for (size_t i = 0; (equation = bead_equation_info(i)); i++)
+        fprintf(out, "%-10s  %s\n", equation->name, equation->help);
+    return BEAD_OK;
+}
+
+enum bead_error command_list_laws(FILE *out, struct bead_message *msg)
+{
+    (void)msg;
+    const struct bead_law *law;
+    for (size_t i = 0; (law = bead_law_info(i)); i++)
+        fprintf(out, "%-16s  %s\n", law->name, law->description);
+    return BEAD_OK;
+}
+
+enum bead_error command_list_thresholds(FILE *out, struct bead_message *msg)
+{
+    const struct bead_threshold_info *info;
+    (void)msg;
+    for (size_t i = 0; (info = bead_threshold_info(i)); i++)
+        fprintf(out, "%-14s  %s\n", info->name, info->formula);
+    return BEAD_OK;
+}
+
+enum bead_error command_list_keys(FILE *out, struct bead_message *msg)
+{
+    (void)msg;
+    bead_scene_help(out);
+    return BEAD_OK;
+}
+
+enum bead_error command_list_measures(FILE *out, struct bead_message *msg)
+{
+    (void)msg;
+    const struct bead_measure_info *info;
+    for (size_t i = 0; (info = bead_measure_info(i)); i++)
+        fprintf(out, "%-26s  %-8s  %s\n", info->name, info->unit, info->help);
+    return BEAD_OK;
+}

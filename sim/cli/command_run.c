@@ -1,0 +1,180 @@
+/* Running and planning: a session with progress on stderr and results on stdout. */
+#include "sim/cli/command_line.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+#include "beadreel/chain.h"
+#include "beadreel/file.h"
+#include "beadreel/sweep.h"
+
+static void fill_job(const struct command *command, const volatile sig_atomic_t *stop, struct bead_job *job)
+{
+    bead_job_default(job);
+    job->input = command->input;
+    job->settings = command->settings;
+    job->setting_count = command->setting_count;
+    job->output = command->output;
+    job->only = command->only;
+    job->only_count = command->only_count;
+    job->threads = command->threads;
+    job->instructions = command->instructions;
+    job->canvas = command->canvas;
+    job->sinks = command->program->sinks;
+    job->sweep_sinks = command->program->sweep_sinks;
+    job->configuration = command->configuration;
+    job->sheet = command->sheet;
+    job->part = command->shard;
+    job->parts = command->shards;
+    job->stop = stop;
+}
+
+enum bead_error command_plan(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg)
+{
+    struct bead_job job;
+    struct bead_session *session;
+    fill_job(command, stop, &job);
+    enum bead_error err = bead_session_open(&job, &session, msg);
+    if (err)
+        return err;
+    err = bead_session_plan(session, stdout, msg);
+    bead_session_close(session);
+    return err;
+}
+
+/* One line a file: name and size, in columns. */
+static void print_results(const struct bead_result *results, size_t count)
+{
+    char size[32];
+    int width = 0;
+    for (size_t i = 0; i < count; i++)
+        if ((int)strlen(results[i].path) > width && strlen(results[i].path) < 80)
+            width = (int)strlen(results[i].path);
+    for (size_t i = 0; i < count; i++)
+        printf("%-*s  %8s\n", width, results[i].path, command_quantity((double)results[i].bytes, "B", size, sizeof size));
+}
+
+/* The largest of all chains; what the method cannot tell, or a stopped run did not, is left out. */
+static void print_errors(const struct bead_outcome *outcomes, size_t chains)
+{
+    double error[3] = {NAN, NAN, NAN};
+    static const char *const names[3] = {"energy", "embedded", "events"};
+    const char *separator = "; errors seen: ";
+    for (size_t i = 0; i < chains; i++) {
+        error[0] = fmax(error[0], outcomes[i].energy_error); /* fmax: the number, where one is none */
+        error[1] = fmax(error[1], outcomes[i].embedded_error);
+        error[2] = fmax(error[2], outcomes[i].event_error);
+    }
+    for (int i = 0; i < 3; i++) {
+        if (isfinite(error[i])) {
+            printf("%s%s %.1g", separator, names[i], error[i]);
+            separator = ", ";
+        }
+    }
+}
+
+/* ": 2581 chains, 83 a second"; of a sweep that had begun before, those computed now. */
+static void print_sweep(const struct bead_session *session, double seconds)
+{
+    size_t known = 0, all = bead_sweep_count(bead_session_sweep(session), &known);
+    uint64_t now = bead_session_counts(session)->chains;
+    if (now == 0)
+        return;
+    printf(": %" PRIu64 " chain%s", now, now == 1 ? "" : "s");
+    if (now < known)
+        printf(" of %zu, %zu there before", all, known - (size_t)now);
+    printf(", %.3g a second", (double)now / fmax(seconds, 1e-3));
+}
+
+/* "2 files, 1.8 MB, in 2.1 s: 2 chains to 1.05 ms with rkn8, step 0.36 us" */
+static void print_summary(const struct bead_session *session, size_t files, uint64_t bytes, double seconds)
+{
+    char size[32], time[32], step[32];
+    size_t chains = 0;
+    const struct bead_outcome *outcomes = bead_session_outcomes(session, &chains);
+    printf("%zu file%s, %s, in %.2f s", files, files == 1 ? "" : "s", command_quantity((double)bytes, "B", size, sizeof size),
+           seconds);
+    if (bead_session_sweep(session))
+        print_sweep(session, seconds);
+    double end = 0;
+    for (size_t i = 0; outcomes && i < chains; i++)
+        end = fmax(end, outcomes[i].end);
+    if (end > 0) {
+        const char *unit = bead_session_time_unit(session);
+        printf(": %zu chain%s to %s", chains, chains == 1 ? "" : "s", command_quantity(end, unit, time, sizeof time));
+        if (outcomes[0].method)
+            printf(" with %s, first step %s", outcomes[0].method, command_quantity(outcomes[0].step, unit, step, sizeof step));
+        print_errors(outcomes, chains);
+    } else if (chains > 0)
+        printf(": drawings only, nothing to compute");
+    putchar('\n');
+}
+
+static void print_skipped(const struct command *command, const struct bead_session *session)
+{
+    const char *name = bead_session_skipped(session, 0);
+    if (!name)
+        return;
+    printf("skipped, %s does not make these: %s", command->program->name, name);
+    for (size_t i = 1; (name = bead_session_skipped(session, i)); i++)
+        printf(", %s", name);
+    putchar('\n');
+}
+
+static enum bead_error play(const struct command *command, struct bead_session *session, struct command_meter *meter, double began,
+                            struct bead_message *msg)
+{
+    enum bead_error err = bead_session_run(session, msg);
+    command_meter_clear(meter);
+    if (err && err != BEAD_ERROR_STOPPED)
+        return err;
+    const struct bead_result *results = NULL;
+    size_t count = bead_session_results(session, &results);
+    uint64_t bytes = 0;
+    for (size_t i = 0; i < count; i++)
+        bytes += results[i].bytes;
+    print_results(results, count);
+    if (err)
+        return err;
+    print_skipped(command, session);
+    print_summary(session, count, bytes, command_clock() - began);
+    return BEAD_OK;
+}
+
+enum bead_error command_run(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg)
+{
+    struct command_meter meter;
+    struct bead_job job;
+    struct bead_session *session;
+    double began = command_clock();
+    command_meter_init(&meter, command->progress);
+    fill_job(command, stop, &job);
+    job.progress = command_meter_tell;
+    job.progress_context = &meter;
+    enum bead_error err = bead_session_open(&job, &session, msg);
+    command_meter_clear(&meter);
+    if (err)
+        return err;
+    err = play(command, session, &meter, began, msg);
+    bead_session_close(session);
+    return err;
+}
+
+enum bead_error command_merge(const struct command *command, struct bead_message *msg)
+{
+    struct bead_sweep *sweep = NULL;
+    const char *dot = command->output ? strrchr(command->output, '.') : NULL;
+    if (!dot || strcmp(dot, ".h5") != 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--merge: say where to with -o FILE.h5");
+    enum bead_error err = bead_sweep_merge(command->parts, command->part_count, &sweep, msg);
+    if (!err)
+        err = bead_sweep_write(sweep, command->output, msg);
+    if (!err) {
+        const struct bead_result result = {command->output, bead_file_bytes(command->output), 0};
+        print_results(&result, 1);
+    }
+    bead_sweep_close(sweep);
+    return err;
+}

@@ -1,0 +1,442 @@
+/* The equation `fput`: the string of fput_string.h, its modes, and how the mode it started from comes back. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/equation/equation.h"
+#include "sim/equation/fput_string.h"
+
+static const long double pi = 3.141592653589793238462643383279503L;
+
+/* The energy of a mode over time: its smallest value, and its largest after it was below half of the start's. */
+struct returns {
+    double before, rate_before;  /* energy and its rate at the last step's start */
+    double start, low, low_time; /* energies and times */
+    double high, high_time;      /* 0: it has not come back yet */
+    bool away;                   /* below half */
+};
+
+struct bead_motion {
+    struct bead_motion_settings settings;
+    struct bead_string_stepper stepper;
+    double h;
+    double *u, *v; /* [points] between steps */
+    double *shape; /* [points] of the mode it started from, normed; NULL: it started otherwise */
+    double omega2; /* of that mode */
+    struct returns returns;
+    double energy_start, momentum_start, energy_error;
+};
+
+/* ---- what it means ---- */
+
+static const enum bead_field fields[] = {BEAD_FIELD_DISPLACEMENT, BEAD_FIELD_VELOCITY, BEAD_FIELD_STRAIN, BEAD_FIELD_ENERGY,
+                                         BEAD_FIELD_COUNT};
+
+static const struct bead_field_info *field(const struct bead_equation_spec *spec, enum bead_field field)
+{
+    static const struct bead_field_info infos[] = {
+        [BEAD_FIELD_DISPLACEMENT] = {"displacement", "", "displacement", 0},
+        [BEAD_FIELD_VELOCITY] = {"velocity", "", "velocity", 0},
+        [BEAD_FIELD_STRAIN] = {"strain", "", "strain", 0}, /* of a mass: the mean of its two springs */
+        [BEAD_FIELD_ENERGY] = {"energy", "", "energy", 0},
+    };
+    (void)spec;
+    return &infos[field];
+}
+
+static size_t highest_mode(const struct bead_equation_spec *spec)
+{
+    return spec->ends == BEAD_ENDS_FIXED ? spec->points : spec->points / 2;
+}
+
+static const char *check(const struct bead_equation_spec *spec, const char **key)
+{
+    *key = "points";
+    if (spec->ends == BEAD_ENDS_PERIODIC && spec->points < 3)
+        return "must be 3 or more for a ring";
+    *key = "start";
+    if (spec->start == BEAD_START_MODE && spec->mode > highest_mode(spec))
+        return "asks for a mode that the string does not have: of N moving masses there are N modes, of a ring N / 2";
+    /* The force has its maximum where 1 + 2 alpha r + 3 beta r^2 = 0; beyond it a spring tears or folds. */
+    double r = spec->amplitude;
+    if (spec->start == BEAD_START_PULSE && !(1 + 2 * spec->alpha * r + 3 * spec->beta * r * r > 0))
+        return "asks for strains that a spring of this alpha and beta does not bear: its stiffness is not positive there";
+    return NULL;
+}
+
+static void describe(const struct bead_equation_spec *spec, char *text, size_t size)
+{
+    char alpha[48] = "", beta[48] = "";
+    if (spec->alpha != 0)
+        snprintf(alpha, sizeof alpha, " %s %.4g r\u00b2", spec->alpha < 0 ? "\u2212" : "+", fabs(spec->alpha));
+    if (spec->beta != 0)
+        snprintf(beta, sizeof beta, " %s %.4g r\u00b3", spec->beta < 0 ? "\u2212" : "+", fabs(spec->beta));
+    snprintf(text, size, "%zu masses, tension r%s%s", spec->points, alpha, beta);
+}
+
+static size_t points(const struct bead_equation_spec *spec, double accuracy)
+{
+    (void)accuracy;
+    return spec->points;
+}
+
+static void places(const struct bead_equation_spec *spec, size_t count, double *first, double *spacing)
+{
+    (void)count;
+    *first = bead_string_first(spec);
+    *spacing = 1;
+}
+
+/* ---- modes ---- */
+
+static bool fixed(const struct bead_equation_spec *spec)
+{
+    return spec->ends == BEAD_ENDS_FIXED;
+}
+
+/* Phase of mode k from mass to mass: k pi / (N + 1) between walls, 2 k pi / N on a ring. */
+static long double phase(const struct bead_equation_spec *spec, size_t k)
+{
+    size_t n = spec->points;
+    return fixed(spec) ? pi * (long double)k / (long double)(n + 1) : 2 * pi * (long double)k / (long double)n;
+}
+
+static double omega_squared(const struct bead_equation_spec *spec, size_t k)
+{
+    double s = 2 * (double)sinl(phase(spec, k) / 2);
+    return s * s;
+}
+
+/* Of the square of a mode's coordinate: the coordinates are then those of an orthonormal basis. */
+static double norm(const struct bead_equation_spec *spec, size_t k)
+{
+    size_t n = spec->points;
+    return fixed(spec) ? 2 / (double)(n + 1) : (2 * k == n ? 1 : 2) / (double)n;
+}
+
+/* Energy of mode k: of a standing wave between walls; of the waves with sine and cosine together on a ring. The sines by
+ * rotation, in long double: the same on all processors. */
+static double mode_energy(const struct bead_equation_spec *spec, size_t k, const double *u, const double *v)
+{
+    long double turn_c = cosl(phase(spec, k)), turn_s = sinl(phase(spec, k)), c = fixed(spec) ? turn_c : 1;
+    long double s = fixed(spec) ? turn_s : 0;
+    double us = 0, uc = 0, vs = 0, vc = 0;
+    for (size_t j = 0; j < spec->points; j++) {
+        us += u[j] * (double)s;
+        vs += v[j] * (double)s;
+        uc += u[j] * (double)c;
+        vc += v[j] * (double)c;
+        long double next = c * turn_c - s * turn_s;
+        s = s * turn_c + c * turn_s;
+        c = next;
+    }
+    double w2 = omega_squared(spec, k), energy = vs * vs + w2 * us * us;
+    if (!fixed(spec))
+        energy += vc * vc + w2 * uc * uc;
+    return 0.5 * norm(spec, k) * energy;
+}
+
+static void modes(const struct bead_equation_spec *spec, size_t count, const double *const value[BEAD_FIELD_COUNT], size_t wanted,
+                  double *energy)
+{
+    (void)count;
+    for (size_t k = 1; k <= wanted; k++)
+        energy[k - 1] =
+            k <= highest_mode(spec) ? mode_energy(spec, k, value[BEAD_FIELD_DISPLACEMENT], value[BEAD_FIELD_VELOCITY]) : 0;
+}
+
+/* ---- the return of the first mode ---- */
+
+/* Energy of the mode it started from, and its rate. */
+static double watched(const struct bead_motion *m, const struct bead_string_state *at, double *rate)
+{
+    double q = 0, p = 0, a = 0;
+    for (size_t j = 0; j < m->settings.points; j++) {
+        q += m->shape[j] * at->u[j];
+        p += m->shape[j] * at->v[j];
+        a += m->shape[j] * at->a[j];
+    }
+    *rate = p * (a + m->omega2 * q);
+    return 0.5 * (p * p + m->omega2 * q * q);
+}
+
+/* Where in the step the cubic through values and rates at both ends is stationary, and its value: between a rising and a falling
+ * end there is a largest, between a falling and a rising one a smallest. */
+static double extremum(double h, double e0, double r0, double e1, double r1, double *x)
+{
+    double low = 0, high = 1, c1 = h * r0, c2 = 3 * (e1 - e0) - h * (2 * r0 + r1), c3 = 2 * (e0 - e1) + h * (r0 + r1);
+    for (int i = 0; i < 60; i++) {
+        double middle = 0.5 * (low + high), slope = c1 + middle * (2 * c2 + 3 * middle * c3);
+        *((slope > 0) == (r0 > 0) ? &low : &high) = middle;
+    }
+    *x = 0.5 * (low + high);
+    return e0 + *x * (c1 + *x * (c2 + *x * c3));
+}
+
+static void watch(struct bead_motion *m)
+{
+    struct returns *r = &m->returns;
+    const struct bead_string_state *from = &m->stepper.start, *to = &m->stepper.end;
+    double rate, x, energy = watched(m, to, &rate), h = to->t - from->t, before = r->before, rate_before = r->rate_before;
+    r->before = energy;
+    r->rate_before = rate;
+    r->away = r->away || energy < 0.5 * r->start;
+    if ((rate_before > 0) == (rate > 0))
+        return;
+    double peak = extremum(h, before, rate_before, energy, rate, &x), time = from->t + x * h;
+    if (rate_before > 0 && r->away && peak > r->high) {
+        r->high = peak;
+        r->high_time = time;
+    } else if (rate_before <= 0 && peak < r->low) {
+        r->low = peak;
+        r->low_time = time;
+    }
+}
+
+static enum bead_error begin_watch(struct bead_motion *m, struct bead_message *msg)
+{
+    const struct bead_equation_spec *spec = m->settings.spec;
+    if (spec->start != BEAD_START_MODE)
+        return BEAD_OK;
+    m->shape = calloc(m->settings.points, sizeof(double));
+    if (!m->shape)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a string of %zu masses", m->settings.points);
+    double root = sqrt(norm(spec, spec->mode));
+    for (size_t j = 0; j < m->settings.points; j++)
+        m->shape[j] = root * (double)sinl(phase(spec, spec->mode) * (long double)(j + fixed(spec)));
+    m->omega2 = omega_squared(spec, spec->mode);
+    m->returns.start = m->returns.low = m->returns.before = watched(m, &m->stepper.end, &m->returns.rate_before);
+    return BEAD_OK;
+}
+
+/* ---- motion ---- */
+
+/* Steps for an accuracy: phases of the fastest waves (omega = 2) go wrong by C (omega h)^order omega t after the time t; the
+ * constants were found from such waves on linear strings, and steps are never longer than `longest` / omega. */
+static const struct step_law {
+    const char *method;
+    double error, longest;
+} step_laws[] = {
+    {"rkn12", 2e-14, 1.5}, {"rkn8-plain", 2.5e-8, 1.2}, {"rkn8", 2.5e-8, 1.2},  {"rkn6", 2e-6, 1},
+    {"pefrl", 6e-5, 1},    {"vefrl", 1e-3, 1},          {"verlet", 1. / 24, 1}, {"rk4", 1. / 120, 1},
+};
+static const char *const methods[] = {"rkn12", "rkn8-plain", "rkn8", "rkn6", "pefrl", "vefrl", "verlet", "rk4", NULL};
+
+/* The largest frequency of small vibrations about the start. */
+static double fastest(const struct bead_string *s, const double *u)
+{
+    double most = 1;
+    for (size_t j = 0; j < s->springs; j++) {
+        double r = bead_string_strain(s, u, j);
+        most = fmax(most, 1 + 2 * fabs(s->spec->alpha * r) + 3 * fabs(s->spec->beta) * r * r);
+    }
+    return 2 * sqrt(most);
+}
+
+static enum bead_error choose_step(struct bead_motion *m, struct bead_message *msg)
+{
+    const struct bead_motion_settings *s = &m->settings;
+    const struct bead_method_info *info = &m->stepper.method->info;
+    double omega = fastest(&m->stepper.string, m->stepper.end.u);
+    const struct step_law *law = step_laws;
+    while (strcmp(law->method, info->name) != 0)
+        law++;
+    /* Between steps there are polynomials of degree 7. */
+    double longest = fmin(law->longest, pow(s->accuracy * 40320 * 256, 1. / 8)), turns = omega * (isfinite(s->end) ? s->end : 1e4);
+    m->h = s->step > 0 ? s->step : fmin(pow(s->accuracy / (law->error * turns), 1.0 / info->order), longest) / omega;
+    if (m->h * 2 > info->theta_max)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "simulate.step: %.3g is too long for `%s` to be stable: at most %.3g", m->h,
+                         info->name, info->theta_max / 2);
+    return BEAD_OK;
+}
+
+static void destroy(struct bead_motion *m)
+{
+    if (!m)
+        return;
+    bead_string_destroy(&m->stepper);
+    free(m->u);
+    free(m->shape);
+    free(m);
+}
+
+static double momentum(const struct bead_motion *m)
+{
+    double sum = 0;
+    for (size_t j = 0; j < m->settings.points; j++)
+        sum += m->stepper.end.v[j];
+    return sum;
+}
+
+static double energy(const struct bead_motion *m)
+{
+    return bead_string_energy(&m->stepper.string, m->stepper.end.u, m->stepper.end.v);
+}
+
+static enum bead_error create(const struct bead_motion_settings *settings, struct bead_motion **motion, struct bead_message *msg)
+{
+    const char *name = strcmp(settings->method, "auto") == 0 ? "rkn12" : settings->method;
+    const struct bead_method *method = bead_method_row(name);
+    size_t n = settings->points;
+    *motion = NULL;
+    if (!method)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "simulate.method: there is no method `%s`", name);
+    struct bead_motion *m = calloc(1, sizeof *m);
+    if (!m || !(m->u = calloc(2 * n, sizeof(double)))) {
+        free(m);
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a string of %zu masses", n);
+    }
+    m->settings = *settings;
+    m->v = m->u + n;
+    enum bead_error err = bead_string_create(settings->spec, method, &m->stepper, msg);
+    if (!err) {
+        bead_string_start(&m->stepper.string, m->stepper.end.u, m->stepper.end.v);
+        bead_string_begin(&m->stepper);
+        m->energy_start = energy(m);
+        m->momentum_start = momentum(m);
+        err = choose_step(m, msg);
+    }
+    if (!err)
+        err = begin_watch(m, msg);
+    if (err)
+        destroy(m);
+    else
+        *motion = m;
+    return err;
+}
+
+static void pace(const struct bead_motion *m, struct bead_pace *pace)
+{
+    /* Six or so in a period of the fastest wave. */
+    *pace =
+        (struct bead_pace){m->stepper.method->info.name, m->h, 1 / fastest(&m->stepper.string, m->stepper.start.u), false, NULL};
+}
+
+static double time_of(const struct bead_motion *m)
+{
+    return m->stepper.end.t;
+}
+
+/* Energy is looked at this often, in steps; off by more than this part of itself the numbers mean nothing. */
+enum { CHECK_EVERY = 16 };
+static const double energy_limit = 0.1, last_sliver = 1e-9;
+
+static enum bead_error check_energy(struct bead_motion *m, struct bead_message *msg)
+{
+    double error = fabs(energy(m) - m->energy_start) / (m->energy_start > 0 ? m->energy_start : 1);
+    m->energy_error = fmax(m->energy_error, error);
+    if (error <= energy_limit)
+        return BEAD_OK;
+    return bead_fail(
+        msg, BEAD_ERROR_NUMBERS,
+        "at %.6g the energy of the string is off by %.3g of itself: a spring has torn (alpha, beta or the amplitude are "
+        "too large), or steps of %.3g are too long for `%s`",
+        m->stepper.end.t, error, m->h, m->stepper.method->info.name);
+}
+
+static enum bead_error step(struct bead_motion *m, struct bead_message *msg)
+{
+    struct bead_string_stepper *s = &m->stepper;
+    double t = (double)(s->steps + 1) * m->h, end = m->settings.end;
+    if (t > end - last_sliver * m->h) /* the last, and where it misses the end but for rounding */
+        bead_string_step(s, end - s->end.t, end);
+    else
+        bead_string_step(s, m->h, t);
+    if (m->shape)
+        watch(m);
+    return s->steps % CHECK_EVERY == 0 || s->end.t >= end ? check_energy(m, msg) : BEAD_OK;
+}
+
+static enum bead_error sample(struct bead_motion *m, double t, unsigned wanted, double *const value[BEAD_FIELD_COUNT],
+                              struct bead_message *msg)
+{
+    (void)msg;
+    const struct bead_string *s = &m->stepper.string;
+    size_t n = s->masses;
+    bead_string_between(&m->stepper, t, m->u, m->v);
+    if (wanted & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT))
+        memcpy(value[BEAD_FIELD_DISPLACEMENT], m->u, n * sizeof(double));
+    if (wanted & BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY))
+        memcpy(value[BEAD_FIELD_VELOCITY], m->v, n * sizeof(double));
+    if (!(wanted & (BEAD_FIELD_BIT(BEAD_FIELD_STRAIN) | BEAD_FIELD_BIT(BEAD_FIELD_ENERGY))))
+        return BEAD_OK;
+    double left = bead_string_strain(s, m->u, 0);
+    for (size_t j = 0; j < n; j++) {
+        double right = bead_string_strain(s, m->u, j + 1 < s->springs ? j + 1 : 0);
+        if (wanted & BEAD_FIELD_BIT(BEAD_FIELD_STRAIN))
+            value[BEAD_FIELD_STRAIN][j] = 0.5 * (left + right);
+        if (wanted & BEAD_FIELD_BIT(BEAD_FIELD_ENERGY))
+            value[BEAD_FIELD_ENERGY][j] =
+                0.5 * m->v[j] * m->v[j] + 0.5 * (bead_string_spring_energy(s, left) + bead_string_spring_energy(s, right));
+        left = right;
+    }
+    return BEAD_OK;
+}
+
+static uint64_t evaluations(const struct bead_motion *m)
+{
+    return m->stepper.evaluations;
+}
+
+/* u and v stand one behind the other in memory. */
+static const double *state(const struct bead_motion *m, size_t *count)
+{
+    memcpy(m->u, m->stepper.end.u, m->settings.points * sizeof(double));
+    memcpy(m->v, m->stepper.end.v, m->settings.points * sizeof(double));
+    *count = 2 * m->settings.points;
+    return m->u;
+}
+
+static size_t measures(const struct bead_motion *m, struct bead_measure *to, size_t room)
+{
+    const struct bead_equation_spec *spec = m->settings.spec;
+    const struct returns *r = &m->returns;
+    size_t n = 0;
+    n = bead_measure_add(to, n, room, "energy", m->energy_start);
+    n = bead_measure_add(to, n, room, "largest error of the energy, relative", m->energy_error);
+    if (spec->ends == BEAD_ENDS_PERIODIC)
+        n = bead_measure_add(to, n, room, "momentum", m->momentum_start);
+    if (spec->ends == BEAD_ENDS_PERIODIC)
+        n = bead_measure_add(to, n, room, "change of the momentum", momentum(m) - m->momentum_start);
+    if (!m->shape)
+        return n;
+    double period = (double)(2 * pi) / sqrt(m->omega2);
+    char name[48];
+    snprintf(name, sizeof name, "period of linear mode %zu", spec->mode);
+    n = bead_measure_add(to, n, room, name, period);
+    n = bead_measure_add(to, n, room, "smallest energy of the mode, relative", r->low / r->start);
+    n = bead_measure_add(to, n, room, "time of the smallest energy", r->low_time);
+    if (r->high > 0) {
+        n = bead_measure_add(to, n, room, "recurrence time", r->high_time);
+        n = bead_measure_add(to, n, room, "recurrence time in periods", r->high_time / period);
+        n = bead_measure_add(to, n, room, "energy of the mode at recurrence, relative", r->high / r->start);
+    }
+    return n;
+}
+
+const struct bead_equation bead_equation_fput = {
+    .name = "fput",
+    .help = "springs of Fermi, Pasta, Ulam and Tsingou between unit masses (the thesis's Eq. 5)",
+    .methods = methods,
+    .fields = fields,
+    .beads = true,
+    .field = field,
+    .check = check,
+    .describe = describe,
+    .points = points,
+    .places = places,
+    .create = create,
+    .destroy = destroy,
+    .pace = pace,
+    .time = time_of,
+    .step = step,
+    .sample = sample,
+    .evaluations = evaluations,
+    .state = state,
+    .energy = energy,
+    .measures = measures,
+    .mode_fields = BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY),
+    .mode_title = "energy of the mode",
+    .modes = modes,
+};

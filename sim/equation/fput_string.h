@@ -1,0 +1,56 @@
+/* The string of Fermi, Pasta, Ulam and Tsingou: unit masses between springs of unit length and stiffness.
+ *
+ * Spring j is left of mass j; with fixed ends there is one more, at the right end; with periodic ones spring 0 joins the last
+ * mass and the first. Tension of a spring stretched by r: r + alpha r^2 + beta r^3, so that
+ * u_j'' = T(r_{j+1}) - T(r_j), which for beta = 0 is (u_{j+1} + u_{j-1} - 2 u_j) (1 + alpha (u_{j+1} - u_{j-1})), Eq. 5 of the
+ * thesis. r_j = u_j - u_{j-1} + stretch: what the ends are apart more than the springs are long, a spring's part of it. */
+#ifndef BEADREEL_SIM_EQUATION_FPUT_STRING_H
+#define BEADREEL_SIM_EQUATION_FPUT_STRING_H
+
+#include "sim/equation/equation.h"
+#include "sim/integrate/stepper.h"
+
+struct bead_string {
+    const struct bead_equation_spec *spec;
+    size_t masses, springs;
+    double stretch;
+    double *tension; /* [springs], work */
+};
+
+struct bead_string_state {
+    double t, *u, *v, *a; /* [masses] */
+};
+
+/* A string and its states at both ends of a step; arrays of one block of memory. */
+struct bead_string_stepper {
+    struct bead_string string;
+    const struct bead_method *method;
+    struct bead_string_state start, end;
+    double *stage[BEAD_STAGES_MAX]; /* [masses] accelerations */
+    double *y, *w[3];               /* [masses] work */
+    double *jerk[2];                /* [masses], at both ends of step `jerk_step` */
+    uint64_t steps, evaluations, jerk_step;
+    double *memory;
+};
+
+/* At rest, all zero. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_string_create(const struct bead_equation_spec *spec, const struct bead_method *method,
+                                              struct bead_string_stepper *stepper, struct bead_message *msg);
+void bead_string_destroy(struct bead_string_stepper *stepper);
+/* To be called when end.u and end.v have been set. */
+void bead_string_begin(struct bead_string_stepper *stepper);
+/* The old end becomes the start; one step of h to time t. */
+void bead_string_step(struct bead_string_stepper *stepper, double h, double t);
+/* u and v [masses] at a time within the last step: septic Hermite. */
+void bead_string_between(struct bead_string_stepper *stepper, double t, double *u, double *v);
+/* Place of mass 0: `low` is the left end's, which a ring does not have. */
+double bead_string_first(const struct bead_equation_spec *spec);
+/* Stretch of spring j. */
+double bead_string_strain(const struct bead_string *string, const double *u, size_t j);
+/* Energy of a spring, above that of the string at rest and less the work against its tension there. */
+double bead_string_spring_energy(const struct bead_string *string, double strain);
+double bead_string_energy(const struct bead_string *string, const double *u, const double *v);
+/* Displacements and velocities of the start that the spec asks for; sets the stretch. */
+void bead_string_start(struct bead_string *string, double *u, double *v);
+
+#endif

@@ -1,0 +1,269 @@
+#include "sim/equation/kdv_solver.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/equation/kdv_start.h"
+
+static const long double pi = 3.141592653589793238462643383279503L;
+
+/* Steps are compared with their halves this often; their lengths are the longest by powers of sqrt(1/2), so that they change
+ * seldom. An error grows with the time after it was made (a wave of wrong speed runs away), hence the margin. */
+enum { COMPARE_EVERY = 16 };
+static const double notch = 0.70710678118654752, margin = 3, rounding = 4e-15, last_sliver = 1e-9;
+/* Beyond these the numbers mean nothing. */
+static const double momentum_limit = 0.01, tail_limit = 0.02, tail_by_accuracy = 1000;
+
+/* N(u) = -(a / 2) i k (u^2)_k */
+static void slope(void *context, const struct bead_complex *u, struct bead_complex *out)
+{
+    struct bead_kdv *kdv = context;
+    struct bead_spectral *s = &kdv->spectral;
+    double factor = 0.5 * kdv->spec->nonlinearity;
+    bead_spectral_to_grid(s, u);
+    for (size_t i = 0; i < s->points; i++)
+        s->grid[i] *= s->grid[i];
+    bead_spectral_to_modes(s, out);
+    for (size_t j = 0; j <= s->modes; j++) {
+        double k = factor * kdv->wave_number[j];
+        out[j] = (struct bead_complex){k * out[j].im, -k * out[j].re};
+    }
+    kdv->evaluations++;
+}
+
+static void rows(const struct bead_kdv *kdv, double h, struct bead_etd_row *to)
+{
+    bead_etd_rows(kdv->omega, kdv->spectral.modes, (long double)h, to);
+}
+
+static void move(struct bead_kdv *kdv, const struct bead_etd_row *with, const struct bead_complex *from, struct bead_complex *to)
+{
+    bead_etd_step(with, kdv->spectral.modes, slope, kdv, &kdv->work, from, to);
+}
+
+static void use_step(struct bead_kdv *kdv, double h)
+{
+    kdv->h = h;
+    rows(kdv, h, kdv->rows);
+    rows(kdv, 0.5 * h, kdv->half_rows);
+}
+
+static double square(struct bead_complex z)
+{
+    return z.re * z.re + z.im * z.im;
+}
+
+/* ---- beginning ---- */
+
+static enum bead_error allocate(struct bead_kdv *kdv, size_t points, struct bead_message *msg)
+{
+    enum bead_error err = bead_spectral_create(points, &kdv->spectral, msg);
+    if (err)
+        return err;
+    size_t n = kdv->spectral.modes + 1, series = 12;
+    size_t bytes =
+        n * (sizeof(long double) + 3 * sizeof(struct bead_etd_row) + series * sizeof(struct bead_complex) + sizeof(double));
+    char *memory = kdv->memory = calloc(1, bytes);
+    if (!memory) {
+        bead_spectral_destroy(&kdv->spectral);
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a grid of %zu points", points);
+    }
+    kdv->omega = (long double *)(void *)memory;
+    struct bead_etd_row *row = (struct bead_etd_row *)(void *)(kdv->omega + n);
+    kdv->rows = row, kdv->half_rows = row + n, kdv->other_rows = row + 2 * n;
+    struct bead_complex *next = (struct bead_complex *)(void *)(row + 3 * n);
+    struct bead_complex **const all[] = {&kdv->start.u,       &kdv->start.slope,   &kdv->end.u,         &kdv->end.slope,
+                                         &kdv->one,           &kdv->two,           &kdv->work.a,        &kdv->work.b,
+                                         &kdv->work.slope[0], &kdv->work.slope[1], &kdv->work.slope[2], &kdv->work.slope[3]};
+    for (size_t i = 0; i < series; i++, next += n)
+        *all[i] = next;
+    kdv->wave_number = (double *)(void *)next;
+    return BEAD_OK;
+}
+
+/* Returns the part of the integral of u^2 that the modes kept do not have. */
+static double begin(struct bead_kdv *kdv)
+{
+    const struct bead_equation_spec *spec = kdv->spec;
+    struct bead_spectral *s = &kdv->spectral;
+    for (size_t i = 0; i < s->points; i++)
+        s->grid[i] = bead_kdv_start(spec, spec->low + spec->length * (double)i / (double)s->points);
+    double whole = 0, kept = 0;
+    for (size_t i = 0; i < s->points; i++)
+        whole += s->grid[i] * s->grid[i] / (double)s->points;
+    bead_spectral_to_modes(s, kdv->end.u);
+    for (size_t j = 0; j <= s->modes; j++)
+        kept += (j ? 2 : 1) * square(kdv->end.u[j]);
+    kdv->mean = kdv->end.u[0].re;
+    kdv->end.u[0] = (struct bead_complex){0, 0};
+    for (size_t j = 0; j <= s->modes; j++) {
+        long double k = 2 * pi * (long double)j / (long double)spec->length;
+        long double drift = (long double)spec->drift + (long double)spec->nonlinearity * (long double)kdv->mean;
+        kdv->wave_number[j] = (double)k;
+        kdv->omega[j] = k * ((long double)spec->dispersion * k * k - drift);
+    }
+    slope(kdv, kdv->end.u, kdv->end.slope);
+    return whole > 0 ? fabs(1 - kept / whole) : 0;
+}
+
+static double sum_of_squares(const struct bead_kdv *kdv)
+{
+    double sum = 0;
+    for (size_t j = 1; j <= kdv->spectral.modes; j++)
+        sum += square(kdv->end.u[j]);
+    return sum;
+}
+
+/* The largest of the highest eighth of the modes, by the largest of all. */
+static double tail_of(const struct bead_kdv *kdv)
+{
+    double most = 0, high = 0;
+    size_t modes = kdv->spectral.modes, from = modes - modes / 8;
+    for (size_t j = 1; j <= modes; j++) {
+        double size = square(kdv->end.u[j]);
+        most = fmax(most, size);
+        high = j >= from ? fmax(high, size) : high;
+    }
+    return most > 0 ? sqrt(high / most) : 0;
+}
+
+/* All errors together are as large as the accuracy allows if each step makes its part by time. A step's longest length: that in
+ * which the nonlinearity could turn the phase of the shortest waves by one. */
+static void choose_step(struct bead_kdv *kdv, const struct bead_motion_settings *settings)
+{
+    const struct bead_equation_spec *spec = kdv->spec;
+    double speed = fabs(spec->nonlinearity) * bead_kdv_highest(spec), run = settings->end;
+    double crossing = spec->length / (speed > 0 ? speed : 1), top = kdv->wave_number[kdv->spectral.modes];
+    kdv->tolerance = margin * settings->accuracy / (isfinite(run) ? run : 10 * crossing);
+    kdv->longest = fmin(1 / (top * (speed > 0 ? speed : 1)), isfinite(run) ? run : INFINITY);
+    kdv->fixed = settings->step > 0;
+    kdv->end_of_run = settings->end;
+    use_step(kdv, kdv->fixed ? settings->step : kdv->longest);
+}
+
+static enum bead_error check(struct bead_kdv *kdv, struct bead_message *msg)
+{
+    double change = kdv->momentum > 0 ? fabs(sum_of_squares(kdv) / kdv->momentum - 1) : 0;
+    if (!(change <= momentum_limit))
+        return bead_fail(
+            msg, BEAD_ERROR_NUMBERS,
+            "at %.6g the integral of u^2 is off by %.3g of itself: steps of %.3g are too long or a grid of %zu points too "
+            "coarse",
+            kdv->end.t, change, kdv->h, kdv->spectral.points);
+    kdv->tail = fmax(kdv->tail, tail_of(kdv));
+    if (kdv->tail <= kdv->tail_limit)
+        return BEAD_OK;
+    return bead_fail(
+        msg, BEAD_ERROR_NUMBERS,
+        "at %.6g the shortest waves that a grid of %zu points has are %.2g of the longest, more than %.2g: it needs more "
+        "points",
+        kdv->end.t, kdv->spectral.points, kdv->tail, kdv->tail_limit);
+}
+
+enum bead_error bead_kdv_create(const struct bead_motion_settings *settings, struct bead_kdv *kdv, struct bead_message *msg)
+{
+    *kdv = (struct bead_kdv){.spec = settings->spec};
+    enum bead_error err = allocate(kdv, settings->points, msg);
+    if (err)
+        return err;
+    double lost = begin(kdv);
+    if (!(lost <= momentum_limit)) {
+        bead_kdv_destroy(kdv);
+        return bead_fail(msg, BEAD_ERROR_NUMBERS,
+                         "a grid of %zu points is too coarse for the start: it loses %.2g of the integral of u^2", settings->points,
+                         lost);
+    }
+    kdv->momentum = sum_of_squares(kdv);
+    kdv->tail_limit = settings->spec->points ? tail_limit : fmin(tail_limit, tail_by_accuracy * settings->accuracy);
+    choose_step(kdv, settings);
+    err = check(kdv, msg);
+    if (err)
+        bead_kdv_destroy(kdv);
+    return err;
+}
+
+void bead_kdv_destroy(struct bead_kdv *kdv)
+{
+    bead_spectral_destroy(&kdv->spectral);
+    free(kdv->memory);
+    *kdv = (struct bead_kdv){0};
+}
+
+/* ---- steps ---- */
+
+static void copy(const struct bead_kdv *kdv, const struct bead_complex *from, struct bead_complex *to)
+{
+    memcpy(to, from, (kdv->spectral.modes + 1) * sizeof *from);
+}
+
+/* The relative error of a step of h from start; its result is left in `one`. */
+static double compare(struct bead_kdv *kdv)
+{
+    double error = 0, most = 0;
+    copy(kdv, kdv->start.slope, kdv->work.slope[0]);
+    move(kdv, kdv->rows, kdv->start.u, kdv->one);
+    copy(kdv, kdv->start.slope, kdv->work.slope[0]);
+    move(kdv, kdv->half_rows, kdv->start.u, kdv->two);
+    slope(kdv, kdv->two, kdv->work.slope[0]);
+    move(kdv, kdv->half_rows, kdv->two, kdv->two);
+    for (size_t j = 1; j <= kdv->spectral.modes; j++) {
+        struct bead_complex a = kdv->one[j], b = kdv->two[j];
+        error += square((struct bead_complex){a.re - b.re, a.im - b.im});
+        most += square(b);
+    }
+    return most > 0 ? 16. / 15 * sqrt(error / most) : 0;
+}
+
+/* Change the length of steps until one makes as little error as it may, and not sixteen times less. */
+static void adapt(struct bead_kdv *kdv)
+{
+    double spare = notch * notch * notch * notch * 0.5;
+    for (;;) {
+        double error = compare(kdv), allowed = fmax(kdv->tolerance * kdv->h, rounding);
+        if (!(error <= allowed) && kdv->h > 1e-12 * kdv->longest) {
+            use_step(kdv, kdv->h * notch);
+            continue;
+        }
+        if (error < spare * allowed && kdv->h < 0.9 * kdv->longest)
+            use_step(kdv, kdv->h / notch); /* this one too: the error of longer steps follows from the order */
+        return;
+    }
+}
+
+enum bead_error bead_kdv_step(struct bead_kdv *kdv, struct bead_message *msg)
+{
+    struct bead_kdv_state old = kdv->start;
+    kdv->start = kdv->end;
+    kdv->end = old;
+    double t = kdv->start.t;
+    const struct bead_etd_row *with = kdv->rows;
+    if (!kdv->fixed && kdv->steps % COMPARE_EVERY == 0)
+        adapt(kdv);
+    kdv->end.t = t + kdv->h;
+    if (kdv->end.t > kdv->end_of_run - last_sliver * kdv->h) { /* the last */
+        kdv->end.t = kdv->end_of_run;
+        rows(kdv, kdv->end.t - t, kdv->other_rows);
+        with = kdv->other_rows;
+    }
+    copy(kdv, kdv->start.slope, kdv->work.slope[0]);
+    move(kdv, with, kdv->start.u, kdv->end.u);
+    slope(kdv, kdv->end.u, kdv->end.slope);
+    kdv->steps++;
+    return check(kdv, msg);
+}
+
+void bead_kdv_values(struct bead_kdv *kdv, double t)
+{
+    const struct bead_complex *u = kdv->end.u;
+    double h = t - kdv->start.t;
+    if (t < kdv->end.t && kdv->steps > 0) {
+        rows(kdv, h, kdv->other_rows);
+        copy(kdv, kdv->start.slope, kdv->work.slope[0]);
+        move(kdv, kdv->other_rows, kdv->start.u, kdv->one);
+        u = kdv->one;
+    }
+    bead_spectral_to_grid(&kdv->spectral, u);
+    for (size_t i = 0; i < kdv->spectral.points; i++)
+        kdv->spectral.grid[i] += kdv->mean;
+}

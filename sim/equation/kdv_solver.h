@@ -1,0 +1,51 @@
+/* The Korteweg-de Vries equation on a ring, by Fourier series and exponential time differencing.
+ *
+ * The mean of u is kept apart: it only moves waves along, so it belongs to the linear part. Steps of the method ETDRK4 are as
+ * long as the accuracy allows, by comparing one step with two halves every so often; where numbers do not make sense any more
+ * a step fails. */
+#ifndef BEADREEL_SIM_EQUATION_KDV_SOLVER_H
+#define BEADREEL_SIM_EQUATION_KDV_SOLVER_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "sim/equation/equation.h"
+#include "sim/equation/etd.h"
+#include "sim/equation/spectral.h"
+
+/* u without its mean, and its N, at one time. */
+struct bead_kdv_state {
+    double t;
+    struct bead_complex *u, *slope;
+};
+
+struct bead_kdv {
+    const struct bead_equation_spec *spec;
+    struct bead_spectral spectral;
+    double mean;
+    long double *omega;  /* of the modes */
+    double *wave_number; /* of the modes */
+    struct bead_kdv_state start, end;
+    struct bead_etd_work work;
+    struct bead_etd_row *rows, *half_rows, *other_rows; /* for steps of h, of h / 2, and of any other length */
+    struct bead_complex *one, *two;                     /* results of the comparison of steps */
+    double h, longest, tolerance;                       /* tolerance: of the error, relative, by the time it is made in */
+    double end_of_run;
+    bool fixed;      /* steps have the length that the scene gives */
+    double momentum; /* sum of |u_j|^2 at the start */
+    double tail;     /* largest so far: of the highest modes by the largest mode */
+    double tail_limit;
+    uint64_t steps, evaluations;
+    void *memory;
+};
+
+/* Errors: MEMORY, NUMBERS. On failure there is nothing to destroy. */
+BEAD_CHECK enum bead_error bead_kdv_create(const struct bead_motion_settings *settings, struct bead_kdv *kdv,
+                                           struct bead_message *msg);
+void bead_kdv_destroy(struct bead_kdv *kdv);
+/* One step from end on. Errors: NUMBERS. */
+BEAD_CHECK enum bead_error bead_kdv_step(struct bead_kdv *kdv, struct bead_message *msg);
+/* u at a time of the last step into spectral.grid, by a step that ends there. */
+void bead_kdv_values(struct bead_kdv *kdv, double t);
+
+#endif

@@ -1,0 +1,300 @@
+/* The equation `shock`: waves that steepen and break, by finite volumes and the Runge-Kutta method SSPRK(3,3) of C.-W. Shu and
+ * S. Osher, J. Comput. Phys. 77, 439 (1988). */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/equation/equation.h"
+#include "sim/equation/shock_law.h"
+#include "sim/equation/shock_watch.h"
+
+struct bead_motion {
+    struct bead_motion_settings settings;
+    size_t cells;
+    double dx, smooth, h; /* h: the last step */
+    struct bead_shock_state start, end, stage;
+    struct bead_shock_watch watch;
+    double *work, *faces; /* faces: displacements [cells + 1 + 2] */
+    double mean_displacement, mean_velocity;
+    uint64_t steps, evaluations;
+    double *memory;
+};
+
+/* ---- what it means ---- */
+
+static const enum bead_field fields[] = {BEAD_FIELD_STRAIN, BEAD_FIELD_VELOCITY, BEAD_FIELD_DISPLACEMENT, BEAD_FIELD_ENERGY,
+                                         BEAD_FIELD_COUNT};
+
+static const struct bead_field_info *field(const struct bead_equation_spec *spec, enum bead_field field)
+{
+    static const struct bead_field_info infos[] = {
+        [BEAD_FIELD_DISPLACEMENT] = {"displacement", "", "displacement u", 0},
+        [BEAD_FIELD_VELOCITY] = {"velocity", "", "velocity", 0},
+        [BEAD_FIELD_STRAIN] = {"strain", "", "strain", 0},
+        [BEAD_FIELD_ENERGY] = {"energy", "", "energy density", 0},
+    };
+    (void)spec;
+    return &infos[field];
+}
+
+static const char *check(const struct bead_equation_spec *spec, const char **key)
+{
+    double strongest = spec->epsilon * spec->amplitude;
+    *key = "points";
+    if (spec->start != BEAD_START_PULSE && spec->points && spec->points < 8 * spec->mode)
+        return "must be 8 or more by wave of the start";
+    *key = "start";
+    if (spec->start != BEAD_START_PULSE)
+        strongest = -fabs(strongest);
+    if (!(strongest > -1))
+        return "asks for strains with 1 + epsilon u_x <= 0, where the equation has no waves: |epsilon amplitude| must be below 1";
+    return NULL;
+}
+
+/* An error of the accuracy in a wave, by the order of the method, until it breaks. */
+static size_t points(const struct bead_equation_spec *spec, double accuracy)
+{
+    const double in_a_wave = 64, least = 64, most = 1 << 17;
+    if (spec->points)
+        return spec->points;
+    double waves = spec->start == BEAD_START_PULSE ? spec->length / (4 * spec->width) : (double)spec->mode;
+    return (size_t)fmin(fmax(ceil(waves * in_a_wave * (double)powl((long double)accuracy, -0.2L)), least), most);
+}
+
+/* Values are means over the cells, shown at their middles. */
+static void places(const struct bead_equation_spec *spec, size_t cells, double *first, double *spacing)
+{
+    *spacing = spec->length / (double)cells;
+    *first = spec->low + 0.5 * *spacing;
+}
+
+/* ---- motion ---- */
+
+/* Part of the time in which waves cross a cell. */
+static const double courant = 0.8, courant_limit = 1, last_sliver = 1e-9;
+
+/* INFINITY or NaN where the equation has lost its waves. */
+static double fastest(const struct bead_motion *m, const struct bead_shock_state *s)
+{
+    double most = 0, least = INFINITY;
+    for (size_t i = 0; i < m->cells; i++) {
+        double square = 1 + m->settings.spec->epsilon * s->r[i];
+        most = fmax(most, square);
+        least = isfinite(square) ? fmin(least, square) : -INFINITY;
+    }
+    return least > 0 ? m->settings.spec->speed * sqrt(most) : INFINITY;
+}
+
+static void find_rates(struct bead_motion *m, struct bead_shock_state *s)
+{
+    bead_shock_rates(m->settings.spec, m->cells, m->dx, m->smooth, s->r, s->v, s->r_rate, s->v_rate, m->work);
+    m->evaluations += m->cells;
+}
+
+/* to = x start + (1 - x) (from + h rate of from) */
+static void combine(const struct bead_motion *m, double x, const struct bead_shock_state *from, struct bead_shock_state *to)
+{
+    const struct bead_shock_state *start = &m->start;
+    for (size_t i = 0; i < m->cells; i++) {
+        to->r[i] = x * start->r[i] + (1 - x) * (from->r[i] + m->h * from->r_rate[i]);
+        to->v[i] = x * start->v[i] + (1 - x) * (from->v[i] + m->h * from->v_rate[i]);
+    }
+}
+
+static void destroy(struct bead_motion *m)
+{
+    if (!m)
+        return;
+    free(m->memory);
+    free(m);
+}
+
+static enum bead_error allocate(struct bead_motion *m, struct bead_message *msg)
+{
+    size_t n = m->cells, ghosts = n + 2 * BEAD_SHOCK_GHOSTS;
+    double *next = m->memory = calloc(12 * n + 4 * ghosts + 2 * (n + 4) + n + 3, sizeof(double));
+    if (!next)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a grid of %zu cells", n);
+    struct bead_shock_state *const states[] = {&m->start, &m->end, &m->stage};
+    for (size_t i = 0; i < 3; i++, next += 4 * n)
+        *states[i] = (struct bead_shock_state){0, next, next + n, next + 2 * n, next + 3 * n};
+    m->work = next;
+    m->faces = next + 4 * ghosts + 2 * (n + 4);
+    return BEAD_OK;
+}
+
+static double longest(const struct bead_motion *m, const struct bead_shock_state *s)
+{
+    return m->settings.step > 0 ? m->settings.step : courant * m->dx / fastest(m, s);
+}
+
+/* Displacements of the faces, but for a constant: what the mean displacement is then. */
+static double find_faces(const struct bead_motion *m, const double *r)
+{
+    double u = 0, sum = 0;
+    for (size_t i = 0; i < m->cells; i++) {
+        m->faces[i + 1] = u;
+        sum += u + 0.5 * m->dx * r[i];
+        u += m->dx * r[i];
+    }
+    m->faces[m->cells + 1] = u;
+    m->faces[0] = -m->dx * r[m->cells - 1];
+    m->faces[m->cells + 2] = u + m->dx * r[0];
+    return sum / (double)m->cells;
+}
+
+static enum bead_error create(const struct bead_motion_settings *settings, struct bead_motion **motion, struct bead_message *msg)
+{
+    struct bead_motion *m = calloc(1, sizeof *m);
+    *motion = NULL;
+    if (!m)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an equation");
+    m->settings = *settings;
+    m->cells = settings->points;
+    m->dx = settings->spec->length / (double)m->cells;
+    m->smooth = bead_shock_smooth(settings->spec, m->dx);
+    enum bead_error err = allocate(m, msg);
+    if (!err) {
+        double *scratch = m->work + 4 * (m->cells + 2 * BEAD_SHOCK_GHOSTS);
+        bead_shock_start(settings->spec, m->cells, m->end.r, m->end.v);
+        bead_shock_watch_begin(&m->watch, settings->spec, m->cells, scratch, &m->end);
+        m->mean_displacement = find_faces(m, m->end.r);
+        m->mean_velocity = m->watch.start.momentum / settings->spec->length;
+        m->h = longest(m, &m->end);
+        find_rates(m, &m->end);
+        if (!(m->h * fastest(m, &m->end) <= courant_limit * m->dx))
+            err = bead_fail(msg, BEAD_ERROR_SCENE, "simulate.step: %.3g is too long for cells of %.3g: at most %.3g", m->h, m->dx,
+                            courant_limit * m->dx / fastest(m, &m->end));
+    }
+    if (err)
+        destroy(m);
+    else
+        *motion = m;
+    return err;
+}
+
+/* Waves cross two cells or a five-hundredth of the domain in this time. */
+static void pace(const struct bead_motion *m, struct bead_pace *pace)
+{
+    double resolution = fmax(2 * m->dx, 0.002 * m->settings.spec->length) / fastest(m, &m->end);
+    *pace = (struct bead_pace){"weno5-ssprk3", m->h, resolution, !(m->settings.step > 0), NULL};
+}
+
+static double time_of(const struct bead_motion *m)
+{
+    return m->end.t;
+}
+
+static enum bead_error step(struct bead_motion *m, struct bead_message *msg)
+{
+    struct bead_shock_state old = m->start;
+    m->start = m->end;
+    m->end = old;
+    m->h = longest(m, &m->start);
+    m->end.t = m->start.t + m->h;
+    if (m->end.t > m->settings.end - last_sliver * m->h) {
+        m->end.t = m->settings.end;
+        m->h = m->end.t - m->start.t;
+    }
+    combine(m, 0, &m->start, &m->stage);
+    find_rates(m, &m->stage);
+    combine(m, 0.75, &m->stage, &m->end);
+    find_rates(m, &m->end);
+    combine(m, 1. / 3, &m->end, &m->end);
+    m->steps++;
+    double speed = fastest(m, &m->end);
+    if (!isfinite(speed))
+        return bead_fail(msg, BEAD_ERROR_NUMBERS,
+                         "at %.6g there are strains with 1 + epsilon u_x <= 0, where the equation has no waves", m->end.t);
+    if (m->h * speed > courant_limit * m->dx)
+        return bead_fail(msg, BEAD_ERROR_NUMBERS, "at %.6g steps of %.3g are too long for cells of %.3g: at most %.3g", m->end.t,
+                         m->h, m->dx, courant_limit * m->dx / speed);
+    find_rates(m, &m->end);
+    bead_shock_watch_step(&m->watch, &m->end);
+    return BEAD_OK;
+}
+
+/* ---- samples ---- */
+
+/* The cubic through values and rates at both ends of the step. */
+static void between(struct bead_motion *m, double t)
+{
+    const struct bead_shock_state *a = &m->start, *b = &m->end;
+    double h = b->t - a->t, x = t >= b->t || !(h > 0) ? 1 : (t - a->t) / h, y = 1 - x;
+    double va = y * y * (1 + 2 * x), vb = x * x * (1 + 2 * y), ra = h * x * y * y, rb = -h * x * x * y;
+    for (size_t i = 0; i < m->cells; i++) {
+        m->stage.r[i] = va * a->r[i] + vb * b->r[i] + ra * a->r_rate[i] + rb * b->r_rate[i];
+        m->stage.v[i] = va * a->v[i] + vb * b->v[i] + ra * a->v_rate[i] + rb * b->v_rate[i];
+    }
+}
+
+/* At the middles of the cells from the faces; their mean moves with the mean velocity, which is conserved. */
+static void displacements(const struct bead_motion *m, double t, double *u)
+{
+    double shift = m->mean_displacement + m->mean_velocity * t - find_faces(m, m->stage.r);
+    for (size_t i = 0; i < m->cells; i++) {
+        const double *f = m->faces + i;
+        u[i] = shift + (9 * (f[1] + f[2]) - f[0] - f[3]) / 16;
+    }
+}
+
+static enum bead_error sample(struct bead_motion *m, double t, unsigned wanted, double *const value[BEAD_FIELD_COUNT],
+                              struct bead_message *msg)
+{
+    (void)msg;
+    size_t bytes = m->cells * sizeof(double);
+    between(m, t);
+    if (wanted & BEAD_FIELD_BIT(BEAD_FIELD_STRAIN))
+        memcpy(value[BEAD_FIELD_STRAIN], m->stage.r, bytes);
+    if (wanted & BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY))
+        memcpy(value[BEAD_FIELD_VELOCITY], m->stage.v, bytes);
+    if (wanted & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT))
+        displacements(m, t, value[BEAD_FIELD_DISPLACEMENT]);
+    if (wanted & BEAD_FIELD_BIT(BEAD_FIELD_ENERGY)) {
+        for (size_t i = 0; i < m->cells; i++)
+            value[BEAD_FIELD_ENERGY][i] = bead_shock_energy(m->settings.spec, m->stage.r[i], m->stage.v[i]);
+    }
+    return BEAD_OK;
+}
+
+static uint64_t evaluations(const struct bead_motion *m)
+{
+    return m->evaluations;
+}
+
+static const double *state(const struct bead_motion *m, size_t *count)
+{
+    *count = 2 * m->cells; /* v stands behind r */
+    return m->end.r;
+}
+
+/* Shocks take energy, as they must; an error is what comes out of nothing. */
+static double energy(const struct bead_motion *m)
+{
+    return m->watch.start.energy + m->watch.energy_gained;
+}
+
+static size_t measures(const struct bead_motion *m, struct bead_measure *to, size_t room)
+{
+    return bead_shock_measures(&m->watch, &m->end, to, room);
+}
+
+const struct bead_equation bead_equation_shock = {
+    .name = "shock",
+    .help = "u_tt = speed^2 u_xx (1 + epsilon u_x) on a ring: waves that break (the thesis's Appendix 2)",
+    .fields = fields,
+    .field = field,
+    .check = check,
+    .points = points,
+    .places = places,
+    .create = create,
+    .destroy = destroy,
+    .pace = pace,
+    .time = time_of,
+    .step = step,
+    .sample = sample,
+    .evaluations = evaluations,
+    .state = state,
+    .energy = energy,
+    .measures = measures,
+};

@@ -1,0 +1,82 @@
+#include "sim/integrate/damped_contacts.h"
+
+#include <math.h>
+
+#include "sim/integrate/dense.h"
+
+/* A contact this near to closing, in units of what it moves in a step, is closed: a step that ends at a closing meets it but for
+ * the error of the root. */
+static const double touching = 1e-3;
+/* What changes within this part of a step changes at its start. */
+static const double at_once = 1e-6;
+
+static double compression(const struct bead_stepper *s, const struct bead_state *state, size_t k)
+{
+    return s->table.static_compression[k] + (state->u[k] - state->u[k + 1]);
+}
+
+static double rate(const struct bead_state *state, size_t k)
+{
+    return state->v[k] - state->v[k + 1];
+}
+
+double bead_closings_force(const struct bead_stepper *s, size_t k, double d, double change)
+{
+    double elastic = s->chain->law->force(s->table.stiffness[k], s->table.law, d);
+    return elastic + copysign(s->table.damping * pow(fabs(change), s->table.damping_exponent), change);
+}
+
+void bead_closings_update(struct bead_stepper *s)
+{
+    size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
+    for (size_t k = 0; k < n; k++) {
+        double d = compression(s, &s->end, k), change = rate(&s->end, k);
+        /* Beads at rest touch: damping acts between them from the first motion on. */
+        s->closed[k] = d > 0 ? bead_closings_force(s, k, d, change) > 0 : change >= 0 && d >= -touching * change * s->h;
+    }
+}
+
+/* A contact over the step: its compression as a cubic, which is exact enough to place an event, and the force that follows. */
+struct contact_curve {
+    const struct bead_stepper *stepper;
+    size_t contact;
+    struct bead_polynomial compression;
+};
+
+static double closing(const void *context, double x)
+{
+    const struct contact_curve *c = context;
+    return bead_polynomial_value(&c->compression, x);
+}
+
+static double pushing(const void *context, double x)
+{
+    const struct contact_curve *c = context;
+    double d = bead_polynomial_value(&c->compression, x), change = bead_polynomial_slope(&c->compression, x) / c->stepper->h;
+    return bead_closings_force(c->stepper, c->contact, d, change);
+}
+
+static double change_of(const struct bead_stepper *s, size_t k)
+{
+    double d0 = compression(s, &s->start, k), d1 = compression(s, &s->end, k);
+    double r0 = s->h * rate(&s->start, k), r1 = s->h * rate(&s->end, k);
+    struct contact_curve curve = {s, k, {{d0, r0, 3 * (d1 - d0) - 2 * r0 - r1, 2 * (d0 - d1) + r0 + r1, 0, 0, 0, 0}}};
+    if (!s->closed[k] && d0 < 0)
+        return d1 > 0 ? bead_find_root(closing, &curve, d0, d1) : 1;
+    /* Closed, or open though compressed: its force changes sign. */
+    double f0 = pushing(&curve, 0), f1 = pushing(&curve, 1);
+    return (f0 > 0) != (f1 > 0) && (f0 > 0) == (s->closed[k] != 0) ? bead_find_root(pushing, &curve, f0, f1) : 1;
+}
+
+struct bead_closing bead_closings_first(const struct bead_stepper *s)
+{
+    size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
+    struct bead_closing first = {1, 0};
+    for (size_t k = 0; k < n; k++) {
+        bool idle = !s->closed[k] && !(compression(s, &s->end, k) > 0);
+        double at = idle ? 1 : change_of(s, k);
+        if (at > at_once && at < first.at)
+            first = (struct bead_closing){at, k};
+    }
+    return first;
+}

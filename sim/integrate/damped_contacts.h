@@ -1,0 +1,24 @@
+/* Closings: contacts with damping, whose force jumps when they close.
+ *
+ * gamma |D|^a acts from the first touch on, so the force jumps by it, and a method for smooth forces falls to order 1 there; beads
+ * do not stick, so the force ends, with a kink, where the damping of the parting beads outweighs their elasticity. So a contact's
+ * state, closed or open, is kept for the whole of a step, and a step in which one changes is made again so that it ends there. */
+#ifndef BEADREEL_SIM_INTEGRATE_DAMPED_CONTACTS_H
+#define BEADREEL_SIM_INTEGRATE_DAMPED_CONTACTS_H
+
+#include "sim/integrate/stepper.h"
+
+/* A contact that changes its state within a step. */
+struct bead_closing {
+    double at; /* part of the step; 1: none does */
+    size_t contact;
+};
+
+/* The first in the step just made. */
+struct bead_closing bead_closings_first(const struct bead_stepper *stepper);
+/* Force of a closed contact with damping at compression d that grows by `change` m/s, N; negative where it would have to stick. */
+double bead_closings_force(const struct bead_stepper *stepper, size_t contact, double d, double change);
+/* States of all contacts at the end of the last step, the start of the next, into stepper->closed. */
+void bead_closings_update(struct bead_stepper *stepper);
+
+#endif

@@ -1,0 +1,210 @@
+#include "sim/integrate/dense.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Times this close to an end of the step, as a fraction of it, are that end. */
+static const double same_time = 1e-9;
+
+enum bead_error bead_dense_create(const struct bead_stepper *s, struct bead_dense *dense, struct bead_message *msg)
+{
+    const size_t padding = 16;
+    *dense = (struct bead_dense){.septic = !(s->chain->spec->damping_coefficient > 0)};
+    if (!dense->septic)
+        return BEAD_OK;
+    dense->memory = calloc(2 * (s->beads + padding), sizeof *dense->memory);
+    if (!dense->memory)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the samples of %zu beads", s->beads);
+    dense->jerk[0] = dense->memory;
+    dense->jerk[1] = dense->memory + s->beads + padding;
+    return BEAD_OK;
+}
+
+void bead_dense_destroy(struct bead_dense *dense)
+{
+    free(dense->memory);
+    *dense = (struct bead_dense){0};
+}
+
+/* d/dt of the accelerations: those of the forces' rates. */
+static void find_jerks(const struct bead_stepper *s, const struct bead_state *state, double *jerk)
+{
+    double before = 0;
+    for (size_t j = 0; j < s->active; j++) {
+        double here = bead_dense_force_rate(s, state, j);
+        jerk[j] = (before - here) * s->chain->inverse_mass[j];
+        before = here;
+    }
+}
+
+static void update_jerks(struct bead_dense *dense, const struct bead_stepper *s)
+{
+    if (dense->step == s->steps)
+        return;
+    double *spare = dense->jerk[0];
+    dense->jerk[0] = dense->jerk[1];
+    dense->jerk[1] = spare;
+    if (dense->step + 1 != s->steps || s->steps == 1)
+        find_jerks(s, &s->start, dense->jerk[0]);
+    find_jerks(s, &s->end, dense->jerk[1]);
+    dense->step = s->steps;
+}
+
+/* Weights of the end states' derivatives in the interpolant at x, of u0, v0, a0, j0, u1, v1, a1, j1; those of u0 (v0) in the
+ * displacement (velocity) less the 1 that the base of the sum brings. */
+enum { U0, V0, A0, J0, U1, V1, A1, J1, WEIGHTS };
+
+static void quintic(double x, double h, double value[WEIGHTS], double rate[WEIGHTS])
+{
+    const double x2 = x * x, x3 = x2 * x, y = 1 - x, y2 = y * y, one = x3 * (10 - 15 * x + 6 * x2), slope = 30 * x2 * y2 / h;
+    const double u[WEIGHTS] = {-one, h * x * y * y2 * (1 + 3 * x), 0.5 * h * h * x2 * y * y2, 0,
+                               one,  -h * x3 * y * (4 - 3 * x),    0.5 * h * h * x3 * y2,     0};
+    const double v[WEIGHTS] = {-slope, y2 * (1 + 2 * x - 15 * x2) - 1, 0.5 * h * x * y2 * (2 - 5 * x), 0,
+                               slope,  x2 * (-12 + 28 * x - 15 * x2),  0.5 * h * x2 * y * (3 - 5 * x), 0};
+    memcpy(value, u, sizeof u);
+    memcpy(rate, v, sizeof v);
+}
+
+static void septic(double x, double h, double value[WEIGHTS], double rate[WEIGHTS])
+{
+    const double h2 = h * h, h3 = h2 * h, x2 = x * x, x3 = x2 * x, x4 = x2 * x2, y = 1 - x, y2 = y * y, y3 = y2 * y, y4 = y2 * y2;
+    const double one = x4 * (35 - 84 * x + 70 * x2 - 20 * x3), slope = 140 * x3 * y3 / h;
+    const double u[WEIGHTS] = {-one, h * x * y4 * (1 + 4 * x + 10 * x2),    0.5 * h2 * x2 * y4 * (1 + 4 * x), h3 / 6 * x3 * y4,
+                               one,  -h * x4 * y * (15 - 24 * x + 10 * x2), 0.5 * h2 * x4 * y2 * (5 - 4 * x), -h3 / 6 * x4 * y3};
+    const double v[WEIGHTS] = {
+        -slope, y3 * (1 + 3 * x + 6 * x2 - 70 * x3) - 1,   h * x * y3 * (1 + 3 * x - 14 * x2),   h2 / 6 * x2 * y3 * (3 - 7 * x),
+        slope,  x3 * (-60 + 195 * x - 204 * x2 + 70 * x3), h * x3 * y * (10 - 25 * x + 14 * x2), h2 / 6 * x3 * y2 * (7 * x - 4)};
+    memcpy(value, u, sizeof u);
+    memcpy(rate, v, sizeof v);
+}
+
+static void combine_state(const struct bead_dense *dense, const struct bead_stepper *s, const double weight[WEIGHTS],
+                          const double *base, double *y)
+{
+    const double *all[WEIGHTS] = {s->start.u, s->start.v, s->start.a, dense->jerk[0], s->end.u, s->end.v, s->end.a, dense->jerk[1]};
+    const double *term[WEIGHTS];
+    double coefficient[WEIGHTS];
+    size_t count = 0;
+    for (size_t i = 0; i < WEIGHTS; i++) {
+        if (i == V0 || !all[i])
+            continue;
+        coefficient[count] = weight[i];
+        term[count++] = all[i];
+    }
+    s->kernels->combine(s->active, y, base, weight[V0], s->start.v, count, coefficient, term);
+}
+
+void bead_dense_state(struct bead_dense *dense, const struct bead_stepper *s, double t, double *u, double *v)
+{
+    double h = s->h, x = h > 0 ? (t - s->t0) / h : 1, value[WEIGHTS], rate[WEIGHTS];
+    if (x >= 1 - same_time || x <= same_time) {
+        const struct bead_state *end = x <= same_time ? &s->start : &s->end;
+        memcpy(u, end->u, s->active * sizeof *u);
+        memcpy(v, end->v, s->active * sizeof *v);
+        return;
+    }
+    if (dense->septic)
+        update_jerks(dense, s);
+    (dense->septic ? septic : quintic)(x, h, value, rate);
+    combine_state(dense, s, value, s->start.u, u);
+    combine_state(dense, s, rate, s->start.v, v);
+}
+
+struct bead_polynomial bead_polynomial_hermite(const double at0[4], const double at1[4])
+{
+    double c0 = at0[0], c1 = at0[1], c2 = at0[2] / 2, c3 = at0[3] / 6;
+    double r0 = at1[0] - (c0 + c1 + c2 + c3), r1 = at1[1] - (c1 + 2 * c2 + 3 * c3), r2 = at1[2] - (2 * c2 + 6 * c3),
+           r3 = at1[3] - 6 * c3;
+    return (struct bead_polynomial){{c0, c1, c2, c3, 35 * r0 - 15 * r1 + 2.5 * r2 - r3 / 6, -84 * r0 + 39 * r1 - 7 * r2 + r3 / 2,
+                                     70 * r0 - 34 * r1 + 6.5 * r2 - r3 / 2, -20 * r0 + 10 * r1 - 2 * r2 + r3 / 6}};
+}
+
+double bead_polynomial_value(const struct bead_polynomial *p, double x)
+{
+    double value = p->c[7];
+    for (int i = 6; i >= 0; i--)
+        value = value * x + p->c[i];
+    return value;
+}
+
+double bead_polynomial_slope(const struct bead_polynomial *p, double x)
+{
+    double slope = 7 * p->c[7];
+    for (int i = 6; i >= 1; i--)
+        slope = slope * x + i * p->c[i];
+    return slope;
+}
+
+double bead_find_root(bead_function f, const void *context, double f0, double f1)
+{
+    double low = 0, high = 1;
+    int kept = 0; /* the end that stayed last time, -1 low, +1 high: its value is halved when it stays again */
+    for (int i = 0; i < 60 && high - low > 1e-15; i++) {
+        double x = f1 == f0 ? 0.5 : low - f0 * (high - low) / (f1 - f0);
+        if (!(x > low && x < high) || i % 8 == 7)
+            x = 0.5 * (low + high);
+        double fx = f(context, x);
+        if (fx == 0)
+            return x;
+        if ((fx > 0) == (f1 > 0)) {
+            high = x;
+            f1 = fx;
+            f0 *= kept < 0 ? 0.5 : 1;
+            kept = -1;
+        } else {
+            low = x;
+            f0 = fx;
+            f1 *= kept > 0 ? 0.5 : 1;
+            kept = 1;
+        }
+    }
+    return 0.5 * (low + high);
+}
+
+static double compression(const struct bead_stepper *s, const struct bead_state *state, size_t k)
+{
+    return s->chain->static_compression[k] + (state->u[k] - state->u[k + 1]);
+}
+
+double bead_dense_force_rate(const struct bead_stepper *s, const struct bead_state *state, size_t k)
+{
+    double a = s->table.stiffness[k];
+    if (!(a > 0))
+        return 0;
+    return s->chain->law->stiffness(a, s->table.law, compression(s, state, k)) * (state->v[k] - state->v[k + 1]);
+}
+
+/* u''' of bead j; the wall (j = beads) does not move. */
+static double jerk(const struct bead_stepper *s, const struct bead_state *state, size_t j)
+{
+    if (j >= s->beads)
+        return 0;
+    double before = j > 0 ? bead_dense_force_rate(s, state, j - 1) : 0;
+    return (before - bead_dense_force_rate(s, state, j)) * s->chain->inverse_mass[j];
+}
+
+static void derivatives(const struct bead_stepper *s, const struct bead_state *state, size_t k, double h, double out[4])
+{
+    out[0] = compression(s, state, k);
+    out[1] = h * (state->v[k] - state->v[k + 1]);
+    out[2] = h * h * (state->a[k] - state->a[k + 1]);
+    out[3] = h * h * h * (jerk(s, state, k) - jerk(s, state, k + 1));
+}
+
+/* The same without the third derivatives. */
+static struct bead_polynomial quintic_hermite(const double at0[4], const double at1[4])
+{
+    double c0 = at0[0], c1 = at0[1], c2 = at0[2] / 2, r0 = at1[0] - (c0 + c1 + c2), r1 = at1[1] - (c1 + 2 * c2),
+           r2 = at1[2] - 2 * c2;
+    return (struct bead_polynomial){
+        {c0, c1, c2, 10 * r0 - 4 * r1 + 0.5 * r2, -15 * r0 + 7 * r1 - r2, 6 * r0 - 3 * r1 + 0.5 * r2, 0, 0}};
+}
+
+struct bead_polynomial bead_dense_compression(const struct bead_stepper *s, size_t k)
+{
+    double h = s->h, at0[4], at1[4];
+    derivatives(s, &s->start, k, h, at0);
+    derivatives(s, &s->end, k, h, at1);
+    return s->closed ? quintic_hermite(at0, at1) : bead_polynomial_hermite(at0, at1);
+}

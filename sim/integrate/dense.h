@@ -1,0 +1,41 @@
+/* Between the ends of a step: Hermite interpolation. */
+#ifndef BEADREEL_SIM_INTEGRATE_DENSE_H
+#define BEADREEL_SIM_INTEGRATE_DENSE_H
+
+#include <stddef.h>
+
+#include "sim/integrate/stepper.h"
+
+/* Third derivatives of the displacements at both ends of a step, found where somebody looks between them, and kept. */
+struct bead_dense {
+    double *memory, *jerk[2]; /* [beads] m/s^3, at start and end of step `step` */
+    uint64_t step;            /* 0: none */
+    bool septic;              /* forces follow from displacements alone */
+};
+/* Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_dense_create(const struct bead_stepper *stepper, struct bead_dense *dense,
+                                             struct bead_message *msg);
+void bead_dense_destroy(struct bead_dense *dense);
+/* u and v of beads 0..active-1 at time t in [t0, t1] by septic Hermite from u and its three derivatives at both ends (quintic,
+ * without the third, where there is damping); exactly the state itself at the ends. Arrays like those of struct bead_state. */
+void bead_dense_state(struct bead_dense *dense, const struct bead_stepper *stepper, double t, double *u, double *v);
+
+/* A polynomial in 0 <= x <= 1 over the step: sum c_i x^i. */
+struct bead_polynomial {
+    double c[8];
+};
+/* Compression of contact k over the step by septic Hermite from d, d', d'', d''' at both ends; with damping quintic, without d'''.
+ */
+struct bead_polynomial bead_dense_compression(const struct bead_stepper *stepper, size_t k);
+/* The septic through value and three derivatives (with respect to x) at 0 and 1. */
+struct bead_polynomial bead_polynomial_hermite(const double at0[4], const double at1[4]);
+double bead_polynomial_value(const struct bead_polynomial *p, double x);
+double bead_polynomial_slope(const struct bead_polynomial *p, double x);
+/* A zero of `f` between 0 and 1, where f(0) and f(1) have different signs, to rounding (Illinois's false position). */
+typedef double (*bead_function)(const void *context, double x);
+double bead_find_root(bead_function f, const void *context, double f0, double f1);
+
+/* d/dt of the force of contact k in a state, N/s. */
+double bead_dense_force_rate(const struct bead_stepper *stepper, const struct bead_state *state, size_t k);
+
+#endif

@@ -1,0 +1,106 @@
+/* Included by kernels_body.h: which contacts open or close, see events.h. Lanes are contacts. */
+#include <math.h>
+
+#include "sim/integrate/events_patch.h"
+
+/* Compressions at both ends of the step, and what their rates alone would change them by within it. */
+struct event_ends {
+    lanes d0, r0, d1, r1;
+};
+
+/* Of contacts k and the following, which are kept. */
+static inline struct event_ends keep_ends(const struct bead_patch_source *s, const struct bead_event_flags *flags, size_t k)
+{
+    const lanes d = load_lanes(s->static_compression + k);
+    const struct event_ends e = {
+        d + (load_lanes(s->u0 + k) - load_lanes(s->u0 + k + 1)), s->h * (load_lanes(s->v0 + k) - load_lanes(s->v0 + k + 1)),
+        d + (load_lanes(s->u1 + k) - load_lanes(s->u1 + k + 1)), s->h * (load_lanes(s->v1 + k) - load_lanes(s->v1 + k + 1))};
+    store_lanes(flags->d0 + k, e.d0);
+    store_lanes(flags->r0 + k, e.r0);
+    store_lanes(flags->d1 + k, e.d1);
+    store_lanes(flags->r1 + k, e.r1);
+    return e;
+}
+
+/* Keeps the ends of contacts 0..n. Lists those before n that may have a branch point in the step or within limits->reach steps
+ * outside: that the faster rate could take one there, and is not too slow to matter. What is at rest and just touching, d = r = 0,
+ * has none. Returns how many. */
+static size_t list_near(size_t n, const struct bead_patch_source *source, const struct bead_event_limits *limits,
+                        const struct bead_event_flags *flags)
+{
+    /* What dips to zero within the step is below half its rate at both ends. */
+    const double near = limits->reach > 0.5 ? limits->reach : 0.5;
+    const lanes slow = (lanes){0} + limits->slow;
+    const struct bead_patch_source here = *source;
+    const struct bead_event_flags kept = *flags;
+    size_t count = 0, k = 0;
+    for (; k < n; k += LANES) {
+        const struct event_ends e = keep_ends(&here, &kept, k);
+        const lanes rate = larger_lanes(magnitude(e.r0), magnitude(e.r1));
+        const unsigned close = less_bits(smaller_lanes(e.d0, e.d1), near * rate) & less_bits(-rate, larger_lanes(e.d0, e.d1));
+        count += pack_numbers(close & less_bits(slow, rate), k, kept.contact + count);
+    }
+    keep_ends(&here, &kept, k);
+    return count;
+}
+
+static inline lanes force_power(const struct bead_patch_rule *rule, lanes r)
+{
+    if (__builtin_expect(rule->hertz, 1))
+        return r * ROOT_OF(r);
+    for (size_t i = 0; i < LANES; i++)
+        r[i] = pow(r[i], rule->spec->power);
+    return r;
+}
+
+/* Loss of velocity, in units of A h/m, by the branch point that compression d and rate r, away from zero, point to outside. */
+static inline lanes loss_outside(const struct bead_event_limits *limits, lanes d, lanes r)
+{
+    const lanes zero = {0};
+    const lane_masks counts = (r > 0) & (d < limits->reach * r);
+    if (!any_lane(counts))
+        return zero;
+    r = choose(counts, r, zero + 1);
+    const lanes x = choose(counts, d / r, zero), near = 1 + x * (1 / BEAD_EFFECT_DECAY), far = (1 + 0.5 * x) * (1 + 0.5 * x);
+    return choose(counts, force_power(limits->rule, r) * (BEAD_EFFECT_OUTSIDE / (near * near * near * far * far)), zero);
+}
+
+/* What the listed contacts can do to a velocity, m/s; LANES of them. */
+static inline lanes weigh_events(const struct bead_event_flags *flags, const struct bead_event_limits *limits, double h,
+                                 const size_t *contact)
+{
+    const lanes zero = {0}, a = gather_lanes(flags->d0, contact), b = gather_lanes(flags->d1, contact);
+    const lanes p = gather_lanes(flags->r0, contact), q = gather_lanes(flags->r1, contact);
+    const lane_masks a_closed = a > 0, b_closed = b > 0, closed = a_closed & b_closed, dips = (p < 0) & (q > 0);
+    const double dip = limits->reach > 0.5 ? limits->reach : 0.5;
+    const lane_masks inside = (a_closed ^ b_closed) | (closed & dips & ((a < -dip * p) | (b < dip * q))) |
+                              (~(a_closed | b_closed) & (p > 0) & (q < 0) & (a + p > 0) & (b - q > 0));
+    const lanes unit = h * gather_lanes(limits->hardness, contact);
+    const lanes most = force_power(limits->rule, larger_lanes(magnitude(p), magnitude(q))) * unit;
+    const lanes effect = choose(inside, BEAD_EFFECT_INSIDE * most, zero);
+    const lane_masks outside = closed & ~dips & (BEAD_EFFECT_OUTSIDE * most > limits->tolerance);
+    if (!any_lane(outside))
+        return effect;
+    return choose(outside, larger_lanes(loss_outside(limits, a, p), loss_outside(limits, b, -q)) * unit, effect);
+}
+
+static size_t flag_events(size_t n, const struct bead_patch_source *source, const struct bead_event_limits *limits,
+                          struct bead_event_flags *flags)
+{
+    const lanes tolerance = (lanes){0} + limits->tolerance;
+    size_t *contact = flags->contact, near = list_near(n, source, limits, flags), count = 0;
+    for (size_t i = 0; i < LANES; i++)
+        contact[near + i] = 0; /* fills the last vector */
+    for (size_t i = 0; i < near; i += LANES) {
+        const lanes effect = weigh_events(flags, limits, source->h, contact + i);
+        const unsigned real = near - i < LANES ? (1u << (near - i)) - 1 : ~0u;
+        double some[LANES];
+        store_lanes(some, effect);
+        for (unsigned left = less_bits(tolerance, effect) & real; left; left &= left - 1) {
+            const size_t j = (size_t)__builtin_ctz(left);
+            contact[count] = contact[i + j];
+            flags->effect[count++] = some[j];
+        }
+    }
+    return count;
+}

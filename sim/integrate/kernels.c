@@ -1,0 +1,86 @@
+#include "sim/integrate/kernels.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "beadreel/law.h"
+
+extern const struct bead_kernels bead_kernels_sse2, bead_kernels_avx2, bead_kernels_avx512;
+
+static bool always(void)
+{
+    return true;
+}
+
+static bool has_avx2(void)
+{
+    return __builtin_cpu_supports("avx2");
+}
+
+static bool has_avx512(void)
+{
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+}
+
+/* Best first. */
+static const struct {
+    const struct bead_kernels *kernels;
+    bool (*usable)(void);
+} sets[] = {
+    {&bead_kernels_avx512, has_avx512},
+    {&bead_kernels_avx2, has_avx2},
+    {&bead_kernels_sse2, always},
+};
+
+const struct bead_kernels *bead_kernels_find(const char *name)
+{
+    for (size_t i = 0; i < sizeof sets / sizeof *sets; i++) {
+        if ((!name || strcmp(name, sets[i].kernels->name) == 0) && sets[i].usable())
+            return sets[i].kernels;
+    }
+    return NULL;
+}
+
+void bead_force_general(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f)
+{
+    const struct bead_law *law = bead_law_find(table->law->kind);
+    (void)v;
+    for (size_t k = 0; k < n; k++) {
+        double d = table->static_compression[k] + (u[k] - u[k + 1]);
+        f[k] = law->force(table->stiffness[k], table->law, d) - table->static_force[k];
+    }
+}
+
+/* gamma sgn(D) |D|^a in a closed contact, D the relative velocity: pairwise, so momentum is kept. Beads do not
+ * stick: where damping would pull, the contact is without force. */
+void bead_force_damped(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f)
+{
+    const struct bead_law *law = bead_law_find(table->law->kind);
+    for (size_t k = 0; k < n; k++) {
+        double d = table->static_compression[k] + (u[k] - u[k + 1]);
+        double a = table->stiffness[k], force = law->force(a, table->law, d), rate = v[k] - v[k + 1];
+        bool closed = a > 0 && (!law->one_sided || table->closed[k]);
+        if (!closed && law->one_sided)
+            force = 0;
+        if (closed && rate != 0)
+            force += copysign(table->damping * pow(fabs(rate), table->damping_exponent), rate);
+        if (law->one_sided && force < 0)
+            force = 0;
+        f[k] = force - table->static_force[k];
+    }
+}
+
+void bead_force_printed(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f)
+{
+    (void)v;
+    for (size_t k = 0; k < n; k++) {
+        double d = table->static_compression[k] + (u[k] - u[k + 1]);
+        f[k] = (d > 0 ? table->stiffness[k] * pow(d, 1.5) : 0) - table->static_force[k];
+    }
+}
+
+void bead_accelerations_printed(size_t n, const double *f, const double *mass, double *a)
+{
+    for (size_t j = 0; j < n; j++)
+        a[j] = f[(ptrdiff_t)j - 1] / mass[j] - f[j] / mass[j];
+}

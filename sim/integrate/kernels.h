@@ -1,0 +1,101 @@
+/* Inner loops along the chain, compiled once for each instruction set from kernels_body.h and chosen at run time.
+ *
+ * All arithmetic is element-wise, without contraction, so every set gives the same bits. Arrays have one
+ * readable element behind the n used (the wall's displacement, 0) and f one before (the force on the striker). */
+#ifndef BEADREEL_SIM_INTEGRATE_KERNELS_H
+#define BEADREEL_SIM_INTEGRATE_KERNELS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+struct bead_event_flags;
+struct bead_event_limits;
+struct bead_kink_method;
+struct bead_kinks;
+struct bead_law_spec;
+struct bead_patch;
+struct bead_patch_rule;
+struct bead_patch_source;
+
+/* Constants of the contacts 0..n-1 as the force kernels want them. */
+struct bead_contact_table {
+    const double *stiffness;          /* A_k; 0 where there is no contact */
+    const double *static_compression; /* d0_k */
+    const double *static_force;       /* f0_k = A_k d0_k^p, subtracted */
+    const struct bead_law_spec *law;
+    double damping, damping_exponent;
+    const unsigned char *closed; /* with damping: contacts that count as closed, whatever their compression */
+};
+
+/* f_k of displacements u (and velocities v where damped), minus the static force. */
+typedef void (*bead_force_kernel)(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f);
+
+struct bead_step_ends {
+    const double *u0, *v0, *a0, *u1, *v1, *a1;
+    double h;
+};
+
+/* a_j of contact forces f and inverse masses (or masses: bead_accelerations_printed). */
+typedef void (*bead_acceleration_kernel)(size_t n, const double *f, const double *inverse_mass, double *a);
+
+enum { BEAD_COMBINE_MAX = 18 };
+
+struct bead_kernels {
+    const char *name, *description;
+    bead_force_kernel hertz;        /* A d^{3/2} without static part */
+    bead_force_kernel hertz_static; /* with */
+    /* Forces without static part and accelerations at once; f[-1] is read, and n goes up to whole vectors. */
+    void (*hertz_move)(size_t n, const struct bead_contact_table *table, const double *u, const double *inverse_mass, double *f,
+                       double *a);
+    /* dA d^{3/2}/dd = 3/2 A d^{1/2} of the compressions now, or of those that the velocities lead to within `ahead` seconds. */
+    void (*hertz_stiffness)(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double ahead,
+                            double *stiffness);
+    /* The largest of k_j (w_j + w_{j+1}) + k_{j-1} w_j + k_{j+1} w_{j+1} for j < n, and 0. */
+    double (*circles)(size_t n, const double *k, const double *w);
+    /* a_j = (f_{j-1} - f_j) / m_j */
+    bead_acceleration_kernel accelerations;
+    /* y = base + (h k_0 + 2 h k_1 + 2 h k_2 + h k_3) / 6, in the order the thesis's program adds them. */
+    void (*rk4_sum)(size_t n, double *y, const double *base, double h, const double *const k[4]);
+    /* y = base + scale * v + sum_i coefficient_i * term_i, in this order; count <= BEAD_COMBINE_MAX; v may be NULL. */
+    void (*combine)(size_t n, double *y, const double *base, double scale, const double *v, size_t count, const double *coefficient,
+                    const double *const *term);
+    double (*largest)(size_t n, const double *f); /* max of f_0..f_{n-1} and 0 */
+    /* mark[k] = 1 where the compression u_k - u_{k+1} may have a maximum of more than least_k (NULL: of any height) within the
+     * step: where its rate was > 0 at the start and is <= 0 at the end, or has one sign at both ends and may have the other in
+     * between. Returns whether any. Whole vectors are read, and written. */
+    bool (*turns)(size_t n, const struct bead_step_ends *ends, const double *least, unsigned char *mark);
+    /* Contact events, see events_patch.h: which of contacts 0..n-1 have one that matters, and what it does. n is a multiple of 8
+     * unless beads n, n + 1, ... are at rest; whole vectors are read, and written. Returns how many. */
+    size_t (*flag_events)(size_t n, const struct bead_patch_source *source, const struct bead_event_limits *limits,
+                          struct bead_event_flags *flags);
+    /* Contact 0 of the patch is contact `at` of the chain: -1 is the constant force on the striker. */
+    void (*load_patch)(const struct bead_patch_source *source, ptrdiff_t at, struct bead_patch *patch);
+    /* See events_kinks.h: of the first `count` flags, which there are; what changes no velocity by half of `tolerance` may be left
+     * out. Whole vectors are read, and written. */
+    void (*correct_kinks)(const struct bead_patch_source *source, const struct bead_kink_method *method, size_t count,
+                          struct bead_event_flags *flags, double tolerance, struct bead_kinks *kinks);
+    /* Over from <= s <= to; tau: the branch point at or near one of its ends, NULL where there is none. Picard steps end when one
+     * changes no h^2 f/m by more than `enough`. */
+    void (*integrate_piece)(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps,
+                            double enough, struct bead_patch *patch);
+};
+
+/* correct_kinks and integrate_piece of the set "avx2", which are those of "avx512" as well. */
+void bead_correct_few_kinks(const struct bead_patch_source *source, const struct bead_kink_method *method, size_t count,
+                            struct bead_event_flags *flags, double tolerance, struct bead_kinks *kinks);
+void bead_integrate_few(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps, double enough,
+                        struct bead_patch *patch);
+
+/* NULL: the best this machine has. Otherwise by name; NULL is returned for one that is unknown or not to be had. */
+const struct bead_kernels *bead_kernels_find(const char *name);
+
+/* For laws without a vector kernel, and for damping. */
+void bead_force_general(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f);
+void bead_force_damped(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f);
+/* The arithmetic of the thesis's Appendix 4, operation by operation: d^(3/2) by pow, each force divided by the mass. A chain that
+ * multiplies rounding errors by 1e9 within the run comes out the same only so. */
+void bead_force_printed(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f);
+void bead_accelerations_printed(size_t n, const double *f, const double *mass, double *a);
+
+#endif

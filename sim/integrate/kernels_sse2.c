@@ -1,0 +1,5 @@
+#define KERNELS_NAME        "sse2"
+#define KERNELS_DESCRIPTION "any x86-64"
+#define KERNELS_TABLE       bead_kernels_sse2
+extern const struct bead_kernels bead_kernels_sse2;
+#include "sim/integrate/kernels_body.h"

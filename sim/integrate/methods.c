@@ -1,0 +1,74 @@
+#include "beadreel/methods.h"
+
+#include <string.h>
+
+#include "sim/integrate/stepper.h"
+#include "sim/integrate/tableau.h"
+
+/* The thetas were measured on disordered chains (tests/bench), theta_max in tests/stress. */
+static const struct bead_method methods[] = {
+    {{"rk4", "classical Runge-Kutta 4, the thesis's method (its Appendix 1)", 4, 4, true, false, 0.04, 3, 0.5, 2.8},
+     NULL,
+     NULL,
+     false,
+     bead_step_rk4},
+    {{"verlet", "velocity Verlet, symplectic (Swope et al. 1982)", 2, 1, false, false, 0.004, 2, 0.5, 2.0},
+     NULL,
+     &bead_composition_verlet,
+     false,
+     bead_step_composition},
+    {{"pefrl", "position extended Forest-Ruth like, symplectic (Omelyan, Mryglod, Folk 2002)", 4, 5, false, false, 0.05, 3, 0.5,
+      2.5},
+     NULL,
+     &bead_composition_pefrl,
+     false,
+     bead_step_composition},
+    {{"vefrl", "velocity extended Forest-Ruth like, symplectic (Omelyan, Mryglod, Folk 2002)", 4, 4, false, false, 0.04, 3, 0.5,
+      2.5},
+     NULL,
+     &bead_composition_vefrl,
+     false,
+     bead_step_composition},
+    {{"rkn6", "Runge-Kutta-Nystrom RKN6(4)6FM (Dormand, El-Mikkawy, Prince 1987)", 6, 5, false, true, 0.1, 3, 1, 2.5},
+     &bead_tableau_rkn6,
+     NULL,
+     false,
+     bead_step_nystrom},
+    {{"rkn8", "RKN8(6)9FM with contacts that open or close integrated again: the default", 8, 8, false, true, 0.95, 8.5, 2.2, 2.5},
+     &bead_tableau_rkn8,
+     NULL,
+     true,
+     bead_step_nystrom},
+    {{"rkn8-plain", "Runge-Kutta-Nystrom RKN8(6)9FM (Dormand, El-Mikkawy, Prince 1987)", 8, 8, false, true, 0.16, 3, 1.6, 2.5},
+     &bead_tableau_rkn8,
+     NULL,
+     false,
+     bead_step_nystrom},
+    {{"rkn12", "Runge-Kutta-Nystrom RKN12(10)17M (Dormand, El-Mikkawy, Prince 1987)", 12, 17, false, true, 0.2, 3, 1.6, 2.5},
+     &bead_tableau_rkn12,
+     NULL,
+     false,
+     bead_step_nystrom},
+};
+
+static const size_t method_count = sizeof methods / sizeof *methods;
+
+const struct bead_method *bead_method_row(const char *name)
+{
+    for (size_t i = 0; i < method_count; i++) {
+        if (strcmp(name, methods[i].info.name) == 0)
+            return &methods[i];
+    }
+    return NULL;
+}
+
+const struct bead_method_info *bead_method_info(size_t index)
+{
+    return index < method_count ? &methods[index].info : NULL;
+}
+
+const struct bead_method_info *bead_method_find(const char *name)
+{
+    const struct bead_method *row = bead_method_row(name);
+    return row ? &row->info : NULL;
+}

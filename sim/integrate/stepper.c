@@ -1,0 +1,264 @@
+#include "sim/integrate/stepper.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <xmmintrin.h>
+
+#include "sim/integrate/damped_contacts.h"
+#include "sim/integrate/events.h"
+#include "sim/integrate/tableau.h"
+
+/* Elements before and behind each array: f[-1], u[n], and whole vectors for the aligned ends. */
+enum { MARGIN = 16, ALIGN = 64, VECTOR = 8 };
+
+static size_t padded(size_t beads)
+{
+    return (beads + 2 * MARGIN + 7) / 8 * 8;
+}
+
+static size_t stage_count(const struct bead_method *method)
+{
+    return method->tableau ? method->tableau->stages : 1;
+}
+
+/* All arrays from one block. */
+static double *take(double **at, size_t beads)
+{
+    double *array = *at + MARGIN;
+    *at += padded(beads);
+    return array;
+}
+
+static enum bead_error allocate(struct bead_stepper *s, struct bead_message *msg)
+{
+    size_t stages = stage_count(s->method), arrays = 2 * 4 + 2 * stages + 4 + 2;
+    size_t bytes;
+    /* Zero pages come from the system untouched, and those of beads that the wave never reaches stay so. */
+    if (__builtin_mul_overflow(padded(s->beads) * sizeof(double), arrays, &bytes) || !(s->memory = calloc(1, bytes + ALIGN)))
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the state of %zu beads", s->beads);
+    double *at = (double *)(((uintptr_t)s->memory + ALIGN - 1) / ALIGN * ALIGN);
+    struct bead_state *state[2] = {&s->start, &s->end};
+    for (int i = 0; i < 2; i++) {
+        state[i]->u = take(&at, s->beads);
+        state[i]->v = take(&at, s->beads);
+        state[i]->a = take(&at, s->beads);
+        state[i]->f = take(&at, s->beads);
+        state[i]->f[-1] = s->chain->striker_force;
+    }
+    for (size_t i = 0; i < stages; i++) {
+        s->stage_a[i] = take(&at, s->beads);
+        s->stage_f[i] = take(&at, s->beads);
+        s->stage_f[i][-1] = s->chain->striker_force;
+    }
+    s->y = take(&at, s->beads);
+    for (int i = 0; i < 3; i++)
+        s->w[i] = take(&at, s->beads);
+    double *stiffness = take(&at, s->beads), *inverse_mass = take(&at, s->beads);
+    memcpy(stiffness, s->chain->stiffness, s->beads * sizeof *stiffness);
+    memcpy(inverse_mass, s->force == bead_force_printed ? s->chain->mass : s->chain->inverse_mass, s->beads * sizeof *inverse_mass);
+    s->table.stiffness = stiffness;
+    s->inverse_mass = inverse_mass;
+    return BEAD_OK;
+}
+
+static bool has_static(const struct bead_chain *chain)
+{
+    for (size_t k = 0; k < chain->contacts; k++) {
+        if (chain->static_force[k] != 0)
+            return true;
+    }
+    return false;
+}
+
+static bead_force_kernel choose_force(const struct bead_chain *chain, const struct bead_kernels *kernels)
+{
+    enum bead_law_kind law = chain->spec->law.kind;
+    if (chain->spec->damping_coefficient > 0)
+        return bead_force_damped;
+    if (law == BEAD_LAW_THESIS_APPENDIX)
+        return bead_force_printed;
+    if (law != BEAD_LAW_HERTZ)
+        return bead_force_general;
+    return has_static(chain) ? kernels->hertz_static : kernels->hertz;
+}
+
+/* Beads that one step may move: those that move now, and one more for each evaluation of the force. */
+static void open_window(struct bead_stepper *s, const struct bead_state *from)
+{
+    size_t reach = (size_t)s->method->info.evaluations + 2, last = s->active;
+    /* The old window opened further than the wave went. */
+    while (last > 1 && from->u[last - 1] == 0 && from->v[last - 1] == 0)
+        last--;
+    last = s->full ? s->beads : last + reach;
+    size_t active = last < s->beads ? last : s->beads;
+    if (active > s->active)
+        s->active = active;
+    s->span = (s->active + VECTOR - 1) / VECTOR * VECTOR;
+}
+
+enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct bead_method *method,
+                                    const struct bead_kernels *kernels, bool full, struct bead_stepper **stepper,
+                                    struct bead_message *msg)
+{
+    *stepper = NULL;
+    struct bead_stepper *s = calloc(1, sizeof *s);
+    if (!s)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a stepper");
+    s->chain = chain;
+    s->method = method;
+    s->kernels = kernels;
+    s->beads = chain->beads;
+    s->full = full;
+    s->force = choose_force(chain, kernels);
+    bool printed = s->force == bead_force_printed;
+    s->accelerate = printed ? bead_accelerations_printed : kernels->accelerations;
+    s->table = (struct bead_contact_table){.static_compression = chain->static_compression,
+                                           .static_force = chain->static_force,
+                                           .law = &chain->spec->law,
+                                           .damping = chain->spec->damping_coefficient,
+                                           .damping_exponent = chain->spec->damping_exponent};
+    s->event_tolerance = ldexp(fabs(chain->spec->striker_velocity), -43);
+    enum bead_error err = allocate(s, msg);
+    if (!err && chain->spec->damping_coefficient > 0 && chain->law->one_sided) {
+        s->table.closed = s->closed = calloc(s->beads + 1, 1);
+        s->was_closed = calloc(s->beads + 1, 1);
+        if (!s->closed || !s->was_closed)
+            err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contacts of %zu beads", s->beads);
+    }
+    if (!err && method->events)
+        err = bead_events_create(s, &s->events, msg);
+    if (err) {
+        bead_stepper_destroy(s);
+        return err;
+    }
+    s->end.v[0] = chain->spec->striker_velocity;
+    s->active = 1;
+    open_window(s, &s->end);
+    if (s->closed) /* all beads touch; the same ahead of the window */
+        memset(s->closed, 1, s->beads);
+    bead_stepper_evaluate(s, s->end.u, s->end.v, s->end.f, s->end.a);
+    *stepper = s;
+    return BEAD_OK;
+}
+
+void bead_stepper_destroy(struct bead_stepper *stepper)
+{
+    if (!stepper)
+        return;
+    bead_events_destroy(stepper->events);
+    free(stepper->closed);
+    free(stepper->was_closed);
+    free(stepper->memory);
+    free(stepper);
+}
+
+enum bead_error bead_stepper_branch(const struct bead_stepper *s, struct bead_stepper **branch, struct bead_message *msg)
+{
+    enum bead_error err = bead_stepper_create(s->chain, s->method, s->kernels, s->full, branch, msg);
+    if (err)
+        return err;
+    struct bead_stepper *b = *branch;
+    const double *from[] = {s->start.u, s->start.v, s->start.a, s->start.f};
+    double *to[] = {b->end.u, b->end.v, b->end.a, b->end.f};
+    for (int i = 0; i < 4; i++)
+        memcpy(to[i], from[i], s->active * sizeof(double));
+    b->active = s->active;
+    b->t1 = s->t0;
+    if (b->closed)
+        bead_closings_update(b);
+    return BEAD_OK;
+}
+
+void bead_stepper_evaluate(struct bead_stepper *s, const double *u, const double *v, double *f, double *a)
+{
+    bead_stepper_evaluate_part(s, u, v, f, a, (struct bead_part){0, s->span});
+    s->evaluations += s->active;
+}
+
+void bead_stepper_evaluate_part(const struct bead_stepper *s, const double *u, const double *v, double *f, double *a,
+                                struct bead_part part)
+{
+    const size_t from = part.from;
+    struct bead_contact_table table = s->table;
+    table.stiffness += from;
+    if (s->force == s->kernels->hertz) {
+        s->kernels->hertz_move(part.to - from, &table, u + from, s->inverse_mass + from, f + from, a + from);
+        return;
+    }
+    const size_t to = part.to < s->active ? part.to : s->active;
+    if (to <= from)
+        return;
+    table.static_compression += from;
+    table.static_force += from;
+    table.closed = table.closed ? table.closed + from : NULL;
+    s->force(to - from, &table, u + from, v ? v + from : NULL, f + from);
+    s->accelerate(to - from, f + from, s->inverse_mass + from, a + from);
+}
+
+void bead_stepper_advance(struct bead_stepper *s, double t1)
+{
+    bead_stepper_advance_by(s, t1 - s->t1, t1);
+}
+
+/* A step in which a contact closes or lets go is made again up to there; the next begins with the other state, and its force. */
+static void end_at_closing(struct bead_stepper *s)
+{
+    struct bead_closing first = bead_closings_first(s);
+    unsigned char other = !s->closed[first.contact];
+    if (first.at < 1) {
+        s->h *= first.at;
+        s->t1 = s->t0 + s->h;
+        s->method->step(s, s->h);
+    }
+    memcpy(s->was_closed, s->closed, s->active);
+    bead_closings_update(s);
+    if (first.at < 1)
+        s->closed[first.contact] = other;
+    if (memcmp(s->was_closed, s->closed, s->active) != 0) /* else the method's last forces are these */
+        bead_stepper_evaluate(s, s->end.u, s->end.v, s->end.f, s->end.a);
+}
+
+void bead_stepper_advance_by(struct bead_stepper *s, double h, double t1)
+{
+    struct bead_state end = s->start;
+    s->start = s->end;
+    s->end = end;
+    s->t0 = s->t1;
+    s->t1 = t1;
+    s->h = h;
+    open_window(s, &s->start);
+    /* Ahead of the front displacements fall doubly exponentially: below 1e-308 they are nothing, not slow
+     * subnormal numbers. The flags are the caller's again afterwards. */
+    unsigned flags = _mm_getcsr();
+    _mm_setcsr(flags | 0x8040);
+    s->method->step(s, h);
+    if (s->closed)
+        end_at_closing(s);
+    if (s->events)
+        bead_events_correct(s->events, s);
+    _mm_setcsr(flags);
+    s->steps++;
+}
+
+double bead_stepper_energy(const struct bead_stepper *s, const struct bead_state *state)
+{
+    const struct bead_chain *c = s->chain;
+    double energy = -c->striker_force * state->u[0];
+    for (size_t j = 0; j < s->active; j++) {
+        double d0 = c->static_compression[j], d = d0 + (state->u[j] - state->u[j + 1]);
+        energy += 0.5 * c->mass[j] * (state->v[j] * state->v[j]);
+        if (c->stiffness[j] > 0)
+            energy += c->law->energy(c->stiffness[j], &c->spec->law, d) - c->law->energy(c->stiffness[j], &c->spec->law, d0) -
+                      c->static_force[j] * (d - d0);
+    }
+    return energy;
+}
+
+double bead_stepper_momentum(const struct bead_stepper *s, const struct bead_state *state)
+{
+    double momentum = 0;
+    for (size_t j = 0; j < s->active; j++)
+        momentum += s->chain->mass[j] * state->v[j];
+    return momentum;
+}

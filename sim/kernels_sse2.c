@@ -1,5 +1,0 @@
-#define KERNELS_NAME        "sse2"
-#define KERNELS_DESCRIPTION "any x86-64"
-#define KERNELS_TABLE       bead_kernels_sse2
-extern const struct bead_kernels bead_kernels_sse2;
-#include "sim/kernels_body.h"

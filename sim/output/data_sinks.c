@@ -1,0 +1,10 @@
+#include "sim/output/data_sinks.h"
+
+#include <stddef.h>
+
+static const struct bead_sink_type *const sinks[] = {&bead_trajectory_sink, &bead_table_sink, NULL};
+
+const struct bead_sink_type *const *bead_data_sinks(void)
+{
+    return sinks;
+}

@@ -1,0 +1,69 @@
+#include "beadreel/measure.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/participation.h"
+#include "sim/output/measure_private.h"
+
+enum bead_error bead_measures_create(const struct bead_chain *chain, struct bead_measures **measures, struct bead_message *msg)
+{
+    size_t beads = bead_chain_beads(chain);
+    struct bead_measures *m = *measures = calloc(1, sizeof *m);
+    if (m) {
+        m->u = calloc(beads, sizeof *m->u);
+        m->v = calloc(beads, sizeof *m->v);
+    }
+    if (!m || !m->u || !m->v) {
+        bead_measures_destroy(m);
+        *measures = NULL;
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the measures of %zu beads", beads);
+    }
+    m->chain = chain;
+    m->places = bead_places_find(chain);
+    m->time = m->before = m->clean = m->arrived = m->strike.opened = m->strike.velocity = NAN;
+    enum bead_error err = bead_pulses_create(chain, m->places.probe, &m->pulses, msg);
+    if (!err)
+        err = bead_order_clean(chain, &m->clean, msg);
+    if (err) {
+        bead_measures_destroy(m);
+        *measures = NULL;
+    }
+    return err;
+}
+
+void bead_measures_destroy(struct bead_measures *measures)
+{
+    if (!measures)
+        return;
+    bead_pulses_destroy(measures->pulses);
+    bead_trace_free(&measures->trace);
+    free(measures->u);
+    free(measures->v);
+    free(measures);
+}
+
+/* The front reaches the end as the last contact's force exceeds this part of the largest so far. */
+static const double front_part = 1e-4;
+
+static bool at_end(const struct bead_measures *m, const struct bead_sample *sample)
+{
+    size_t last = bead_chain_contacts(m->chain) - 1;
+    return last < sample->active &&
+           sample->field[BEAD_FIELD_CONTACT_FORCE][last] - bead_chain_static_force(m->chain)[last] > front_part * m->pulses->record;
+}
+
+enum bead_error bead_measures_feed(struct bead_measures *m, const struct bead_sample *sample, struct bead_message *msg)
+{
+    size_t beads = bead_chain_beads(m->chain), moving = sample->active < beads ? sample->active : beads;
+    bead_pulses_feed(m->pulses, sample);
+    bead_strike_feed(m, sample);
+    memcpy(m->u, sample->field[BEAD_FIELD_DISPLACEMENT], moving * sizeof *m->u);
+    memcpy(m->v, sample->field[BEAD_FIELD_VELOCITY], moving * sizeof *m->v);
+    m->before = m->time;
+    m->time = sample->time;
+    if (isnan(m->arrived) && at_end(m, sample))
+        m->arrived = bead_order_participation(m->chain, m->u, m->v);
+    return bead_trace_feed(m, sample, msg);
+}

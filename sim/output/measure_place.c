@@ -1,0 +1,75 @@
+#include "sim/output/measure_place.h"
+
+/* Contacts between the probe and the end of the chain, where there is room for them. */
+enum { MARGIN = 20 };
+/* Cells that make a stretch regular; that lie between a measurement and what disturbs it. */
+enum { FEWEST_CELLS = 3, APART = 3 };
+
+static bool same(const struct bead_chain *chain, size_t a, size_t b)
+{
+    return bead_chain_material(chain)[a] == bead_chain_material(chain)[b] && bead_chain_mass(chain)[a] == bead_chain_mass(chain)[b];
+}
+
+/* First bead of the longest stretch up to the last bead that repeats every `period`. */
+static size_t tail_of(const struct bead_chain *chain, size_t period)
+{
+    size_t first = bead_chain_beads(chain) - 1;
+    for (; first > 1; first--) {
+        if (first - 1 + period < bead_chain_beads(chain) && !same(chain, first - 1, first - 1 + period))
+            break;
+    }
+    return first;
+}
+
+/* Last bead of the longest stretch from bead 1 on that repeats every `period`. */
+static size_t head_of(const struct bead_chain *chain, size_t period)
+{
+    size_t last = 1;
+    while (last + 1 < bead_chain_beads(chain) && (last < period || same(chain, last + 1, last + 1 - period)))
+        last++;
+    return last;
+}
+
+/* Are the cells that begin at beads a and b the same, wherever one begins? */
+static bool same_cell(const struct bead_chain *chain, size_t a, size_t b, size_t period)
+{
+    for (size_t shift = 0; shift < period; shift++) {
+        bool all = true;
+        for (size_t i = 0; all && i < period; i++)
+            all = same(chain, a + i, b + (i + shift) % period);
+        if (all)
+            return true;
+    }
+    return false;
+}
+
+static void find_defect(struct bead_places *places, const struct bead_chain *chain)
+{
+    size_t cell = places->cell, head = head_of(chain, cell), last = bead_chain_beads(chain) - 1;
+    size_t room = APART * cell + 2; /* the pulse is some two beads long at each side */
+    if (head >= last || head < cell * FEWEST_CELLS || !same_cell(chain, 1, places->regular_from, cell))
+        return;
+    if (head < 2 * room + cell || places->probe < places->regular_from + room)
+        return;
+    places->defect = true;
+    places->before = head - room - cell;
+}
+
+struct bead_places bead_places_find(const struct bead_chain *chain)
+{
+    size_t last = bead_chain_beads(chain) - 1; /* bead, and contacts between beads */
+    struct bead_places places = {.links = last, .cell = 1, .regular_from = last};
+    size_t margin = last / 4 < MARGIN ? last / 4 : MARGIN;
+    places.probe = last > 0 ? last - 1 - margin : 0;
+    for (size_t period = 1; period <= BEAD_PLACE_PERIOD && !places.regular; period++) {
+        size_t first = tail_of(chain, period);
+        if (last + 1 - first < FEWEST_CELLS * period || places.probe < first + period || places.probe + period > last - 1)
+            continue;
+        places.regular = true;
+        places.regular_from = first;
+        places.cell = period;
+    }
+    if (places.regular)
+        find_defect(&places, chain);
+    return places;
+}

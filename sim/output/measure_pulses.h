@@ -1,0 +1,44 @@
+/* Pulses: maxima of every contact's force as samples come, told apart where the force falls in between. */
+#ifndef BEADREEL_SIM_OUTPUT_MEASURE_PULSES_H
+#define BEADREEL_SIM_OUTPUT_MEASURE_PULSES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/chain.h"
+#include "beadreel/sample.h"
+#include "sim/output/measure_curve.h"
+
+enum { BEAD_PULSES = 6, BEAD_PULSES_AHEAD = 4 };
+
+struct bead_pulse {
+    double force, time; /* N, less the static force; s */
+};
+
+struct bead_track {
+    struct bead_pulse pulse[BEAD_PULSES]; /* in the order of time, none from behind the wall's reflection */
+    size_t count;
+    struct bead_pulse late; /* largest since the wall was struck; force 0: none */
+};
+
+struct bead_pulses {
+    const struct bead_chain *chain;
+    size_t contacts, fed, probe;
+    double *memory, *row[BEAD_CURVE_POINTS]; /* N: the last samples of all contacts, oldest first */
+    double time, spacing;                    /* s, of the last sample; between samples */
+    double record;                           /* N, largest so far */
+    double struck;                           /* s: first maximum of the wall's contact; NaN: none so far */
+    double ahead[BEAD_PULSES_AHEAD];         /* forces 1, 2, ... contacts ahead as the probe's first pulse is highest; NaN */
+    double *low;                             /* [contacts] N, least force since the last pulse */
+    struct bead_track *track;                /* [contacts] */
+};
+
+/* Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_pulses_create(const struct bead_chain *chain, size_t probe, struct bead_pulses **pulses,
+                                              struct bead_message *msg);
+void bead_pulses_destroy(struct bead_pulses *pulses);
+void bead_pulses_feed(struct bead_pulses *pulses, const struct bead_sample *sample);
+/* The first pulse of a contact; force NaN where there is none. */
+struct bead_pulse bead_pulses_first(const struct bead_pulses *pulses, size_t contact);
+
+#endif

@@ -1,0 +1,357 @@
+/* What is measured: one row each. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "beadreel/law.h"
+#include "beadreel/participation.h"
+#include "sim/output/measure_private.h"
+
+struct reading {
+    const struct bead_measures *m;
+    const struct bead_outcome *outcome; /* may be NULL */
+    struct bead_pulse_found pulse;
+    double decay, decay_error; /* 1/bead: rate and its standard error; NaN */
+};
+
+/* ---- the chain ---- */
+
+static double magnetism(const struct reading *r, int n)
+{
+    (void)n;
+    return *bead_chain_spins(r->m->chain) ? bead_chain_magnetism(r->m->chain) : NAN;
+}
+
+static double arrival(const struct reading *r, int n)
+{
+    (void)n;
+    return r->outcome ? r->outcome->front_arrival : NAN;
+}
+
+/* ---- the front ---- */
+
+/* Over the second half up to the probe; cell by cell where that is regular. `per_second`: in beads. */
+static double front_speed(const struct reading *r, int per_second)
+{
+    const struct bead_places *places = &r->m->places;
+    size_t half = places->links / 2, from = half > places->regular_from ? half : places->regular_from, step = places->cell;
+    double beads = NAN, speed = NAN;
+    if (places->regular && places->probe > from) {
+        from += (places->probe - from) % step;
+        bead_front_speed(r->m, from, places->probe, step, 3, &beads, &speed);
+    }
+    if (isnan(speed))
+        bead_front_speed(r->m, places->links / 4, places->probe, 1, 3, &beads, &speed);
+    return per_second ? beads : speed;
+}
+
+static double local_speed(const struct reading *r, int n)
+{
+    (void)n;
+    return r->pulse.speed;
+}
+
+/* ---- the leading pulse ---- */
+
+#define OF_PULSE(member)                                         \
+    static double pulse_##member(const struct reading *r, int n) \
+    {                                                            \
+        (void)n;                                                 \
+        return r->pulse.member;                                  \
+    }
+OF_PULSE(force)
+OF_PULSE(bead_force)
+OF_PULSE(velocity)
+OF_PULSE(compression)
+OF_PULSE(energy)
+OF_PULSE(momentum)
+
+static double force_width(const struct reading *r, int level)
+{
+    return r->pulse.force_time[level] * r->pulse.beads_per_second;
+}
+
+static double velocity_width(const struct reading *r, int level)
+{
+    return r->pulse.velocity_time[level] * r->pulse.beads_per_second;
+}
+
+static double energy_ratio(const struct reading *r, int n)
+{
+    (void)n;
+    return r->pulse.potential > 0 ? r->pulse.kinetic / r->pulse.potential : NAN;
+}
+
+static double energy_part(const struct reading *r, int n)
+{
+    (void)n;
+    double input = bead_chain_energy(r->m->chain);
+    return input > 0 ? r->pulse.energy / input : NAN;
+}
+
+/* Of the compressions of equal contacts. */
+static double ahead(const struct reading *r, int n)
+{
+    const struct bead_measures *m = r->m;
+    const struct bead_law_spec *spec = &bead_chain_spec(m->chain)->law;
+    const struct bead_law *law = bead_law_find(spec->kind);
+    const double *a = bead_chain_stiffness(m->chain);
+    size_t probe = m->places.probe, contact = probe + (size_t)n;
+    double force = m->pulses->ahead[n - 1], first = bead_pulses_first(m->pulses, probe).force;
+    if (isnan(force) || bead_chain_static_force(m->chain)[probe] > 0)
+        return NAN;
+    return law->compression(a[contact], spec, force) / law->compression(a[probe], spec, first);
+}
+
+/* Where it has come furthest, so that it has parted from those before it. */
+static double follower(const struct reading *r, int n)
+{
+    const struct bead_pulses *p = r->m->pulses;
+    for (size_t k = r->m->places.probe + 1; k-- > 0;) {
+        if (p->track[k].count > (size_t)n)
+            return p->track[k].pulse[n].force / p->track[k].pulse[0].force;
+    }
+    return NAN;
+}
+
+/* ---- how many take part at the end: (sum e)^2 / sum e^2 ---- */
+
+static double force_of(const struct bead_measures *m, size_t k)
+{
+    const struct bead_law_spec *spec = &bead_chain_spec(m->chain)->law;
+    double next = k + 1 < bead_chain_beads(m->chain) ? m->u[k + 1] : 0;
+    double compression = bead_chain_static_compression(m->chain)[k] + (m->u[k] - next);
+    return bead_law_find(spec->kind)->force(bead_chain_stiffness(m->chain)[k], spec, compression) -
+           bead_chain_static_force(m->chain)[k];
+}
+
+static double force_participation(const struct reading *r, int n)
+{
+    (void)n;
+    const struct bead_measures *m = r->m;
+    double sum = 0, squares = 0;
+    for (size_t k = 0; k < bead_chain_contacts(m->chain); k++) {
+        double f = force_of(m, k);
+        sum += f;
+        squares += f * f;
+    }
+    return squares > 0 ? sum * sum / squares : NAN;
+}
+
+static double energy_participation(const struct reading *r, int n)
+{
+    (void)n;
+    return bead_order_participation(r->m->chain, r->m->u, r->m->v);
+}
+
+/* A run that ends as the front arrives has no sample behind that, but one close to it. */
+static double clean_index(const struct reading *r, int n)
+{
+    (void)n;
+    const struct bead_measures *m = r->m;
+    double found = m->arrived, arrival = r->outcome ? r->outcome->front_arrival : NAN;
+    if (isnan(found) && arrival <= m->time + 1.5 * (m->time - m->before))
+        found = energy_participation(r, 0);
+    return bead_order_index(bead_chain_beads(m->chain), found, m->clean);
+}
+
+/* ---- decay, defects, walls ---- */
+
+/* Contacts at each end that do not count for the decay. */
+enum { DECAY_MARGIN = 5, DECAY_FEWEST = 8 };
+
+/* Beads of the cell that most beads belong to. */
+static size_t usual_cell(const struct bead_chain *chain)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    size_t most = 0, cell = 1;
+    for (size_t s = 0; s < spec->segment_count; s++) {
+        size_t beads = spec->segments[s].cell_beads * spec->segments[s].count;
+        if (beads > most) {
+            most = beads;
+            cell = spec->segments[s].cell_beads;
+        }
+    }
+    return cell;
+}
+
+/* Logarithm of the mean force of the `cell` contacts from k on. */
+static double cell_force(const struct bead_measures *m, size_t k, size_t cell)
+{
+    double sum = 0;
+    for (size_t i = 0; i < cell; i++)
+        sum += bead_pulses_first(m->pulses, k + i).force;
+    return log(sum / (double)cell);
+}
+
+/* Least squares of ln F against beads, over means of whole cells. */
+static void find_decay(struct reading *r)
+{
+    const struct bead_measures *m = r->m;
+    size_t cell = usual_cell(m->chain), links = m->places.links;
+    double n = 0, x0 = 0, y0 = 0, xx = 0, xy = 0, yy = 0;
+    r->decay = r->decay_error = NAN;
+    for (int pass = 0; pass < 2; pass++) {
+        for (size_t k = DECAY_MARGIN; k + cell + DECAY_MARGIN <= links; k += cell) {
+            double x = (double)k, y = cell_force(m, k, cell);
+            if (!isfinite(y))
+                continue;
+            n += pass == 0;
+            x0 += pass == 0 ? x : 0;
+            y0 += pass == 0 ? y : 0;
+            if (pass == 1) {
+                xx += (x - x0) * (x - x0);
+                xy += (x - x0) * (y - y0);
+                yy += (y - y0) * (y - y0);
+            }
+        }
+        if (n < DECAY_FEWEST)
+            return;
+        x0 = pass == 0 ? x0 / n : x0;
+        y0 = pass == 0 ? y0 / n : y0;
+    }
+    r->decay = -xy / xx;
+    r->decay_error = sqrt(fmax(yy - xy * xy / xx, 0) / (n - 2) / xx);
+}
+
+static double decay_rate(const struct reading *r, int n)
+{
+    (void)n;
+    return r->decay;
+}
+
+/* Only where it is one. */
+static double decay_length(const struct reading *r, int n)
+{
+    (void)n;
+    return r->decay > 3 * r->decay_error && r->decay > 0 ? 1 / r->decay : NAN;
+}
+
+/* Sums over one cell each. */
+static double past_defect(const struct reading *r, int energy)
+{
+    const struct bead_places *places = &r->m->places;
+    const struct bead_law_spec *law = &bead_chain_spec(r->m->chain)->law;
+    double power = law->kind == BEAD_LAW_POWER ? law->power : 1.5, before = 0, after = 0;
+    if (!places->defect || law->kind == BEAD_LAW_FPU_ALPHA)
+        return NAN;
+    for (size_t i = 0; i < places->cell; i++) {
+        before += bead_pulses_first(r->m->pulses, places->before + i).force;
+        after += bead_pulses_first(r->m->pulses, places->probe + i).force;
+    }
+    return energy ? pow(after / before, (power + 1) / power) : after / before;
+}
+
+static double at_wall(const struct reading *r, int reflected)
+{
+    const struct bead_measures *m = r->m;
+    if (bead_chain_spec(m->chain)->wall == BEAD_WALL_NONE)
+        return NAN;
+    const struct bead_track *wall = &m->pulses->track[m->pulses->contacts - 1], *probe = &m->pulses->track[m->places.probe];
+    if (wall->count == 0 || probe->count == 0 || (reflected && !(probe->late.force > 0)))
+        return NAN;
+    return (reflected ? probe->late.force : wall->pulse[0].force) / probe->pulse[0].force;
+}
+
+/* ---- the striker ---- */
+
+static bool one_sided(const struct reading *r)
+{
+    return bead_law_find(bead_chain_spec(r->m->chain)->law.kind)->one_sided;
+}
+
+static double strike_compression(const struct reading *r, int n)
+{
+    (void)n;
+    return r->m->strike.largest > 0 ? r->m->strike.largest : NAN;
+}
+
+static double strike_time(const struct reading *r, int n)
+{
+    (void)n;
+    return one_sided(r) ? r->m->strike.opened : NAN;
+}
+
+/* Once it has let go. */
+static double striker_velocity(const struct reading *r, int n)
+{
+    (void)n;
+    return isnan(r->m->strike.opened) ? NAN : r->m->strike.velocity;
+}
+
+/* Widths are in beads: times at the probe, multiplied by the speed of the pulse there. */
+static const struct row {
+    struct bead_measure_info info;
+    double (*value)(const struct reading *reading, int n); /* NaN: this run has none */
+    int n;
+} rows[] = {
+    {{"magnetism", "", "M = |N_up - N_down| / (N_up + N_down); thesis, Eq. 15"}, magnetism, 0},
+    {{"front arrival", "s", "when the last contact's force exceeds 1e-4 of the largest so far"}, arrival, 0},
+    {{"front speed", "m/s", "least squares of the times of the first maxima over the second half of the chain"}, front_speed, 0},
+    {{"front speed in beads", "1/s", "the same in beads a second"}, front_speed, 1},
+    {{"local front speed", "m/s", "the same over two cells at each side of the probe; ten beads where there are no cells"},
+     local_speed,
+     0},
+    {{"peak contact force", "N", "of the leading pulse, the largest in the probe's cell"}, pulse_force, 0},
+    {{"peak bead force", "N", "mean of a bead's two contacts"}, pulse_bead_force, 0},
+    {{"peak velocity", "m/s", "of a bead"}, pulse_velocity, 0},
+    {{"peak compression", "m", "of a contact"}, pulse_compression, 0},
+    {{"force width", "beads", "of the contact force, at half its maximum"}, force_width, 0},
+    {{"force width at 1 %", "beads", "where it falls to a hundredth"}, force_width, 1},
+    {{"velocity width", "beads", "at half its maximum"}, velocity_width, 0},
+    {{"velocity width at 1 %", "beads", "where it falls to a hundredth"}, velocity_width, 1},
+    {{"compression 1 bead ahead", "", "of the centre, as a part of the peak compression"}, ahead, 1},
+    {{"compression 2 beads ahead", "", "the same two beads ahead"}, ahead, 2},
+    {{"compression 3 beads ahead", "", "the same three beads ahead"}, ahead, 3},
+    {{"compression 4 beads ahead", "", "the same four beads ahead"}, ahead, 4},
+    {{"pulse energy", "J", "integral of force times velocity behind the probe"}, pulse_energy, 0},
+    {{"pulse momentum", "kg m/s", "integral of the force in the probe"}, pulse_momentum, 0},
+    {{"pulse part of energy", "", "pulse energy / the striker's"}, energy_part, 0},
+    {{"kinetic / potential", "", "energies of one cell, integrated over the pulse; 5/4 for Hertz's law"}, energy_ratio, 0},
+    {{"second pulse", "", "peak force of the next pulse / the leading one's, where it has come furthest"}, follower, 1},
+    {{"third pulse", "", "the same of the next"}, follower, 2},
+    {{"fourth pulse", "", "the same of the next"}, follower, 3},
+    {{"fifth pulse", "", "the same of the next"}, follower, 4},
+    {{"sixth pulse", "", "the same of the next"}, follower, 5},
+    {{"participation of forces", "contacts", "(sum f)^2 / sum f^2 of the contact forces at the end"}, force_participation, 0},
+    {{"participation of energies", "beads", "(sum e)^2 / sum e^2 of the beads' energies at the end"}, energy_participation, 0},
+    {{"clean index", "", "1: as few beads share the energy as in the clean wave; 0: all do; at the front's arrival, see order.h"},
+     clean_index,
+     0},
+    {{"decay rate", "1/bead", "-d ln F / d bead of the leading force, least squares over means of whole cells"}, decay_rate, 0},
+    {{"decay length", "beads", "1 / decay rate, where that is more than three of its standard errors"}, decay_length, 0},
+    {{"force past defect", "", "leading force of a cell at the probe / of a cell ahead of all that is irregular"}, past_defect, 0},
+    {{"energy past defect", "", "the same to the power 5/3, 1 + 1/n for forces ~ d^n"}, past_defect, 1},
+    {{"force at wall", "", "first maximum at the wall / leading force at the probe"}, at_wall, 0},
+    {{"reflected force", "", "largest force at the probe after the wall's first maximum / leading force there"}, at_wall, 1},
+    {{"striker's compression", "m", "the largest of the striker's contact, until it lets go"}, strike_compression, 0},
+    {{"striker's contact time", "s", "until it lets go for the first time"}, strike_time, 0},
+    {{"striker's velocity", "m/s", "at the end, if it has let go; negative: it rebounds"}, striker_velocity, 0},
+};
+enum { ROWS = sizeof rows / sizeof *rows };
+
+const struct bead_measure_info *bead_measure_info(size_t index)
+{
+    return index < ROWS ? &rows[index].info : NULL;
+}
+
+size_t bead_measures_read(const struct bead_measures *m, const struct bead_outcome *outcome, struct bead_measure *found,
+                          size_t room)
+{
+    struct reading reading = {.m = m, .outcome = outcome, .pulse = bead_trace_read(m)};
+    size_t count = 0;
+    find_decay(&reading);
+    for (size_t i = 0; i < ROWS; i++) {
+        double value = rows[i].value(&reading, rows[i].n);
+        if (!isfinite(value))
+            continue;
+        if (count < room) {
+            struct bead_measure *f = &found[count];
+            snprintf(f->name, sizeof f->name, "%s", rows[i].info.name);
+            f->unit = rows[i].info.unit;
+            f->value = value;
+        }
+        count++;
+    }
+    return count;
+}

@@ -1,0 +1,164 @@
+#include "beadreel/participation.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/chain/chain_data.h"
+#include "sim/output/measure_place.h"
+#include "sim/run/run.h"
+
+/* What the clean wave is run to; and how many of its usual passages it may take. */
+static const double accuracy = 1e-6, patience = 100;
+
+static double compression(const struct bead_chain *chain, const double *u, size_t k)
+{
+    return chain->static_compression[k] + (u[k] - (k + 1 < chain->beads ? u[k + 1] : 0));
+}
+
+double bead_order_participation(const struct bead_chain *chain, const double *u, const double *v)
+{
+    double sum = 0, squares = 0, behind = 0;
+    for (size_t j = 0; j < chain->beads; j++) {
+        double ahead = 0;
+        if (j < chain->contacts) {
+            double a = chain->stiffness[j], d0 = chain->static_compression[j], d = compression(chain, u, j);
+            ahead = 0.5 * (chain->law->energy(a, &chain->spec->law, d) - chain->law->energy(a, &chain->spec->law, d0) -
+                           chain->static_force[j] * (d - d0));
+        }
+        double e = 0.5 * chain->mass[j] * v[j] * v[j] + behind + ahead;
+        sum += e;
+        squares += e * e;
+        behind = ahead;
+    }
+    return squares > 0 ? sum * sum / squares : NAN;
+}
+
+double bead_order_index(size_t beads, double participation, double clean)
+{
+    double equal = 1 / (double)beads, index = (1 / participation - equal) / (1 / clean - equal);
+    if (!(clean < (double)beads) || isnan(index))
+        return NAN;
+    return fmin(fmax(index, 0), 1);
+}
+
+/* ---- the clean wave ---- */
+
+/* A chain of equal cells, its scene and what they are made of. */
+struct clean {
+    struct bead_scene scene;
+    struct bead_chain_spec spec;
+    struct bead_segment segment;
+};
+
+static bool same_cell(const struct bead_segment *a, const struct bead_segment *b)
+{
+    return a->cell_beads == b->cell_beads && memcmp(a->cell, b->cell, a->cell_beads * sizeof *a->cell) == 0;
+}
+
+/* The segment whose cell most beads belong to, here and elsewhere. */
+static const struct bead_segment *usual_segment(const struct bead_chain_spec *spec)
+{
+    const struct bead_segment *usual = &spec->segments[0];
+    size_t most = 0;
+    for (size_t s = 0; s < spec->segment_count; s++) {
+        size_t beads = 0;
+        for (size_t t = 0; t < spec->segment_count; t++)
+            beads += same_cell(&spec->segments[s], &spec->segments[t]) ? spec->segments[t].cell_beads * spec->segments[t].count : 0;
+        if (beads > most) {
+            most = beads;
+            usual = &spec->segments[s];
+        }
+    }
+    return usual;
+}
+
+/* Are most cells of this kind reversed? */
+static bool mostly_down(const struct bead_chain *chain, const struct bead_segment *usual)
+{
+    const char *spin = chain->spins;
+    size_t up = 0, down = 0;
+    for (size_t s = 0; s < chain->spec->segment_count; s++) {
+        const struct bead_segment *segment = &chain->spec->segments[s];
+        for (size_t c = 0; segment->cell_beads > 1 && c < segment->count && *spin; c++, spin++) {
+            up += same_cell(segment, usual) && *spin == '1';
+            down += same_cell(segment, usual) && *spin == '0';
+        }
+    }
+    return down > up;
+}
+
+/* The beads of the clean chain's cell into `cell`, which has room for the largest; returns how many. */
+static size_t find_cell(const struct bead_chain *chain, size_t *cell)
+{
+    struct bead_places places = bead_places_find(chain);
+    if (places.regular && 2 * (chain->beads - places.regular_from) >= chain->beads) {
+        memcpy(cell, chain->material + places.regular_from, places.cell * sizeof *cell);
+        return places.cell;
+    }
+    const struct bead_segment *usual = usual_segment(chain->spec);
+    bool down = mostly_down(chain, usual);
+    for (size_t i = 0; i < usual->cell_beads; i++)
+        cell[i] = usual->cell[down ? usual->cell_beads - 1 - i : i];
+    return usual->cell_beads;
+}
+
+/* Until the front arrives; false: it does not. */
+static bool pass(struct bead_run *run, const struct bead_chain *chain)
+{
+    const double limit = patience * bead_chain_passage(chain, bead_chain_energy(chain));
+    struct bead_message msg;
+    while (isnan(bead_run_arrival(run))) {
+        if (!(bead_run_time(run) < limit) || bead_run_step(run, &msg))
+            return false;
+    }
+    return true;
+}
+
+static enum bead_error measure(const struct bead_chain *chain, double *clean, struct bead_message *msg)
+{
+    const struct bead_run_settings settings = {
+        .chain = chain, .kernels = bead_kernels_find(NULL), .end = INFINITY, .passage = true};
+    const unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY);
+    struct bead_run *run = NULL;
+    struct bead_sample sample = {0};
+    enum bead_error err = bead_run_create(&settings, &run, msg);
+    if (!err && pass(run, chain)) {
+        err = bead_run_sample(run, bead_run_arrival(run), fields, (struct bead_span){0, chain->beads - 1}, &sample, msg);
+        if (!err)
+            *clean = bead_order_participation(chain, sample.field[BEAD_FIELD_DISPLACEMENT], sample.field[BEAD_FIELD_VELOCITY]);
+    }
+    bead_run_destroy(run);
+    return err;
+}
+
+enum bead_error bead_order_clean(const struct bead_chain *chain, double *clean, struct bead_message *msg)
+{
+    size_t most = BEAD_PLACE_PERIOD;
+    *clean = NAN;
+    if (chain->equation || chain->spec->segment_count == 0 || !(bead_chain_energy(chain) > 0))
+        return BEAD_OK;
+    for (size_t s = 0; s < chain->spec->segment_count; s++)
+        most = chain->spec->segments[s].cell_beads > most ? chain->spec->segments[s].cell_beads : most;
+    size_t *cell = calloc(most, sizeof *cell);
+    if (!cell)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a cell of %zu beads", most);
+    const size_t beads = find_cell(chain, cell), all = chain->beads - 1 < BEAD_ORDER_BEADS ? chain->beads - 1 : BEAD_ORDER_BEADS;
+    struct clean c = {.scene = *chain->scene, .spec = *chain->spec};
+    struct bead_chain *made = NULL;
+    c.segment =
+        (struct bead_segment){.cell = cell, .cell_beads = beads, .count = (all + beads - 1) / beads, .spins = BEAD_SPINS_UP};
+    c.spec.segments = &c.segment;
+    c.spec.segment_count = 1;
+    c.scene.chains = &c.spec;
+    c.scene.chain_count = 1;
+    c.scene.simulate.until = NAN;
+    c.scene.simulate.step = 0;
+    c.scene.simulate.accuracy = accuracy;
+    enum bead_error err = bead_chain_create(&c.scene, 0, &made, msg);
+    if (!err)
+        err = measure(made, clean, msg);
+    bead_chain_destroy(made);
+    free(cell);
+    return err == BEAD_ERROR_MEMORY ? err : BEAD_OK; /* else there is no clean wave */
+}

@@ -1,0 +1,164 @@
+#include "beadreel/profile_times.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+struct profile {
+    double *values; /* before the moment, then at it */
+    double time;    /* s: of the last sample before it */
+    bool complete;
+};
+
+struct bead_moments {
+    const struct bead_output *output;
+    struct bead_stage stage;
+    struct bead_grid grid;
+    struct profile *profiles; /* [chains][moments] */
+    double **places;          /* [chains][values] */
+    char why[96];
+};
+
+size_t bead_moments_values(const struct bead_moments *m, size_t chain)
+{
+    const struct bead_chain *c = m->stage.chains[chain];
+    return bead_chain_field(c, m->output->field)->of_contacts ? bead_chain_contacts(c) : bead_chain_beads(c);
+}
+
+const double *bead_moments_places(const struct bead_moments *m, size_t chain)
+{
+    return m->places[chain];
+}
+
+const double *bead_moments_profile(const struct bead_moments *m, size_t chain, size_t moment)
+{
+    return m->profiles[chain * m->output->moment_count + moment].values;
+}
+
+void bead_moments_destroy(struct bead_moments *m)
+{
+    if (!m)
+        return;
+    for (size_t i = 0; m->profiles && i < m->stage.chain_count * m->output->moment_count; i++)
+        free(m->profiles[i].values);
+    for (size_t c = 0; m->places && c < m->stage.chain_count; c++)
+        free(m->places[c]);
+    free(m->profiles);
+    free(m->places);
+    free(m);
+}
+
+static enum bead_error reserve(struct bead_moments *m, struct bead_message *msg)
+{
+    size_t chains = m->stage.chain_count, moments = m->output->moment_count;
+    m->profiles = calloc(chains * moments, sizeof *m->profiles);
+    m->places = calloc(chains, sizeof *m->places);
+    bool got = m->profiles && m->places;
+    for (size_t c = 0; got && c < chains; c++) {
+        const struct bead_chain *chain = m->stage.chains[c];
+        const struct bead_along along = bead_chain_along(chain, bead_chain_field(chain, m->output->field)->of_contacts);
+        size_t count = bead_moments_values(m, c);
+        got = (m->places[c] = calloc(count, sizeof(double))) != NULL;
+        for (size_t i = 0; got && i < count; i++)
+            m->places[c][i] = along.first + (double)i * along.spacing;
+        for (size_t i = 0; got && i < moments; i++)
+            got = (m->profiles[c * moments + i].values = calloc(count, sizeof(double))) != NULL;
+    }
+    return got ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for profiles");
+}
+
+/* Do all moments lie on this grid? */
+static bool hits(const struct bead_output *output, double start, double every)
+{
+    for (size_t i = 0; i < output->moment_count; i++) {
+        double place = (output->moments[i] - start) / every;
+        if (fabs(place - round(place)) > 1e-7)
+            return false;
+    }
+    return true;
+}
+
+static struct bead_grid choose_grid(const struct bead_output *output, const struct bead_stage *stage)
+{
+    enum { MOST_PARTS = 1000 };
+    const struct bead_grid *native = &stage->native;
+    size_t last = output->moment_count - 1;
+    double from = output->moments[0], to = output->moments[last], gap = last > 0 ? output->moments[1] - from : 1;
+    if (native->every > 0) {
+        double first = fmax(0, floor((from - native->start) / native->every + 1e-6));
+        double end = ceil((to - native->start) / native->every - 1e-6);
+        return (struct bead_grid){native->start + first * native->every, native->every,
+                                  fmin(native->end, native->start + end * native->every)};
+    }
+    for (size_t i = 1; i < last; i++)
+        gap = fmin(gap, output->moments[i + 1] - output->moments[i]);
+    for (int parts = 1; parts <= MOST_PARTS && gap / parts > 0; parts++) {
+        if (hits(output, from, gap / parts))
+            return (struct bead_grid){from, gap / parts, to};
+    }
+    double every = stage->resolution / 8;
+    return (struct bead_grid){from, every, fmin(stage->end, from + ceil((to - from) / every) * every)};
+}
+
+enum bead_error bead_moments_create(const struct bead_output *output, const struct bead_stage *stage, struct bead_moments **made,
+                                    struct bead_message *msg)
+{
+    *made = NULL;
+    double last = output->moments[output->moment_count - 1];
+    if (last > stage->end * (1 + 1e-9)) /* of a run that ends when the front arrives */
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: at: goes to %g, but the run ends at %g", stage->scene->file,
+                         output->place.line, output->place.column, last, stage->end);
+    struct bead_moments *m = calloc(1, sizeof *m);
+    if (!m)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for profiles");
+    m->output = output;
+    m->stage = *stage;
+    m->grid = choose_grid(output, stage);
+    snprintf(m->why, sizeof m->why, "%s at %zu time%s", bead_field_info(output->field)->name, output->moment_count,
+             output->moment_count == 1 ? "" : "s");
+    enum bead_error err = reserve(m, msg);
+    if (err)
+        bead_moments_destroy(m);
+    else
+        *made = m;
+    return err;
+}
+
+struct bead_needs bead_moments_needs(const struct bead_moments *m)
+{
+    return (struct bead_needs){
+        .fields = BEAD_FIELD_BIT(m->output->field), .beads = {0, SIZE_MAX}, .grid = m->grid, .until = m->grid.end, .why = m->why};
+}
+
+/* The first sample behind the moment: a straight line to there from the last one before. */
+static void complete(struct profile *p, const struct bead_sample *sample, const double *values, size_t count, double moment)
+{
+    double weight = fmin(1, fmax(0, (moment - p->time) / (sample->time - p->time)));
+    for (size_t i = 0; weight > 1e-6 && i < count; i++)
+        p->values[i] += weight * ((i < sample->active ? values[i] : 0) - p->values[i]);
+    p->complete = true;
+}
+
+enum bead_error bead_moments_feed(struct bead_moments *m, const struct bead_sample *sample, struct bead_message *msg)
+{
+    const double *values = sample->field[m->output->field];
+    if (!values)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no %s", bead_field_info(m->output->field)->title);
+    size_t count = bead_moments_values(m, sample->chain);
+    double slack = 1e-6 * m->grid.every;
+    for (size_t k = 0; k < m->output->moment_count; k++) {
+        struct profile *p = &m->profiles[sample->chain * m->output->moment_count + k];
+        double moment = m->output->moments[k];
+        if (p->complete)
+            continue;
+        if (sample->time > moment + slack) {
+            complete(p, sample, values, count, moment);
+            continue;
+        }
+        for (size_t i = 0; i < count; i++)
+            p->values[i] = i < sample->active ? values[i] : 0;
+        p->time = sample->time;
+        p->complete = fabs(sample->time - moment) <= slack;
+    }
+    return BEAD_OK;
+}

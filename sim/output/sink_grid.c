@@ -1,0 +1,72 @@
+#include "sim/output/sink_grid.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+double bead_round_down(double x)
+{
+    int exponent = (int)floor(log10(x));
+    double unit = pow(10, abs(exponent)), mantissa = exponent < 0 ? x * unit : x / unit;
+    double round = mantissa >= 10 ? 10 : mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : mantissa >= 1 ? 1 : 0.5;
+    return exponent < 0 ? round / unit : round * unit;
+}
+
+/* More samples than this are a mistake, whatever the disk. */
+static const double most_samples = 1e10;
+
+/* Move a grid to the times of `native`. */
+static void snap(const struct bead_grid *native, double every, struct bead_grid *grid)
+{
+    double multiple = every > 0 ? fmax(1, round(every / native->every)) : 1;
+    double first = fmax(0, ceil((grid->start - native->start) / native->every - 1e-6));
+    grid->start = native->start + first * native->every;
+    grid->every = multiple * native->every;
+    grid->end = fmin(grid->end, native->end);
+}
+
+enum bead_error bead_sink_grid(const struct bead_output *output, const struct bead_stage *stage, struct bead_grid *grid,
+                               struct bead_message *msg)
+{
+    const char *file = stage->scene->file;
+    struct bead_place place = output->place;
+    double resolution = stage->resolution > 0 && isfinite(stage->resolution) ? stage->resolution : 1e-6;
+    grid->start = isnan(output->time[0]) ? 0 : output->time[0];
+    grid->end = isnan(output->time[1]) ? stage->end : fmin(output->time[1], stage->end);
+    grid->every = output->every > 0 ? output->every : bead_round_down(resolution);
+    if (!(grid->start >= 0) || !(grid->end >= grid->start))
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: time: starts at %g, but the run ends at %g", file, place.line,
+                         place.column, grid->start, grid->end);
+    if (stage->native.every > 0)
+        snap(&stage->native, output->every, grid);
+    if (!((grid->end - grid->start) / grid->every < most_samples))
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: every: %g gives %.3g samples, at most %g are allowed", file,
+                         place.line, place.column, grid->every, (grid->end - grid->start) / grid->every, most_samples);
+    if (bead_grid_count(grid) == 0)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: time: there are no samples from %g to %g", file, place.line,
+                         place.column, grid->start, grid->end);
+    return BEAD_OK;
+}
+
+size_t bead_span_rows(const struct bead_span *span, size_t count)
+{
+    if (span->first >= count || span->last < span->first)
+        return 0;
+    return (span->last < count ? span->last : count - 1) - span->first + 1;
+}
+
+void bead_time_text(double time, const char *unit, char *text, size_t size)
+{
+    static const struct {
+        double size;
+        const char *unit;
+    } units[] = {{1, "s"}, {1e-3, "ms"}, {1e-6, "us"}, {1e-9, "ns"}};
+    size_t i = 0;
+    if (!*unit) {
+        snprintf(text, size, "%.4g", time);
+        return;
+    }
+    while (i < 3 && time < 0.9999999 * units[i].size)
+        i++;
+    snprintf(text, size, "%.4g %s", time / units[i].size, units[i].unit);
+}

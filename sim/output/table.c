@@ -1,0 +1,299 @@
+/* The sink of `table:` outputs: comma-separated values as RFC 4180 has them, numbers with 17 digits, which give the same
+ * double when read again. */
+#include <locale.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/file.h"
+#include "sim/output/data_sinks.h"
+#include "sim/output/sink_grid.h"
+#include "sim/output/table.h"
+
+/* ---- writing: failures are remembered by the FILE and found when it is closed ---- */
+
+void bead_table_text(FILE *file, const char *text)
+{
+    if (!text[strcspn(text, ",\"\r\n")]) {
+        fputs(text, file);
+        return;
+    }
+    fputc('"', file);
+    for (; *text; text++) {
+        if (*text == '"')
+            fputc('"', file);
+        fputc(*text, file);
+    }
+    fputc('"', file);
+}
+
+static bool several(const struct bead_sink *sink)
+{
+    return sink->stage.chain_count > 1;
+}
+
+/* ---- peaks of contacts or beads, at the end ---- */
+
+static void peaks_needs(const struct bead_sink *sink, struct bead_needs *needs)
+{
+    needs->contact_peaks = sink->output->show == BEAD_SHOW_PEAKS;
+    needs->bead_peaks = sink->output->show == BEAD_SHOW_BEAD_PEAKS;
+    needs->until = INFINITY;
+}
+
+static void peaks_header(struct bead_sink *sink)
+{
+    fprintf(sink->file, "%s%s,peak_force_N,time_s,state\n", several(sink) ? "chain," : "",
+            sink->output->show == BEAD_SHOW_PEAKS ? "contact" : "bead");
+}
+
+/* Contacts that the wave has not reached are many, and need no digits. */
+static void write_peak(FILE *file, size_t index, const struct bead_peak *peak)
+{
+    if (peak->value == 0 && isnan(peak->time))
+        fprintf(file, "%zu,0,nan,\n", index);
+    else
+        fprintf(file, "%zu,%.17g,%.17g,%s\n", index, peak->value, peak->time, peak->open ? "open" : "");
+}
+
+static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
+{
+    bool contacts = sink->output->show == BEAD_SHOW_PEAKS;
+    for (size_t c = 0; outcomes && c < sink->stage.chain_count; c++) {
+        const struct bead_chain *chain = sink->stage.chains[c];
+        const struct bead_peak *peaks = contacts ? outcomes[c].contact_peaks : outcomes[c].bead_peaks;
+        size_t first = sink->output->beads.first;
+        size_t count = bead_span_rows(&sink->output->beads, contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain));
+        for (size_t i = first; peaks && i < first + count; i++) {
+            if (several(sink)) {
+                bead_table_text(sink->file, bead_chain_name(chain));
+                fputc(',', sink->file);
+            }
+            write_peak(sink->file, i, &peaks[i]);
+            sink->rows++;
+        }
+    }
+}
+
+/* ---- sensors, sample by sample ---- */
+
+char *bead_table_column(const struct bead_sink *sink, size_t chain, const char *sensor)
+{
+    char *name = NULL;
+    const char *owner = several(sink) ? bead_chain_name(sink->stage.chains[chain]) : "";
+    return asprintf(&name, "%s%s%s", owner, *owner ? "/" : "", sensor) < 0 ? NULL : name;
+}
+
+static enum bead_error sensors_prepare(struct bead_sink *sink, struct bead_message *msg)
+{
+    size_t count = 0, total = 0;
+    for (size_t c = 0; c < sink->stage.chain_count; c++) {
+        bead_chain_sensors(sink->stage.chains[c], &count);
+        total += count;
+    }
+    if (total == 0)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: show: sensors, but no bead of the chain has a `sensor`",
+                         sink->stage.scene->file, sink->output->place.line, sink->output->place.column);
+    sink->columns = calloc(total, sizeof *sink->columns);
+    for (size_t c = 0; sink->columns && c < sink->stage.chain_count; c++) {
+        const struct bead_sensor *sensors = bead_chain_sensors(sink->stage.chains[c], &count);
+        for (size_t i = 0; i < count; i++) {
+            char *name = bead_table_column(sink, c, sensors[i].name);
+            if (!name)
+                return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
+            sink->columns[sink->column_count++] = (struct column){c, sensors[i].bead, name, 0};
+        }
+    }
+    if (!sink->columns)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
+    char every[32];
+    enum bead_error error = bead_sink_grid(sink->output, &sink->stage, &sink->grid, msg);
+    bead_time_text(sink->grid.every, bead_chain_time_unit(sink->stage.chains[0]), every, sizeof every);
+    snprintf(sink->why, sizeof sink->why, "%zu samples of %zu sensor%s, every %s", bead_grid_count(&sink->grid), total,
+             total == 1 ? "" : "s", every);
+    return error;
+}
+
+static void sensors_needs(const struct bead_sink *sink, struct bead_needs *needs)
+{
+    needs->fields = BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
+    needs->grid = sink->grid;
+    needs->until = sink->grid.end;
+    needs->beads = (struct bead_span){SIZE_MAX, 0};
+    for (size_t i = 0; i < sink->column_count; i++) {
+        size_t bead = sink->columns[i].bead;
+        needs->beads.first = bead < needs->beads.first ? bead : needs->beads.first;
+        needs->beads.last = bead > needs->beads.last ? bead : needs->beads.last;
+    }
+}
+
+void bead_table_columns(struct bead_sink *sink, const char *time)
+{
+    fputs(time, sink->file);
+    for (size_t i = 0; i < sink->column_count; i++) {
+        fputc(',', sink->file);
+        bead_table_text(sink->file, sink->columns[i].name);
+    }
+    fputc('\n', sink->file);
+}
+
+void bead_table_row(struct bead_sink *sink, double time)
+{
+    fprintf(sink->file, "%.17g", time);
+    for (size_t i = 0; i < sink->column_count; i++)
+        fprintf(sink->file, ",%.17g", sink->columns[i].value);
+    fputc('\n', sink->file);
+    sink->rows++;
+}
+
+static void sensors_header(struct bead_sink *sink)
+{
+    bead_table_columns(sink, "time_s");
+}
+
+/* A row is written when all chains have come, so that a run that is stopped leaves no half row. */
+static enum bead_error sensors_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
+{
+    (void)msg;
+    for (size_t i = 0; i < sink->column_count; i++)
+        if (sink->columns[i].chain == sample->chain)
+            sink->columns[i].value = sample->field[BEAD_FIELD_FORCE][sink->columns[i].bead];
+    if (sample->chain + 1 == sink->stage.chain_count)
+        bead_table_row(sink, sample->time);
+    return BEAD_OK;
+}
+
+static const struct table sensors = {"forces at the sensors", sensors_prepare, sensors_needs, sensors_header, sensors_sample, NULL},
+                          peaks = {"largest force of every contact", NULL, peaks_needs, peaks_header, NULL, peaks_end},
+                          bead_peaks = {"largest force of every bead", NULL, peaks_needs, peaks_header, NULL, peaks_end};
+
+static const struct table *const tables[] = {
+    [BEAD_SHOW_SENSORS] = &sensors,        [BEAD_SHOW_PEAKS] = &peaks,
+    [BEAD_SHOW_BEAD_PEAKS] = &bead_peaks,  [BEAD_SHOW_MEASURES] = &bead_table_measures,
+    [BEAD_SHOW_MODES] = &bead_table_modes, [BEAD_SHOW_PROFILES] = &bead_table_profiles,
+    [BEAD_SHOW_CHAIN] = &bead_table_chain,
+};
+
+/* ---- the sink ---- */
+
+static void table_destroy(struct bead_sink *sink)
+{
+    if (!sink)
+        return;
+    if (sink->file)
+        fclose(sink->file);
+    if (sink->open && !sink->finished)
+        bead_file_discard(sink->part);
+    if (sink->locale != (locale_t)0)
+        freelocale(sink->locale);
+    for (size_t i = 0; i < sink->column_count; i++)
+        free(sink->columns[i].name);
+    for (size_t i = 0; sink->measures && i < sink->stage.chain_count; i++)
+        bead_measures_destroy(sink->measures[i]);
+    bead_moments_destroy(sink->moments);
+    free(sink->measures);
+    free(sink->columns);
+    free(sink->path);
+    free(sink->part);
+    free(sink);
+}
+
+static enum bead_error table_create(const struct bead_output *output, const struct bead_stage *stage, struct bead_sink **made,
+                                    struct bead_message *msg)
+{
+    *made = NULL;
+    if ((size_t)output->show >= sizeof tables / sizeof *tables || !tables[output->show])
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s:%zu:%zu: show: not known to tables", stage->scene->file,
+                         output->place.line, output->place.column);
+    struct bead_sink *sink = calloc(1, sizeof *sink);
+    if (!sink)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
+    sink->stage = *stage;
+    sink->output = output;
+    sink->table = tables[output->show];
+    snprintf(sink->why, sizeof sink->why, "%s", sink->table->why);
+    enum bead_error error = bead_file_join(stage->directory, output->path, &sink->path, msg);
+    if (!error)
+        error = bead_file_part_name(sink->path, &sink->part, msg);
+    if (!error && sink->table->prepare)
+        error = sink->table->prepare(sink, msg);
+    if (!error && (sink->locale = newlocale(LC_ALL_MASK, "C", (locale_t)0)) == (locale_t)0)
+        error = bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
+    if (error)
+        table_destroy(sink);
+    else
+        *made = sink;
+    return error;
+}
+
+static void table_needs(const struct bead_sink *sink, struct bead_needs *needs)
+{
+    *needs = (struct bead_needs){.beads = {0, 0}, .why = sink->why};
+    sink->table->needs(sink, needs);
+}
+
+static enum bead_error table_begin(struct bead_sink *sink, struct bead_range range, struct bead_message *msg)
+{
+    (void)range;
+    enum bead_error error = bead_file_create(sink->part, &sink->file, msg);
+    if (error)
+        return error;
+    sink->open = true;
+    sink->table->header(sink);
+    return BEAD_OK;
+}
+
+static enum bead_error table_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
+{
+    if (!sink->table->sample)
+        return BEAD_OK;
+    if (sample->chain != sink->next_chain || sample->index != sink->next_sample)
+        return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: sample %zu of chain %zu came out of order", sink->path, sample->index,
+                         sample->chain);
+    sink->next_chain = (sink->next_chain + 1) % sink->stage.chain_count;
+    sink->next_sample += sink->next_chain == 0;
+    locale_t before = uselocale(sink->locale);
+    enum bead_error error = sink->table->sample(sink, sample, msg);
+    uselocale(before);
+    if (error)
+        return error;
+    return ferror(sink->file) ? bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be written", sink->part) : BEAD_OK;
+}
+
+static enum bead_error table_end(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
+{
+    locale_t before = uselocale(sink->locale);
+    if (sink->table->end)
+        sink->table->end(sink, outcomes);
+    uselocale(before);
+    FILE *file = sink->file;
+    sink->file = NULL;
+    enum bead_error error = bead_file_close(file, sink->part, msg);
+    if (error)
+        return error;
+    sink->finished = true; /* a failing commit removes the part itself */
+    return bead_file_commit(sink->part, sink->path, msg);
+}
+
+static void table_result(const struct bead_sink *sink, uint64_t *bytes, uint64_t *items)
+{
+    *bytes = bead_file_bytes(sink->finished ? sink->path : sink->part);
+    *items = sink->rows;
+}
+
+static const char *const extensions[] = {"csv", NULL};
+
+const struct bead_sink_type bead_table_sink = {
+    .name = "table",
+    .help = "peaks, forces at sensors, measures, modes, profiles or the beads of chains, as comma-separated values",
+    .kind = BEAD_OUTPUT_TABLE,
+    .extensions = extensions,
+    .create = table_create,
+    .needs = table_needs,
+    .begin = table_begin,
+    .sample = table_sample,
+    .end = table_end,
+    .destroy = table_destroy,
+    .result = table_result,
+};

@@ -1,0 +1,63 @@
+/* Inside of tables, shared by table.c and the files of what tables show. */
+#ifndef BEADREEL_SIM_OUTPUT_TABLE_H
+#define BEADREEL_SIM_OUTPUT_TABLE_H
+
+#include <locale.h>
+#include <stdio.h>
+
+#include "beadreel/measure.h"
+#include "beadreel/profile_times.h"
+#include "beadreel/sink.h"
+
+struct column {
+    size_t chain, bead;
+    char *name;   /* of the column */
+    double value; /* N, of the row being collected */
+};
+
+struct bead_sink {
+    struct bead_stage stage;
+    const struct bead_output *output;
+    const struct table *table;
+    struct bead_grid grid;
+    char *path, *part;
+    char why[128];
+    FILE *file;
+    locale_t locale;        /* "C": a decimal point, whatever the user's language */
+    struct column *columns; /* sensors, chain by chain */
+    size_t column_count, next_chain, next_sample;
+    struct bead_measures **measures; /* [chains], of those that measures are made for */
+    struct bead_moments *moments;    /* of profiles */
+    uint64_t rows;
+    bool open, finished;
+};
+
+/* What can be shown: its needs and how it is written. */
+struct table {
+    const char *why;
+    enum bead_error (*prepare)(struct bead_sink *sink, struct bead_message *msg); /* may be NULL */
+    void (*needs)(const struct bead_sink *sink, struct bead_needs *needs);
+    void (*header)(struct bead_sink *sink);
+    enum bead_error (*sample)(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg); /* may be NULL */
+    void (*end)(struct bead_sink *sink, const struct bead_outcome *outcomes);                                      /* may be NULL */
+};
+
+/* A text, in quotes where it has a comma, a quote or a line break. */
+void bead_table_text(FILE *file, const char *text);
+
+/* A line of the columns' names behind that of the time, and one of their values. */
+void bead_table_columns(struct bead_sink *sink, const char *time);
+void bead_table_row(struct bead_sink *sink, double time);
+
+/* `show: measures` */
+extern const struct table bead_table_measures;
+/* `show: modes` */
+extern const struct table bead_table_modes;
+/* `show: profiles` */
+extern const struct table bead_table_profiles;
+/* `show: chain` */
+extern const struct table bead_table_chain;
+/* "chain/what", or "what" where there is one chain only; NULL: no memory. */
+char *bead_table_column(const struct bead_sink *sink, size_t chain, const char *what);
+
+#endif

@@ -1,0 +1,53 @@
+/* Tables of chains as they are at rest: a row for each bead, with the contact behind it. Nothing is computed for them. */
+#include "sim/output/table.h"
+
+static void needs(const struct bead_sink *sink, struct bead_needs *needs)
+{
+    (void)sink;
+    needs->until = 0;
+}
+
+static void header(struct bead_sink *sink)
+{
+    fprintf(sink->file, "%sbead,material,mass_kg,radius_m,position_m,sensor,stiffness,static_force_N\n",
+            sink->stage.chain_count > 1 ? "chain," : "");
+}
+
+static void write_sensor(FILE *file, const struct bead_chain *chain, size_t bead)
+{
+    size_t count = 0;
+    const struct bead_sensor *sensors = bead_chain_sensors(chain, &count);
+    for (size_t i = 0; i < count; i++) {
+        if (sensors[i].bead == bead)
+            bead_table_text(file, sensors[i].name);
+    }
+}
+
+static void write_bead(struct bead_sink *sink, const struct bead_chain *chain, size_t bead)
+{
+    if (sink->stage.chain_count > 1) {
+        bead_table_text(sink->file, bead_chain_name(chain));
+        fputc(',', sink->file);
+    }
+    fprintf(sink->file, "%zu,", bead);
+    bead_table_text(sink->file, bead_chain_scene(chain)->materials[bead_chain_material(chain)[bead]].name);
+    fprintf(sink->file, ",%.17g,%.17g,%.17g,", bead_chain_mass(chain)[bead], bead_chain_radius(chain)[bead],
+            bead_chain_position(chain)[bead]);
+    write_sensor(sink->file, chain, bead);
+    if (bead < bead_chain_contacts(chain))
+        fprintf(sink->file, ",%.17g,%.17g\n", bead_chain_stiffness(chain)[bead], bead_chain_static_force(chain)[bead]);
+    else
+        fputs(",,\n", sink->file);
+    sink->rows++;
+}
+
+static void end(struct bead_sink *sink, const struct bead_outcome *outcomes)
+{
+    (void)outcomes;
+    for (size_t c = 0; c < sink->stage.chain_count; c++) {
+        for (size_t i = 0; i < bead_chain_beads(sink->stage.chains[c]); i++)
+            write_bead(sink, sink->stage.chains[c], i);
+    }
+}
+
+const struct table bead_table_chain = {"beads and contacts as the scene has them", NULL, needs, header, NULL, end};

@@ -1,0 +1,87 @@
+/* Tables of measures: a row for each number, a block for each chain. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "sim/output/sink_grid.h"
+#include "sim/output/table.h"
+
+enum { MOST_MEASURES = 128 };
+/* Polynomials through seven samples follow a pulse to six digits when they are this much further apart than pictures need. */
+static const double coarser = 2;
+
+static bool of_beads(const struct bead_chain *chain)
+{
+    return bead_chain_spec(chain)->equation.name == NULL;
+}
+
+static enum bead_error prepare(struct bead_sink *sink, struct bead_message *msg)
+{
+    size_t count = sink->stage.chain_count, watched = 0;
+    char every[32];
+    enum bead_error err = BEAD_OK;
+    sink->measures = calloc(count, sizeof *sink->measures);
+    if (!sink->measures)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
+    for (size_t c = 0; !err && c < count; c++) {
+        if (!of_beads(sink->stage.chains[c])) /* what moves there measures itself */
+            continue;
+        err = bead_measures_create(sink->stage.chains[c], &sink->measures[c], msg);
+        watched++;
+    }
+    if (err || watched == 0)
+        return err;
+    struct bead_stage stage = sink->stage;
+    stage.resolution *= coarser;
+    err = bead_sink_grid(sink->output, &stage, &sink->grid, msg);
+    bead_time_text(sink->grid.every, bead_chain_time_unit(sink->stage.chains[0]), every, sizeof every);
+    snprintf(sink->why, sizeof sink->why, "measures of the run, from %zu samples every %s", bead_grid_count(&sink->grid), every);
+    return err;
+}
+
+static void needs(const struct bead_sink *sink, struct bead_needs *needs)
+{
+    needs->until = INFINITY;
+    if (!(sink->grid.every > 0))
+        return;
+    needs->fields = BEAD_MEASURE_FIELDS;
+    needs->grid = sink->grid;
+    needs->until = sink->grid.end;
+    needs->beads = (struct bead_span){0, SIZE_MAX};
+}
+
+static void header(struct bead_sink *sink)
+{
+    fprintf(sink->file, "%sname,value,unit\n", sink->stage.chain_count > 1 ? "chain," : "");
+}
+
+static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
+{
+    struct bead_measures *measures = sink->measures[sample->chain];
+    return measures ? bead_measures_feed(measures, sample, msg) : BEAD_OK;
+}
+
+static void write_row(struct bead_sink *sink, size_t chain, const struct bead_measure *measure)
+{
+    if (sink->stage.chain_count > 1) {
+        bead_table_text(sink->file, bead_chain_name(sink->stage.chains[chain]));
+        fputc(',', sink->file);
+    }
+    bead_table_text(sink->file, measure->name);
+    fprintf(sink->file, ",%.17g,%s\n", measure->value, measure->unit);
+    sink->rows++;
+}
+
+static void end(struct bead_sink *sink, const struct bead_outcome *outcomes)
+{
+    struct bead_measure found[MOST_MEASURES];
+    for (size_t c = 0; c < sink->stage.chain_count; c++) {
+        const struct bead_outcome *outcome = outcomes ? &outcomes[c] : NULL;
+        size_t count = sink->measures[c] ? bead_measures_read(sink->measures[c], outcome, found, MOST_MEASURES) : 0;
+        for (size_t i = 0; i < count && i < MOST_MEASURES; i++)
+            write_row(sink, c, &found[i]);
+        for (size_t i = 0; outcome && outcome->measures && i < outcome->measure_count; i++)
+            write_row(sink, c, &outcome->measures[i]);
+    }
+}
+
+const struct table bead_table_measures = {"measures of the run", prepare, needs, header, sample, end};

@@ -1,0 +1,53 @@
+/* An open trajectory's insides, shared by trajectory_open.c and trajectory_read.c. */
+#ifndef BEADREEL_SIM_OUTPUT_TRAJECTORY_DATA_H
+#define BEADREEL_SIM_OUTPUT_TRAJECTORY_DATA_H
+
+#include "beadreel/trajectory.h"
+#include "sim/base/h5.h"
+#include "sim/output/trajectory_layout.h"
+
+/* A stored series and the samples read ahead. */
+struct bead_source {
+    hid_t value; /* -1: not stored */
+    size_t columns;
+    double *block;   /* [block_rows][columns] */
+    size_t first;    /* sample that the block begins with */
+    size_t held;     /* samples in the block */
+    double *scratch; /* one chain, all its beads: 0 where not stored */
+};
+
+struct bead_trajectory {
+    struct bead_h5 h5;
+    char *path;
+    char *text; /* of the scene, as stored */
+    struct bead_scene *scene;
+    struct bead_chain **chains;
+    size_t chain_count;
+    struct bead_chain_rows *rows; /* [chains] */
+    size_t beads, contacts;       /* lengths of the axes */
+    struct bead_span span;
+    struct bead_grid grid;
+    size_t samples;
+    unsigned fields;  /* stored */
+    unsigned derived; /* found from displacements */
+    double *forces;   /* derived: contact forces, then bead forces, of the longest chain */
+    bool complete;
+    double end;
+    struct bead_source sources[BEAD_SERIES_COUNT];
+    size_t block_rows;
+    struct bead_outcome *outcomes; /* [chains] */
+    struct bead_h5_text *methods;  /* [chains] */
+};
+
+enum bead_error bead_trajectory_no_memory(struct bead_trajectory *trajectory);
+/* Beads of the longest chain, at least 1. */
+size_t bead_trajectory_longest(const struct bead_trajectory *trajectory);
+
+/* Opening in two steps, for whom the stored scene decides with which settings: first the file and its scene as it is stored, then
+ * the rest, for the scene with settings. A sweep's file is none: then *trajectory is NULL without an error. On failure of either
+ * the trajectory is to be closed. Errors: as bead_trajectory_open. */
+BEAD_CHECK enum bead_error bead_trajectory_begin(const char *path, struct bead_trajectory **trajectory, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_trajectory_settle(struct bead_trajectory *trajectory, const char *const *settings,
+                                                  size_t setting_count, struct bead_message *msg);
+
+#endif

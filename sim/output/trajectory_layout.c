@@ -1,0 +1,45 @@
+#include "sim/output/trajectory_layout.h"
+
+#include "sim/output/sink_grid.h"
+
+const struct bead_series_info bead_series[BEAD_SERIES_COUNT] = {
+    [BEAD_SERIES_DISPLACEMENT] = {BEAD_FIELD_DISPLACEMENT, true, false, 1, "/particles/chain/displacement", "m",
+                                  "displacement from the rest position"},
+    [BEAD_SERIES_POSITION] = {BEAD_FIELD_DISPLACEMENT, false, false, 3, "/particles/chain/position", "m", "position of the centre"},
+    [BEAD_SERIES_VELOCITY] = {BEAD_FIELD_VELOCITY, true, false, 3, "/particles/chain/velocity", "m s-1", "velocity"},
+    [BEAD_SERIES_BEAD_FORCE] = {BEAD_FIELD_FORCE, true, false, 1, "/particles/chain/bead_force", "N",
+                                "mean of the forces in the two contacts of the bead"},
+    [BEAD_SERIES_NET_FORCE] = {BEAD_FIELD_FORCE, false, false, 3, "/particles/chain/force", "N",
+                               "net force: mass times acceleration"},
+    [BEAD_SERIES_CONTACT_FORCE] = {BEAD_FIELD_CONTACT_FORCE, true, true, 1, "/contacts/contact_force", "N",
+                                   "force in the contact of a bead with its right neighbour"},
+    [BEAD_SERIES_ENERGY] = {BEAD_FIELD_ENERGY, true, false, 1, "/particles/chain/energy", "J",
+                            "kinetic energy and half the energy of both contacts"},
+    [BEAD_SERIES_STRAIN] = {BEAD_FIELD_STRAIN, true, false, 1, "/particles/chain/strain", "1", "strain"},
+};
+
+void bead_trajectory_rows(const struct bead_chain *const *chains, size_t count, struct bead_span span, struct bead_chain_rows *rows,
+                          size_t *beads, size_t *contacts)
+{
+    *beads = *contacts = 0;
+    for (size_t c = 0; c < count; c++) {
+        rows[c] = (struct bead_chain_rows){*beads,    span.first, bead_span_rows(&span, bead_chain_beads(chains[c])),
+                                           *contacts, span.first, bead_span_rows(&span, bead_chain_contacts(chains[c]))};
+        *beads += rows[c].beads;
+        *contacts += rows[c].contacts;
+    }
+}
+
+const struct bead_outcome_column bead_outcome_columns[] = {
+    {"end", "s", offsetof(struct bead_outcome, end)},
+    {"front_arrival", "s", offsetof(struct bead_outcome, front_arrival)},
+    {"step", "s", offsetof(struct bead_outcome, step)},
+    {"energy_start", "J", offsetof(struct bead_outcome, energy_start)},
+    {"energy_end", "J", offsetof(struct bead_outcome, energy_end)},
+    {"momentum_start", "kg m s-1", offsetof(struct bead_outcome, momentum_start)},
+    {"momentum_end", "kg m s-1", offsetof(struct bead_outcome, momentum_end)},
+    {"energy_error", "1", offsetof(struct bead_outcome, energy_error)},
+    {"embedded_error", "1", offsetof(struct bead_outcome, embedded_error)},
+    {"event_error", "1", offsetof(struct bead_outcome, event_error)},
+};
+const size_t bead_outcome_column_count = sizeof bead_outcome_columns / sizeof *bead_outcome_columns;

@@ -1,0 +1,357 @@
+/* The sink of `trajectory:` outputs: samples into growing datasets, whole chunks at a time, flushed often enough that a
+ * killed run loses about a second. */
+#include "sim/output/trajectory_sink.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/file.h"
+#include "beadreel/trajectory.h"
+#include "sim/chain/chain_data.h"
+#include "sim/output/data_sinks.h"
+#include "sim/output/sink_grid.h"
+
+static const size_t most_chunk_rows = 256;
+static const size_t most_chunk_bytes = 8 << 20;
+static const double flush_every = 1; /* s */
+
+static void trajectory_destroy(struct bead_sink *sink)
+{
+    if (!sink)
+        return;
+    sink->h5.msg = NULL;
+    hid_t *objects[] = {&sink->time, &sink->step, &sink->bead_scale, &sink->contact_scale, &sink->spatial_scale};
+    for (size_t i = 0; i < sizeof objects / sizeof *objects; i++)
+        bead_h5_close(&sink->h5, objects[i]);
+    for (size_t i = 0; i < BEAD_SERIES_COUNT; i++) {
+        bead_h5_close(&sink->h5, &sink->series[i].value);
+        free(sink->series[i].buffer);
+    }
+    bead_h5_shut(&sink->h5);
+    if (sink->open && !sink->finished)
+        bead_file_discard(sink->part);
+    free(sink->rows);
+    free(sink->path);
+    free(sink->part);
+    free(sink->shift);
+    free(sink->times);
+    free(sink->steps);
+    free(sink);
+}
+
+static enum bead_error no_rows(const struct bead_sink *sink, const char *what, struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: beads: no %s from %zu on", sink->stage.scene->file,
+                     sink->output->place.line, sink->output->place.column, what, sink->output->beads.first);
+}
+
+/* Lengths of the axes, samples a chunk, and a few words for the plan. */
+static enum bead_error measure(struct bead_sink *sink, struct bead_message *msg)
+{
+    bead_trajectory_rows(sink->stage.chains, sink->stage.chain_count, sink->output->beads, sink->rows, &sink->beads,
+                         &sink->contacts);
+    if (sink->beads == 0)
+        return no_rows(sink, "chain has beads", msg);
+    if (sink->contacts == 0 && (sink->fields & BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE)))
+        return no_rows(sink, "chain has contacts", msg);
+    size_t widest = sink->beads > sink->contacts ? sink->beads : sink->contacts;
+    sink->chunk_rows = most_chunk_bytes / (sizeof(double) * widest);
+    if (sink->chunk_rows > most_chunk_rows)
+        sink->chunk_rows = most_chunk_rows;
+    if (sink->chunk_rows < 1)
+        sink->chunk_rows = 1;
+    char every[32];
+    bead_time_text(sink->grid.every, bead_chain_time_unit(sink->stage.chains[0]), every, sizeof every);
+    int fields = __builtin_popcount(sink->fields);
+    snprintf(sink->why, sizeof sink->why, "%zu samples of %d field%s, %zu beads, every %s", bead_grid_count(&sink->grid), fields,
+             fields == 1 ? "" : "s", sink->beads, every);
+    return BEAD_OK;
+}
+
+static enum bead_error trajectory_create(const struct bead_output *output, const struct bead_stage *stage, struct bead_sink **made,
+                                         struct bead_message *msg)
+{
+    *made = NULL;
+    struct bead_sink *sink = calloc(1, sizeof *sink);
+    if (!sink)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a trajectory");
+    *sink = (struct bead_sink){.stage = *stage, .output = output, .time = -1, .step = -1, .bead_scale = -1, .contact_scale = -1};
+    sink->spatial_scale = sink->h5.file = -1;
+    for (size_t i = 0; i < BEAD_SERIES_COUNT; i++)
+        sink->series[i].value = -1;
+    sink->fields = output->fields;
+    if (!sink->fields)
+        sink->fields =
+            BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) | BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
+    sink->rows = calloc(stage->chain_count ? stage->chain_count : 1, sizeof *sink->rows);
+    enum bead_error error = sink->rows ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a trajectory");
+    if (!error)
+        error = bead_file_join(stage->directory, output->path, &sink->path, msg);
+    if (!error)
+        error = bead_file_part_name(sink->path, &sink->part, msg);
+    if (!error)
+        error = bead_sink_grid(output, stage, &sink->grid, msg);
+    if (!error)
+        error = measure(sink, msg);
+    if (error)
+        trajectory_destroy(sink);
+    else
+        *made = sink;
+    return error;
+}
+
+static void trajectory_needs(const struct bead_sink *sink, struct bead_needs *needs)
+{
+    *needs = (struct bead_needs){.fields = sink->fields, .beads = sink->output->beads, .grid = sink->grid, .until = sink->grid.end};
+    needs->why = sink->why;
+    if (bead_trajectory_wants(sink, BEAD_SERIES_NET_FORCE)) {
+        needs->fields |= BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE);
+        needs->beads.first -= needs->beads.first > 0;
+    }
+}
+
+/* Memory for one chunk of every series. */
+static enum bead_error reserve(struct bead_sink *sink, struct bead_message *msg)
+{
+    size_t rows = sink->chunk_rows;
+    bool got = (sink->times = calloc(rows, sizeof *sink->times)) != NULL;
+    got = got && (sink->steps = calloc(rows, sizeof *sink->steps)) != NULL;
+    for (int id = 0; got && id < BEAD_SERIES_COUNT; id++) {
+        if (!bead_trajectory_wants(sink, id))
+            continue;
+        struct bead_series *series = &sink->series[id];
+        series->columns = bead_series[id].of_contacts ? sink->contacts : sink->beads;
+        got = !__builtin_mul_overflow(rows, series->columns, &(size_t){0});
+        got = got && (series->buffer = calloc(rows * series->columns, sizeof(double))) != NULL;
+    }
+    if (got && sink->stage.chain_count > 1 && sink->series[BEAD_SERIES_POSITION].buffer)
+        got = (sink->shift = calloc(rows * sink->beads, sizeof(double))) != NULL;
+    return got ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "%s: no memory for samples of %zu beads", sink->path, sink->beads);
+}
+
+/* Chains stand in rows below each other, two diameters of the largest bead apart. */
+static void place_rows(struct bead_sink *sink)
+{
+    if (!sink->shift)
+        return;
+    double largest = 0;
+    for (size_t c = 0; c < sink->stage.chain_count; c++)
+        for (size_t j = 0; j < bead_chain_beads(sink->stage.chains[c]); j++)
+            largest = fmax(largest, bead_chain_radius(sink->stage.chains[c])[j]);
+    for (size_t row = 0; row < sink->chunk_rows; row++)
+        for (size_t c = 0; c < sink->stage.chain_count; c++)
+            for (size_t i = 0; i < sink->rows[c].beads; i++)
+                sink->shift[row * sink->beads + sink->rows[c].first_row + i] = -4 * largest * (double)c;
+}
+
+static enum bead_error trajectory_begin(struct bead_sink *sink, struct bead_range range, struct bead_message *msg)
+{
+    (void)range;
+    enum bead_error error = reserve(sink, msg);
+    if (error)
+        return error;
+    place_rows(sink);
+    bead_h5_create(&sink->h5, sink->part, msg);
+    if (sink->h5.error)
+        return sink->h5.error;
+    sink->open = true;
+    bead_trajectory_lay_out(sink);
+    bead_h5_flush(&sink->h5);
+    clock_gettime(CLOCK_MONOTONIC, &sink->flushed);
+    sink->h5.msg = NULL;
+    return sink->h5.error;
+}
+
+/* A row of one chain, from a sample. */
+struct cell {
+    const struct bead_chain *chain;
+    const struct bead_chain_rows *rows;
+    const struct bead_sample *sample;
+};
+typedef void (*fill_function)(const struct cell *cell, double *row);
+
+static void copy_beads(const struct cell *cell, enum bead_field field, double *row)
+{
+    memcpy(row, cell->sample->field[field] + cell->rows->first_bead, cell->rows->beads * sizeof *row);
+}
+static void fill_displacement(const struct cell *cell, double *row)
+{
+    copy_beads(cell, BEAD_FIELD_DISPLACEMENT, row);
+}
+static void fill_velocity(const struct cell *cell, double *row)
+{
+    copy_beads(cell, BEAD_FIELD_VELOCITY, row);
+}
+static void fill_bead_force(const struct cell *cell, double *row)
+{
+    copy_beads(cell, BEAD_FIELD_FORCE, row);
+}
+static void fill_energy(const struct cell *cell, double *row)
+{
+    copy_beads(cell, BEAD_FIELD_ENERGY, row);
+}
+static void fill_strain(const struct cell *cell, double *row)
+{
+    copy_beads(cell, BEAD_FIELD_STRAIN, row);
+}
+static void fill_contact_force(const struct cell *cell, double *row)
+{
+    memcpy(row, cell->sample->field[BEAD_FIELD_CONTACT_FORCE] + cell->rows->first_contact, cell->rows->contacts * sizeof *row);
+}
+static void fill_position(const struct cell *cell, double *row)
+{
+    const double *rest = bead_chain_position(cell->chain) + cell->rows->first_bead;
+    const double *u = cell->sample->field[BEAD_FIELD_DISPLACEMENT] + cell->rows->first_bead;
+    for (size_t i = 0; i < cell->rows->beads; i++)
+        row[i] = rest[i] + u[i];
+}
+
+/* Contact force k beyond its static part; left of the striker, the constant force on it. Each static part is balanced. */
+static double unbalanced(const struct bead_chain *chain, const double *force, size_t k_plus_1)
+{
+    if (k_plus_1 == 0)
+        return chain->striker_force;
+    return k_plus_1 <= chain->contacts ? force[k_plus_1 - 1] - chain->static_force[k_plus_1 - 1] : 0;
+}
+
+static void fill_net_force(const struct cell *cell, double *row)
+{
+    const double *force = cell->sample->field[BEAD_FIELD_CONTACT_FORCE];
+    size_t j = cell->rows->first_bead;
+    double left = unbalanced(cell->chain, force, j);
+    for (size_t i = 0; i < cell->rows->beads; i++, j++) {
+        double right = unbalanced(cell->chain, force, j + 1);
+        row[i] = left - right;
+        left = right;
+    }
+}
+
+static const fill_function fill[BEAD_SERIES_COUNT] = {
+    [BEAD_SERIES_DISPLACEMENT] = fill_displacement,
+    [BEAD_SERIES_POSITION] = fill_position,
+    [BEAD_SERIES_VELOCITY] = fill_velocity,
+    [BEAD_SERIES_BEAD_FORCE] = fill_bead_force,
+    [BEAD_SERIES_NET_FORCE] = fill_net_force,
+    [BEAD_SERIES_CONTACT_FORCE] = fill_contact_force,
+    [BEAD_SERIES_ENERGY] = fill_energy,
+    [BEAD_SERIES_STRAIN] = fill_strain,
+};
+
+/* A run that went wrong must not leave a file that looks right. */
+static void check_finite(struct bead_sink *sink, enum bead_series_id id)
+{
+    const struct bead_series *series = &sink->series[id];
+    for (size_t i = sink->written * series->columns; i < sink->filled * series->columns; i++) {
+        if (isfinite(series->buffer[i]))
+            continue;
+        sink->h5.error = bead_fail(sink->h5.msg, BEAD_ERROR_NUMBERS, "%s: the %s at the time %g is not a finite number", sink->path,
+                                   bead_field_info(bead_series[id].field)->title, sink->times[i / series->columns]);
+        return;
+    }
+}
+
+/* Samples complete but not yet in the file. Values go before times: a file cut off here has no time without values. */
+static void write_pending(struct bead_sink *sink)
+{
+    struct bead_h5 *h5 = &sink->h5;
+    size_t first = sink->chunk_first + sink->written, rows = sink->filled - sink->written;
+    if (rows == 0)
+        return;
+    for (int id = 0; id < BEAD_SERIES_COUNT; id++) {
+        const struct bead_series *series = &sink->series[id];
+        if (!series->buffer || h5->error)
+            continue;
+        check_finite(sink, id);
+        bead_h5_write_rows(h5, series->value, H5T_NATIVE_DOUBLE, first, rows, series->columns, 0,
+                           series->buffer + sink->written * series->columns);
+        if (id == BEAD_SERIES_POSITION && sink->shift)
+            bead_h5_write_rows(h5, series->value, H5T_NATIVE_DOUBLE, first, rows, series->columns, 1, sink->shift);
+    }
+    bead_h5_write_rows(h5, sink->step, H5T_NATIVE_INT64, first, rows, 0, 0, sink->steps + sink->written);
+    bead_h5_write_rows(h5, sink->time, H5T_NATIVE_DOUBLE, first, rows, 0, 0, sink->times + sink->written);
+    bead_h5_flush(h5);
+    sink->written = sink->filled;
+    if (sink->filled == sink->chunk_rows) {
+        sink->chunk_first += sink->chunk_rows;
+        sink->filled = sink->written = 0;
+    }
+    clock_gettime(CLOCK_MONOTONIC, &sink->flushed);
+}
+
+static bool flush_is_due(const struct bead_sink *sink)
+{
+    struct timespec now;
+    if (sink->filled == sink->chunk_rows)
+        return true;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)(now.tv_sec - sink->flushed.tv_sec) + 1e-9 * (double)(now.tv_nsec - sink->flushed.tv_nsec) >= flush_every;
+}
+
+static enum bead_error trajectory_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
+{
+    size_t number = sink->chunk_first + sink->filled;
+    if (sample->chain != sink->next_chain || sample->index != number)
+        return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: sample %zu of chain %zu came out of order", sink->path, sample->index,
+                         sample->chain);
+    struct cell cell = {sink->stage.chains[sample->chain], &sink->rows[sample->chain], sample};
+    for (int id = 0; id < BEAD_SERIES_COUNT; id++) {
+        const struct bead_series *series = &sink->series[id];
+        size_t offset = bead_series[id].of_contacts ? cell.rows->first_contact_row : cell.rows->first_row;
+        if (series->buffer && (bead_series[id].of_contacts ? cell.rows->contacts : cell.rows->beads) > 0)
+            fill[id](&cell, series->buffer + sink->filled * series->columns + offset);
+    }
+    if (++sink->next_chain < sink->stage.chain_count)
+        return BEAD_OK;
+    sink->next_chain = 0;
+    sink->times[sink->filled] = sample->time;
+    sink->steps[sink->filled] = (int64_t)number;
+    sink->filled++;
+    sink->h5.msg = msg;
+    if (flush_is_due(sink))
+        write_pending(sink);
+    sink->h5.msg = NULL;
+    return sink->h5.error;
+}
+
+static enum bead_error trajectory_end(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
+{
+    sink->h5.msg = msg;
+    write_pending(sink);
+    bool complete = sink->chunk_first + sink->filled == bead_grid_count(&sink->grid);
+    bead_trajectory_write_outcome(sink, outcomes, complete);
+    hid_t *objects[] = {&sink->time, &sink->step, &sink->bead_scale, &sink->contact_scale, &sink->spatial_scale};
+    for (size_t i = 0; i < sizeof objects / sizeof *objects; i++)
+        bead_h5_close(&sink->h5, objects[i]);
+    for (size_t i = 0; i < BEAD_SERIES_COUNT; i++)
+        bead_h5_close(&sink->h5, &sink->series[i].value);
+    bead_h5_shut(&sink->h5);
+    sink->h5.msg = NULL;
+    if (sink->h5.error)
+        return sink->h5.error;
+    sink->finished = true; /* a failing commit removes the part itself */
+    return bead_file_commit(sink->part, sink->path, msg);
+}
+
+static void trajectory_result(const struct bead_sink *sink, uint64_t *bytes, uint64_t *items)
+{
+    *bytes = bead_file_bytes(sink->finished ? sink->path : sink->part);
+    *items = sink->chunk_first + sink->filled;
+}
+
+static const char *const extensions[] = {"h5", "hdf5", "h5md", NULL};
+
+const struct bead_sink_type bead_trajectory_sink = {
+    .name = "trajectory",
+    .help = "all samples, as an H5MD 1.1 file that explains itself and can be drawn again",
+    .kind = BEAD_OUTPUT_TRAJECTORY,
+    .extensions = extensions,
+    .create = trajectory_create,
+    .needs = trajectory_needs,
+    .begin = trajectory_begin,
+    .sample = trajectory_sample,
+    .end = trajectory_end,
+    .destroy = trajectory_destroy,
+    .result = trajectory_result,
+};

@@ -1,0 +1,203 @@
+/* Runs of equations: a motion, its samples, and what is known of it at the end. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/chain/chain_data.h"
+#include "sim/run/run_kinds.h"
+
+enum { MOST_MEASURES = 32 };
+
+struct bead_run {
+    struct bead_run_settings settings;
+    const struct bead_equation *equation;
+    struct bead_motion *motion;
+    double *value[BEAD_FIELD_COUNT], *memory;
+    double energy_start, energy_error, start; /* start: of the last step */
+    uint64_t steps, hash;
+    double step;
+    const char *method;
+    struct bead_measure measures[MOST_MEASURES];
+    size_t measure_count;
+};
+
+static struct bead_motion_settings settings_of(const struct bead_chain *chain, double looser)
+{
+    const struct bead_simulate *asked = &chain->scene->simulate;
+    looser = looser > 0 ? looser : 1;
+    return (struct bead_motion_settings){.spec = &chain->spec->equation,
+                                         .points = chain->beads,
+                                         .method = asked->method,
+                                         .accuracy = asked->step > 0 ? asked->accuracy : looser * asked->accuracy,
+                                         .step = looser * asked->step,
+                                         .end = asked->until};
+}
+
+/* Errors carry the file and the chain. */
+static enum bead_error create_motion(const struct bead_chain *chain, double looser, struct bead_motion **motion,
+                                     struct bead_message *msg)
+{
+    struct bead_motion_settings settings = settings_of(chain, looser);
+    struct bead_message inner;
+    enum bead_error err = chain->equation->create(&settings, motion, &inner);
+    const char *name = bead_chain_name(chain);
+    if (err == BEAD_ERROR_MEMORY)
+        return bead_fail(msg, err, "%s", inner.text);
+    return err ? bead_fail(msg, err, "%s: %s%s%s%s", chain->scene->file, *name ? "chain " : "", name, *name ? ": " : "", inner.text)
+               : BEAD_OK;
+}
+
+static enum bead_error pace(const struct bead_chain *chain, double looser, struct bead_pace *pace, struct bead_message *msg)
+{
+    struct bead_motion *motion;
+    enum bead_error err = create_motion(chain, looser, &motion, msg);
+    if (err)
+        return err;
+    chain->equation->pace(motion, pace);
+    chain->equation->destroy(motion);
+    return BEAD_OK;
+}
+
+static void destroy(struct bead_run *run)
+{
+    if (!run)
+        return;
+    if (run->motion)
+        run->equation->destroy(run->motion);
+    free(run->memory);
+    free(run);
+}
+
+static enum bead_error create(const struct bead_run_settings *settings, struct bead_run **made, struct bead_message *msg)
+{
+    struct bead_pace pace;
+    size_t n = settings->chain->beads;
+    *made = NULL;
+    struct bead_run *run = calloc(1, sizeof *run);
+    if (!run || !(run->memory = calloc(n * BEAD_FIELD_COUNT, sizeof(double)))) {
+        free(run);
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a run of %zu points", n);
+    }
+    for (size_t f = 0; f < BEAD_FIELD_COUNT; f++)
+        run->value[f] = run->memory + f * n;
+    run->settings = *settings;
+    run->equation = settings->chain->equation;
+    enum bead_error err = create_motion(settings->chain, settings->looser, &run->motion, msg);
+    if (err) {
+        destroy(run);
+        return err;
+    }
+    run->equation->pace(run->motion, &pace);
+    run->method = pace.method;
+    run->step = pace.step;
+    run->energy_start = run->equation->energy(run->motion);
+    *made = run;
+    return BEAD_OK;
+}
+
+static double time_of(const struct bead_run *run)
+{
+    return run->equation->time(run->motion);
+}
+
+static double arrival(const struct bead_run *run)
+{
+    (void)run;
+    return NAN;
+}
+
+/* A number that every bit of the state goes into. */
+static void hash_state(struct bead_run *run)
+{
+    size_t count = 0;
+    const double *state = run->equation->state(run->motion, &count);
+    for (size_t i = 0; i < count; i++) {
+        uint64_t word;
+        memcpy(&word, &state[i], sizeof word);
+        uint64_t h = (word ^ (run->steps * 0x9e3779b97f4a7c15u)) + i * 0xc2b2ae3d27d4eb4fu;
+        h = (h ^ (h >> 31)) * 0xbf58476d1ce4e5b9u;
+        run->hash += (h ^ (h >> 29)) * 0x94d049bb133111ebu;
+    }
+}
+
+static enum bead_error step(struct bead_run *run, struct bead_message *msg)
+{
+    const char *name = bead_chain_name(run->settings.chain);
+    struct bead_message inner;
+    run->start = time_of(run);
+    enum bead_error err = run->equation->step(run->motion, &inner);
+    if (err)
+        return bead_fail(msg, err, "%s%s%s%s", *name ? "chain " : "", name, *name ? ": " : "", inner.text);
+    run->steps++;
+    double off = fabs(run->equation->energy(run->motion) - run->energy_start), scale = fabs(run->energy_start);
+    run->energy_error = fmax(run->energy_error, scale > 0 ? off / scale : off);
+    if (run->settings.hash)
+        hash_state(run);
+    return BEAD_OK;
+}
+
+static enum bead_error sample(struct bead_run *run, double t, unsigned fields, struct bead_span span, struct bead_sample *sample,
+                              struct bead_message *msg)
+{
+    (void)span; /* all points: there is no front that some could be ahead of */
+    if (!(t >= run->start && t <= time_of(run)))
+        return bead_fail(msg, BEAD_ERROR_NUMBERS, "a sample at %.9g lies outside the step from %.9g to %.9g", t, run->start,
+                         time_of(run));
+    fields &= bead_equation_fields(&run->settings.chain->spec->equation);
+    enum bead_error err = run->equation->sample(run->motion, t, fields, run->value, msg);
+    sample->time = t;
+    sample->active = run->settings.chain->beads;
+    for (size_t f = 0; f < BEAD_FIELD_COUNT; f++)
+        sample->field[f] = fields & BEAD_FIELD_BIT(f) ? run->value[f] : NULL;
+    return err;
+}
+
+static uint64_t evaluations(const struct bead_run *run)
+{
+    return run->equation->evaluations ? run->equation->evaluations(run->motion) : 0;
+}
+
+static void finish(struct bead_run *run, double end, struct bead_outcome *outcome)
+{
+    size_t count = run->equation->measures(run->motion, run->measures, MOST_MEASURES);
+    run->measure_count = count < MOST_MEASURES ? count : MOST_MEASURES;
+    *outcome = (struct bead_outcome){.end = end,
+                                     .front_arrival = NAN,
+                                     .method = run->method,
+                                     .step = run->step,
+                                     .steps = run->steps,
+                                     .evaluations = evaluations(run),
+                                     .energy_start = run->energy_start,
+                                     .energy_end = run->equation->energy(run->motion),
+                                     .momentum_start = NAN,
+                                     .momentum_end = NAN,
+                                     .energy_error = run->energy_error,
+                                     .embedded_error = NAN,
+                                     .event_error = NAN,
+                                     .measures = run->measures,
+                                     .measure_count = run->measure_count};
+}
+
+static uint64_t steps(const struct bead_run *run)
+{
+    return run->steps;
+}
+
+static uint64_t hash(const struct bead_run *run)
+{
+    return run->hash;
+}
+
+const struct bead_run_kind bead_run_of_equation = {
+    .create = create,
+    .destroy = destroy,
+    .time = time_of,
+    .arrival = arrival,
+    .step = step,
+    .sample = sample,
+    .finish = finish,
+    .evaluations = evaluations,
+    .steps = steps,
+    .hash = hash,
+    .pace = pace,
+};

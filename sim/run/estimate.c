@@ -1,0 +1,40 @@
+#include "sim/run/estimate.h"
+
+#include <math.h>
+
+#include "sim/integrate/events.h"
+#include "sim/integrate/tableau.h"
+
+/* Contacts this near to one that opens or closes are integrated again with it. */
+enum { NEAR = 2 };
+
+static double difference(const struct bead_stepper *s, const struct bead_tableau *t, size_t bead)
+{
+    double sum = 0;
+    for (size_t i = 0; i < t->stages; i++) {
+        bool last = t->fsal && i + 1 == t->stages;
+        const double *a = i == 0 ? s->start.a : last ? s->end.a : s->stage_a[i];
+        sum += t->bpe[i] * a[bead];
+    }
+    return s->h * sum;
+}
+
+double bead_estimate_embedded(const struct bead_stepper *s)
+{
+    const struct bead_tableau *t = s->method->tableau;
+    const size_t *flagged = NULL;
+    size_t count = 0, next = 0;
+    double worst = 0;
+    if (!t)
+        return 0;
+    if (s->events)
+        flagged = bead_events_flagged(s->events, &count);
+    for (size_t j = 0; j < s->active; j++) {
+        while (next < count && flagged[next] + NEAR + 1 < j)
+            next++;
+        if (next < count && flagged[next] <= j + NEAR)
+            continue;
+        worst = fmax(worst, fabs(difference(s, t, j)));
+    }
+    return worst;
+}

@@ -1,0 +1,100 @@
+#include "sim/run/front.h"
+
+#include <math.h>
+
+#include "sim/integrate/dense.h"
+
+static const double part = 1e-4;
+/* The front grows doubly exponentially, which no polynomial over a whole step follows: the step in which it arrives is made again
+ * in SUBSTEPS parts, the part in which it does so again, REFINEMENTS times. */
+enum { SUBSTEPS = 8, REFINEMENTS = 3 };
+
+struct threshold {
+    struct bead_polynomial compression;
+    double level; /* compression at which the front counts as arrived, m */
+};
+
+/* A force at the end of a step below this part of the largest so far was no new record within the step either. */
+static const double near_record = 0.5;
+
+static double slope(const void *context, double x)
+{
+    return bead_polynomial_slope(context, x);
+}
+
+/* The maximum of contact k's force within the step just made, less the static part; 0 where it has none. */
+static double peak_within(const struct bead_stepper *s, size_t k)
+{
+    struct bead_polynomial d = bead_dense_compression(s, k);
+    double at0 = bead_polynomial_slope(&d, 0), at1 = bead_polynomial_slope(&d, 1);
+    if (!(at0 > 0 && at1 <= 0))
+        return 0;
+    double most = bead_polynomial_value(&d, bead_find_root(slope, &d, at0, at1));
+    return s->chain->law->force(s->chain->stiffness[k], s->table.law, most) - s->chain->static_force[k];
+}
+
+/* The record is broken by the contact that was strongest at one end of the step, or by none. */
+static void update_record(struct bead_front *front, const struct bead_stepper *s, size_t n)
+{
+    double force = s->kernels->largest(n, s->end.f);
+    if (!(force > near_record * front->largest_force))
+        return;
+    size_t strongest = 0;
+    while (strongest + 1 < n && s->end.f[strongest] != force)
+        strongest++;
+    front->largest_force =
+        fmax(front->largest_force, fmax(force, fmax(peak_within(s, front->strongest), peak_within(s, strongest))));
+    front->strongest = strongest;
+}
+
+static double above(const void *context, double x)
+{
+    const struct threshold *t = context;
+    return bead_polynomial_value(&t->compression, x) - t->level;
+}
+
+/* Time within the step just made, after which the last contact's force exceeds `level`. */
+static double crossing(const struct bead_stepper *s, double level)
+{
+    const struct bead_chain *c = s->chain;
+    size_t last = c->contacts - 1;
+    struct threshold t = {bead_dense_compression(s, last),
+                          c->law->compression(c->stiffness[last], &c->spec->law, level + c->static_force[last])};
+    double at0 = above(&t, 0), at1 = above(&t, 1);
+    double x = at0 >= 0 ? 0 : at1 <= 0 ? 1 : bead_find_root(above, &t, at0, at1);
+    return s->t0 + x * s->h;
+}
+
+static enum bead_error refine(const struct bead_stepper *s, double level, int depth, double *arrival, struct bead_message *msg)
+{
+    *arrival = crossing(s, level);
+    if (depth == 0)
+        return BEAD_OK;
+    struct bead_stepper *fine;
+    enum bead_error err = bead_stepper_branch(s, &fine, msg);
+    if (err)
+        return err;
+    size_t last = s->chain->contacts - 1;
+    for (int i = 1; i <= SUBSTEPS; i++) {
+        bead_stepper_advance_by(fine, s->h / SUBSTEPS, s->t0 + i * (s->h / SUBSTEPS));
+        if (fine->end.f[last] > level) {
+            err = refine(fine, level, depth - 1, arrival, msg);
+            break;
+        }
+    }
+    bead_stepper_destroy(fine);
+    return err;
+}
+
+enum bead_error bead_front_watch(struct bead_front *front, const struct bead_stepper *s, struct bead_message *msg)
+{
+    const struct bead_chain *c = s->chain;
+    if (!isnan(front->arrival))
+        return BEAD_OK;
+    size_t last = c->contacts - 1, n = s->active < c->contacts ? s->active : c->contacts;
+    update_record(front, s, n);
+    double level = part * front->largest_force;
+    if (last >= s->active || !(s->end.f[last] > level))
+        return BEAD_OK;
+    return refine(s, level, REFINEMENTS, &front->arrival, msg);
+}

@@ -1,0 +1,99 @@
+#include "sim/run/method_choice.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "sim/chain/chain_data.h"
+#include "sim/integrate/stepper.h"
+
+/* The accuracy that the theta in a method's row stands for. */
+static const double row_accuracy = 1e-6;
+/* Asked for no more than this, contacts that open and close need no correction: shorter steps without cost less (tests/bench). */
+static const double low_accuracy = 1.5e-4;
+/* Where contacts cannot open, forces are smooth. Peaks are better than asked then (tests/bench); what bounds these steps is the
+ * energy of the fastest vibrations over many periods (tests/stress). Only far from opening: the branch point spoils much before it
+ * is reached. */
+static const double smooth_theta = 1, smooth_order = 8, smooth_cap = 2.2, far_from_opening = 0.1;
+
+/* Errors add up on the way along a chain, and grow behind the front where it is disordered: with contacts that open, chains of more
+ * than `usual_beads` are stepped for an accuracy smaller by this power of their length, up to about as many beads as the longest
+ * have that peaks were compared for (tests/stress/stress_accuracy.c). */
+static const double usual_beads = 70, most_beads = 600, length_power = 1.2;
+
+static double share_of(const struct bead_chain *chain)
+{
+    const double beads = (double)chain->beads;
+    return beads > usual_beads ? pow(usual_beads / fmin(beads, most_beads), length_power) : 1;
+}
+
+/* Energy that would open contact k, J. */
+static double opening_energy(const struct bead_chain *chain, size_t k)
+{
+    const double d0 = chain->static_compression[k];
+    return chain->static_force[k] * d0 - chain->law->energy(chain->stiffness[k], &chain->spec->law, d0);
+}
+
+/* No contact holds more than all of the energy above the static state, and that is the striker's. */
+static bool never_opens(const struct bead_chain *chain)
+{
+    const double v = chain->spec->striker_velocity, energy = 0.5 * chain->mass[0] * v * v;
+    bool never = chain->law->one_sided;
+    for (size_t k = 0; never && k < chain->contacts; k++)
+        never = energy < far_from_opening * opening_energy(chain, k);
+    return never;
+}
+
+/* What `auto` stands for. */
+static const char *automatic(const struct bead_chain *chain, const char **why)
+{
+    if (chain->spec->damping_coefficient > 0) {
+        *why = "damping: forces follow velocities";
+        return "rk4";
+    }
+    if (!chain->law->one_sided) {
+        *why = "contacts pull as well as push: nothing opens";
+        return "rkn8-plain";
+    }
+    if (never_opens(chain)) {
+        *why = "the energy cannot open any contact";
+        return "rkn8-plain";
+    }
+    if (share_of(chain) * chain->scene->simulate.accuracy >= low_accuracy) {
+        *why = "little accuracy is asked: opening contacts need no correction";
+        return "rkn8-plain";
+    }
+    *why = "contacts open and close";
+    return "rkn8";
+}
+
+enum bead_error bead_choose_method(const struct bead_chain *chain, struct bead_choice *choice, struct bead_message *msg)
+{
+    const char *asked = chain->scene->simulate.method, *file = chain->scene->file, *why = "as asked";
+    const bool any = strcmp(asked, "auto") == 0;
+    const char *name = any ? automatic(chain, &why) : asked;
+    const struct bead_method *method = bead_method_row(name);
+    if (!method)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: there is no method `%s`: see --list methods", file, name);
+    if (chain->spec->damping_coefficient > 0 && !method->info.damping)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: `%s` is for forces without damping; use rk4 or auto", file,
+                         name);
+    *choice = (struct bead_choice){method, method->info.theta, method->info.theta_order, method->info.theta_cap, 1, why};
+    if (method->events && chain->law->one_sided)
+        choice->share = share_of(chain);
+    if (any && method->tableau && never_opens(chain)) {
+        choice->theta = smooth_theta;
+        choice->order = smooth_order;
+        choice->cap = smooth_cap;
+    } else if (any && !chain->law->one_sided) {
+        /* Steps of the corrected method, whose errors are those of smooth forces as well. */
+        const struct bead_method_info *corrected = &bead_method_row("rkn8")->info;
+        choice->theta = corrected->theta;
+        choice->order = corrected->theta_order;
+    }
+    return BEAD_OK;
+}
+
+double bead_choice_theta(const struct bead_choice *choice, double accuracy)
+{
+    return fmin(choice->theta * pow(choice->share * accuracy / row_accuracy, 1 / choice->order), choice->cap);
+}

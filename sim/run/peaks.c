@@ -1,0 +1,362 @@
+#include "sim/run/peaks.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/integrate/damped_contacts.h"
+#include "sim/integrate/dense.h"
+#include "sim/integrate/events.h"
+
+/* Maxima this close to the best so far, relatively, are looked at more closely. */
+static const double close_call = 1e-3;
+
+/* Vectors go beyond the last bead. */
+enum { PADDING = 16 };
+/* least is lower by this part, for the rounding of the law's inverse. */
+static const double least_part = 1e-9;
+
+struct bead_peaks {
+    bool of_beads;
+    size_t first, count; /* first..count-1 are looked at */
+    struct bead_peak *best;
+    unsigned char *mark;     /* [beads]: has a maximum in this step */
+    double *least;           /* [beads]: compressions beyond the static one, m, that a higher maximum takes */
+    double *rate0, *rate1;   /* [beads]: of the bead forces at the ends of the step, N/s */
+    double *swing0, *swing1; /* [beads]: the same of both contact forces' magnitudes */
+};
+
+enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_beads, struct bead_span span,
+                                  struct bead_peaks **peaks, struct bead_message *msg)
+{
+    size_t beads = stepper->beads;
+    struct bead_peaks *p = *peaks = calloc(1, sizeof *p);
+    if (p) {
+        p->of_beads = of_beads;
+        p->count = of_beads ? beads : stepper->chain->contacts;
+        p->first = span.first < p->count ? span.first : p->count;
+        p->count = span.last < p->count ? span.last + 1 : p->count;
+        p->best = calloc(beads, sizeof *p->best);
+        p->mark = calloc(beads + PADDING, 1);
+        p->least = calloc(beads + PADDING, sizeof(double));
+        p->rate0 = calloc(beads, sizeof(double));
+        p->rate1 = calloc(beads, sizeof(double));
+        p->swing0 = calloc(beads, sizeof(double));
+        p->swing1 = calloc(beads, sizeof(double));
+    }
+    if (!p || !p->best || !p->mark || !p->least || !p->rate0 || !p->rate1 || !p->swing0 || !p->swing1) {
+        bead_peaks_destroy(p);
+        *peaks = NULL;
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu beads", beads);
+    }
+    for (size_t i = 0; i < beads; i++) {
+        p->best[i].time = NAN;
+        p->least[i] = stepper->chain->law->one_sided ? -stepper->table.static_compression[i] : -INFINITY;
+    }
+    return BEAD_OK;
+}
+
+void bead_peaks_destroy(struct bead_peaks *peaks)
+{
+    if (!peaks)
+        return;
+    free(peaks->best);
+    free(peaks->mark);
+    free(peaks->least);
+    free(peaks->rate0);
+    free(peaks->rate1);
+    free(peaks->swing0);
+    free(peaks->swing1);
+    free(peaks);
+}
+
+const struct bead_peak *bead_peaks_found(const struct bead_peaks *peaks)
+{
+    return peaks->best;
+}
+
+/* Force over the step: of one contact, or the mean of a bead's two. */
+struct force_curve {
+    const struct bead_stepper *stepper;
+    const struct bead_chain *chain;
+    size_t count;
+    size_t contact[2];
+    struct bead_polynomial compression[2];
+};
+
+static struct force_curve curve_of(const struct bead_peaks *p, const struct bead_stepper *s, size_t index)
+{
+    struct force_curve curve = {s, s->chain, 0, {0, 0}, {{{0}}}};
+    size_t first = p->of_beads && index > 0 ? index - 1 : index;
+    for (size_t k = first; k <= index && k < s->chain->contacts; k++) {
+        curve.contact[curve.count] = k;
+        curve.compression[curve.count++] = bead_dense_compression(s, k);
+    }
+    return curve;
+}
+
+/* With damping the force is what the contact's state in this step makes of it. */
+static double damped_force(const struct force_curve *curve, size_t i, double x)
+{
+    const struct bead_stepper *s = curve->stepper;
+    double d = bead_polynomial_value(&curve->compression[i], x), change = bead_polynomial_slope(&curve->compression[i], x) / s->h;
+    return s->was_closed[curve->contact[i]] ? fmax(bead_closings_force(s, curve->contact[i], d, change), 0) : 0;
+}
+
+static double elastic_force(const struct force_curve *curve, size_t i, double x)
+{
+    double d = bead_polynomial_value(&curve->compression[i], x);
+    return curve->chain->law->force(curve->chain->stiffness[curve->contact[i]], &curve->chain->spec->law, d);
+}
+
+static double curve_force(const struct bead_peaks *p, const struct force_curve *curve, double x)
+{
+    double force = 0;
+    for (size_t i = 0; i < curve->count; i++)
+        force += curve->stepper->closed ? damped_force(curve, i, x) : elastic_force(curve, i, x);
+    return p->of_beads ? 0.5 * force : force;
+}
+
+/* By differences: the rate of the damping has no closed form that is better. */
+static double damped_rate(const struct force_curve *curve, double x)
+{
+    const double near = 1e-4, from = fmax(x - near, 0), to = fmin(x + near, 1);
+    double change = 0;
+    for (size_t i = 0; i < curve->count; i++)
+        change += damped_force(curve, i, to) - damped_force(curve, i, from);
+    return change;
+}
+
+static double curve_rate(const void *context, double x)
+{
+    const struct force_curve *curve = context;
+    double rate = 0;
+    if (curve->stepper->closed)
+        return damped_rate(curve, x);
+    /* Of one contact alone the sign is that of d', also where its force vanishes. */
+    if (curve->count == 1)
+        return bead_polynomial_slope(&curve->compression[0], x);
+    for (size_t i = 0; i < curve->count; i++) {
+        double d = bead_polynomial_value(&curve->compression[i], x);
+        double stiffness = curve->chain->law->stiffness(curve->chain->stiffness[curve->contact[i]], &curve->chain->spec->law, d);
+        rate += stiffness * bead_polynomial_slope(&curve->compression[i], x);
+    }
+    return rate;
+}
+
+/* Where contacts open or close nearby within the step, d'' has kinks that the septic smooths over: compressions and their rates at
+ * x from the forces themselves, then the vertex of the parabola through them. */
+static void sharpen(const struct bead_peaks *p, const struct bead_stepper *s, const struct force_curve *curve, double *x,
+                    double *value)
+{
+    const double near = 1e-3, bend = (curve_rate(curve, *x + near) - curve_rate(curve, *x - near)) / (2 * near);
+    double force = 0, rate = 0, d[2];
+    bool exact = false;
+    if (!(bend < 0))
+        return;
+    for (size_t i = 0; i < curve->count; i++) {
+        const size_t k = curve->contact[i];
+        const double a = curve->chain->stiffness[k];
+        const struct bead_law_spec *spec = &curve->chain->spec->law;
+        if (bead_events_compression(s->events, s, k, *x, d)) {
+            exact = true;
+        } else {
+            d[0] = bead_polynomial_value(&curve->compression[i], *x);
+            d[1] = bead_polynomial_slope(&curve->compression[i], *x);
+        }
+        double stiffness = curve->chain->law->stiffness(a, spec, d[0]);
+        if (curve->count == 1)
+            d[0] -= 0.5 * d[1] * d[1] / bend;
+        rate += (curve->count > 1 ? stiffness : 1) * d[1];
+        force += curve->chain->law->force(a, spec, d[0]);
+    }
+    if (curve->count > 1)
+        force -= 0.5 * rate * rate / bend;
+    if (!exact)
+        return;
+    *value = p->of_beads ? 0.5 * force : force;
+    *x = fmin(fmax(*x - rate / bend, 0), 1);
+}
+
+/* More than the force can come to within the step: no compression outgrows both ends by more than its fastest rate would take it.
+ * Behind the front nearly all maxima are lower than one before, and are done with here. */
+static double force_bound(const struct bead_peaks *p, const struct bead_stepper *s, size_t index)
+{
+    const struct bead_chain *c = s->chain;
+    double force = 0;
+    for (size_t k = p->of_beads && index > 0 ? index - 1 : index; k <= index && k < c->contacts; k++) {
+        double d0 = s->start.u[k] - s->start.u[k + 1], d1 = s->end.u[k] - s->end.u[k + 1];
+        double rate = fmax(fabs(s->start.v[k] - s->start.v[k + 1]), fabs(s->end.v[k] - s->end.v[k + 1]));
+        force += c->law->force(c->stiffness[k], &c->spec->law, c->static_compression[k] + fmax(d0, d1) + s->h * rate);
+    }
+    return p->of_beads ? 0.5 * force : force;
+}
+
+/* Part of the step, from x = from on. */
+struct curve_part {
+    const struct force_curve *curve;
+    double from, length;
+};
+
+static double part_rate(const void *context, double x)
+{
+    const struct curve_part *part = context;
+    return curve_rate(part->curve, part->from + x * part->length);
+}
+
+/* The maximum within a part of the step that the force rises into and falls out of. */
+static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct curve_part *part,
+                         double rate0, double rate1, double limit)
+{
+    double x = part->from + part->length * bead_find_root(part_rate, part, rate0, rate1), value = curve_force(p, part->curve, x);
+    if (s->events && x > 0 && value > p->best[index].value * (1 - close_call))
+        sharpen(p, s, part->curve, &x, &value);
+    double time = s->t0 + x * s->h;
+    if (!(time <= limit && value > p->best[index].value))
+        return;
+    p->best[index] = (struct bead_peak){value, time, false};
+    if (!p->of_beads)
+        p->least[index] = s->chain->law->compression(s->chain->stiffness[index], &s->chain->spec->law, value) * (1 - least_part) -
+                          s->chain->static_compression[index];
+}
+
+/* With damping the force may be largest as the contact closes. */
+static void find_jump(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct force_curve *curve,
+                      double limit)
+{
+    double value = curve_force(p, curve, 0);
+    if (s->t0 <= limit && value > p->best[index].value && curve_rate(curve, 0) <= 0)
+        p->best[index] = (struct bead_peak){value, s->t0, false};
+}
+
+/* Where the rate has one sign at both ends, it is looked at in between; a bead's, of two contacts, may have more than one maximum.
+ */
+enum { PARTS = 8 };
+
+static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
+{
+    if (!s->closed && force_bound(p, s, index) < p->best[index].value)
+        return;
+    struct force_curve curve = curve_of(p, s, index);
+    if (s->closed)
+        find_jump(p, s, index, &curve, limit);
+    double rate0 = curve_rate(&curve, 0), end = curve_rate(&curve, 1);
+    const int parts = rate0 > 0 && end <= 0 && !p->of_beads ? 1 : PARTS;
+    for (int i = 1; i <= parts; i++) {
+        struct curve_part part = {&curve, (i - 1) / (double)parts, 1.0 / parts};
+        double rate1 = i == parts ? end : part_rate(&part, 1);
+        if (rate0 > 0 && rate1 <= 0)
+            find_in_part(p, s, index, &part, rate0, rate1, limit);
+        rate0 = rate1;
+    }
+}
+
+/* Still rising at the limit, and higher than any maximum before: the maximum stands, marked as open; where there was none the force
+ * so far stands in for it. */
+static void find_open(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
+{
+    struct force_curve curve = curve_of(p, s, index);
+    struct bead_peak *best = &p->best[index];
+    double x = (limit - s->t0) / s->h, value = curve_force(p, &curve, x);
+    if (!(curve_rate(&curve, x) > 0 && value > best->value))
+        return;
+    best->open = true;
+    if (isnan(best->time)) {
+        best->value = value;
+        best->time = limit;
+    }
+}
+
+static bool mark_contacts(struct bead_peaks *p, const struct bead_stepper *s, size_t n)
+{
+    const struct bead_step_ends ends = {s->start.u, s->start.v, s->start.a, s->end.u, s->end.v, s->end.a, s->h};
+    return s->kernels->turns(n, &ends, p->of_beads ? NULL : p->least, p->mark);
+}
+
+/* Rates of bead forces first..last - 1 in a state. */
+static void find_rates(const struct bead_stepper *s, const struct bead_state *state, size_t first, size_t last, double *rate,
+                       double *swing)
+{
+    double before = first > 0 ? bead_dense_force_rate(s, state, first - 1) : 0;
+    for (size_t j = first; j < last; j++) {
+        double here = bead_dense_force_rate(s, state, j);
+        rate[j] = 0.5 * (before + here);
+        swing[j] = 0.5 * (fabs(before) + fabs(here));
+        before = here;
+    }
+}
+
+static double bead_force(const struct bead_stepper *s, const struct bead_state *state, size_t j)
+{
+    const double *still = s->chain->static_force;
+    return 0.5 * ((j > 0 ? state->f[j - 1] + still[j - 1] : 0) + (j < s->chain->contacts ? state->f[j] + still[j] : 0));
+}
+
+/* d2/dt2 of that force, N/s^2. */
+static double bead_bend(const struct bead_stepper *s, const struct bead_state *state, size_t j)
+{
+    const double near = 1e-4;
+    double bend = 0;
+    for (size_t k = j > 0 ? j - 1 : 0; k <= j && k < s->chain->contacts; k++) {
+        const double a = s->chain->stiffness[k], rate = state->v[k] - state->v[k + 1];
+        const double d = s->table.static_compression[k] + (state->u[k] - state->u[k + 1]), change = near * fabs(d);
+        double (*stiffness)(double, const struct bead_law_spec *, double) = s->chain->law->stiffness;
+        bend += stiffness(a, s->table.law, d) * (state->a[k] - state->a[k + 1]);
+        if (change > 0)
+            bend +=
+                (stiffness(a, s->table.law, d + change) - stiffness(a, s->table.law, d - change)) / (2 * change) * (rate * rate);
+    }
+    return 0.5 * bend;
+}
+
+/* A bead's force changes little while that of one contact rises as the other falls: it may come back to a new maximum within the
+ * step, falling (or rising) at both ends. At one of them it bends the other way then, by enough. */
+static bool may_swing(const struct bead_peaks *p, const struct bead_stepper *s, size_t j)
+{
+    const double most = s->h * (p->swing0[j] > p->swing1[j] ? p->swing0[j] : p->swing1[j]), best = p->best[j].value;
+    if (!(bead_force(s, &s->start, j) + bead_force(s, &s->end, j) + most > 2 * best)) /* to and fro at the fastest rate */
+        return false;
+    const double sign = p->rate0[j] > 0 ? 1 : -1, half = 0.5 * sign * s->h;
+    return sign * p->rate0[j] < -half * bead_bend(s, &s->start, j) || sign * p->rate1[j] < half * bead_bend(s, &s->end, j);
+}
+
+/* A bead's force may turn where its rate changes sign, or where one of its contacts turns there and back, or where both change. */
+static bool mark_beads(struct bead_peaks *p, const struct bead_stepper *s, size_t n)
+{
+    mark_contacts(p, s, n < s->chain->contacts ? n : s->chain->contacts);
+    double *rate = p->rate0, *swing = p->swing0;
+    p->rate0 = p->rate1;
+    p->rate1 = rate;
+    p->swing0 = p->swing1;
+    p->swing1 = swing;
+    if (s->steps == 1)
+        find_rates(s, &s->start, p->first, n, p->rate0, p->swing0);
+    find_rates(s, &s->end, p->first, n, p->rate1, p->swing1);
+    bool any = false;
+    unsigned char left = p->first > 0 ? p->mark[p->first - 1] : 0;
+    for (size_t j = p->first; j < n; j++) {
+        unsigned char here = j < s->chain->contacts ? p->mark[j] : 0;
+        p->mark[j] = left | here | (p->rate0[j] > 0 && p->rate1[j] <= 0) | may_swing(p, s, j);
+        any = any || p->mark[j];
+        left = here;
+    }
+    return any;
+}
+
+void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double limit)
+{
+    size_t n = s->active < p->count ? s->active : p->count;
+    if (s->t0 > limit || n <= p->first)
+        return;
+    if (s->closed) {
+        for (size_t i = p->first; i < n; i++)
+            find_peak(p, s, i, limit);
+    }
+    bool any = s->closed ? false : p->of_beads ? mark_beads(p, s, n) : mark_contacts(p, s, n);
+    for (size_t i = p->first; any && i < n; i++) {
+        if (p->mark[i])
+            find_peak(p, s, i, limit);
+    }
+    for (size_t i = p->first; limit <= s->t1 && i < n; i++)
+        find_open(p, s, i, limit);
+}

@@ -1,0 +1,367 @@
+#include "sim/run/run.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/integrate/dense.h"
+#include "sim/integrate/events.h"
+#include "sim/integrate/stepper.h"
+#include "sim/run/estimate.h"
+#include "sim/run/front.h"
+#include "sim/run/method_choice.h"
+#include "sim/run/peaks.h"
+#include "sim/run/step_control.h"
+
+/* What one contact that opens or closes may spoil of a velocity, of the accuracy asked times the striker's. */
+static const double event_part = 0.25;
+/* How often energy is looked at, in steps, at least, and before a sample is given away; and how far it may be off, of all
+ * that was put in. */
+enum { CHECK_EVERY = 64, CHECK_SAMPLES = 8 };
+static const double energy_limit = 1e-2;
+/* Small steps in a stiff spring lose a little energy each; in units of the accuracy asked, so much may go before steps become
+ * shorter, and twice what has gone before they do again. */
+static const double drift_part = 2;
+/* A step ends at the end of the run where it would miss it by this part of itself only. */
+static const double last_sliver = 1e-6;
+
+struct bead_run {
+    struct bead_run_settings settings;
+    struct bead_stepping stepping;
+    struct bead_stepper *stepper;
+    struct bead_control control;
+    struct bead_dense dense;
+    struct bead_front front;
+    double energy_start, momentum_start, energy_error, embedded_error, event_error, input; /* input: energy that counts as 1 */
+    struct bead_peaks *contact_peaks, *bead_peaks;
+    double *state_memory, *u, *v, *f; /* samples: state between steps */
+    double *field[BEAD_FIELD_COUNT];
+    double drift_bound; /* of the energy's error: where it is passed steps become shorter */
+    uint64_t checked;   /* step that energy was looked at last */
+    uint64_t hash;
+};
+
+enum bead_error bead_run_stepping(const struct bead_chain *chain, struct bead_stepping *stepping, struct bead_message *msg)
+{
+    return bead_run_twin_stepping(chain, 1, stepping, msg);
+}
+
+double bead_run_twin(const struct bead_chain *const *chains, size_t count)
+{
+    const struct bead_simulate *asked = &chains[0]->scene->simulate;
+    bool fixed = asked->step > 0, room = true;
+    for (size_t i = 0; i < count; i++) {
+        struct bead_choice choice;
+        struct bead_message msg;
+        double omega = bead_chain_omega(chains[i], bead_chain_energy(chains[i]));
+        if (bead_choose_method(chains[i], &choice, &msg))
+            continue; /* the run itself says why */
+        room = room && (fixed ? 2 * asked->step * omega <= choice.method->info.theta_max
+                              : bead_choice_theta(&choice, 10 * asked->accuracy) < choice.cap);
+    }
+    return fixed ? (room ? 2 : 0.5) : (room ? 10 : 0.1);
+}
+
+enum bead_error bead_run_twin_stepping(const struct bead_chain *chain, double looser, struct bead_stepping *stepping,
+                                       struct bead_message *msg)
+{
+    struct bead_choice choice;
+    const char *file = chain->scene->file;
+    enum bead_error err = bead_choose_method(chain, &choice, msg);
+    if (err)
+        return err;
+    const struct bead_method_info *method = &choice.method->info;
+    double omega = bead_chain_omega(chain, bead_chain_energy(chain)), step = looser * chain->scene->simulate.step;
+    double theta = bead_choice_theta(&choice, looser * chain->scene->simulate.accuracy);
+    *stepping = (struct bead_stepping){.method = choice.method,
+                                       .step = step > 0 ? step : theta / omega,
+                                       .omega = omega,
+                                       .theta = theta,
+                                       .accuracy = choice.share * looser * chain->scene->simulate.accuracy,
+                                       .variable = !(step > 0) && method->variable,
+                                       .why = choice.why};
+    /* The bound is generous: a step is hopeless only when it exceeds the limit twice over. */
+    if (step * omega > 2 * method->theta_max)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.step: %.3g s is too long for `%s` to be stable: at most %.3g s", file,
+                         step, method->name, method->theta_max / omega);
+    if (!(stepping->step > 0) || !isfinite(stepping->step))
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.step: no step can be chosen (nothing moves?): give one", file);
+    return BEAD_OK;
+}
+
+static enum bead_error allocate(struct bead_run *run, struct bead_message *msg)
+{
+    size_t beads = run->settings.chain->beads, stride = beads + 16;
+    run->state_memory = calloc(stride * (3 + BEAD_FIELD_COUNT), sizeof(double));
+    if (!run->state_memory)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the samples of %zu beads", beads);
+    double *at = run->state_memory + 8;
+    double **array[3] = {&run->u, &run->v, &run->f};
+    for (size_t i = 0; i < 3; i++, at += stride)
+        *array[i] = at;
+    for (size_t i = 0; i < BEAD_FIELD_COUNT; i++, at += stride)
+        run->field[i] = at;
+    return BEAD_OK;
+}
+
+enum bead_error bead_run_create(const struct bead_run_settings *settings, struct bead_run **run, struct bead_message *msg)
+{
+    *run = NULL;
+    struct bead_run *r = calloc(1, sizeof *r);
+    if (!r)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a run");
+    r->settings = *settings;
+    r->front.arrival = NAN;
+    const double looser = settings->looser > 0 ? settings->looser : 1;
+    const struct bead_span span = settings->peak_span ? *settings->peak_span : (struct bead_span){0, SIZE_MAX};
+    enum bead_error err = bead_run_twin_stepping(settings->chain, looser, &r->stepping, msg);
+    if (!err)
+        err = bead_stepper_create(settings->chain, r->stepping.method, settings->kernels, settings->full_window, &r->stepper, msg);
+    if (!err)
+        err = bead_dense_create(r->stepper, &r->dense, msg);
+    if (!err)
+        err = allocate(r, msg);
+    if (!err && settings->contact_peaks)
+        err = bead_peaks_create(r->stepper, false, span, &r->contact_peaks, msg);
+    if (!err && settings->bead_peaks)
+        err = bead_peaks_create(r->stepper, true, span, &r->bead_peaks, msg);
+    if (err) {
+        bead_run_destroy(r);
+        return err;
+    }
+    if (!(settings->chain->scene->simulate.step > 0))
+        r->stepper->event_tolerance = event_part * r->stepping.accuracy * fabs(settings->chain->spec->striker_velocity);
+    r->control = bead_control_start(r->stepper, r->stepping.theta, r->stepping.omega);
+    r->drift_bound = drift_part * settings->chain->scene->simulate.accuracy;
+    r->energy_start = bead_stepper_energy(r->stepper, &r->stepper->end);
+    r->momentum_start = bead_stepper_momentum(r->stepper, &r->stepper->end);
+    r->input = bead_chain_energy(settings->chain);
+    *run = r;
+    return BEAD_OK;
+}
+
+void bead_run_destroy(struct bead_run *run)
+{
+    if (!run)
+        return;
+    bead_peaks_destroy(run->contact_peaks);
+    bead_peaks_destroy(run->bead_peaks);
+    bead_dense_destroy(&run->dense);
+    bead_stepper_destroy(run->stepper);
+    free(run->state_memory);
+    free(run);
+}
+
+double bead_run_time(const struct bead_run *run)
+{
+    return run->stepper->t1;
+}
+
+const struct bead_peak *bead_run_bead_peaks(const struct bead_run *run)
+{
+    return run->bead_peaks ? bead_peaks_found(run->bead_peaks) : NULL;
+}
+
+double bead_run_arrival(const struct bead_run *run)
+{
+    return run->front.arrival;
+}
+
+uint64_t bead_run_evaluations(const struct bead_run *run)
+{
+    return run->stepper->evaluations;
+}
+
+uint64_t bead_run_steps(const struct bead_run *run)
+{
+    return run->stepper->steps;
+}
+
+uint64_t bead_run_hash(const struct bead_run *run)
+{
+    return run->hash;
+}
+
+/* A number that every bit of the state goes into, and beads at rest do not: the same with and without window. */
+static void hash_state(struct bead_run *run)
+{
+    const struct bead_stepper *s = run->stepper;
+    for (size_t j = 0; j < s->active; j++) {
+        uint64_t word[2];
+        memcpy(&word[0], &s->end.u[j], sizeof word[0]);
+        memcpy(&word[1], &s->end.v[j], sizeof word[1]);
+        for (int i = 0; i < 2; i++) {
+            if (word[i] << 1 == 0) /* zero of either sign */
+                continue;
+            uint64_t h = (word[i] ^ (s->steps * 0x9e3779b97f4a7c15u)) + (2 * j + (uint64_t)i) * 0xc2b2ae3d27d4eb4fu;
+            h = (h ^ (h >> 31)) * 0xbf58476d1ce4e5b9u;
+            run->hash += (h ^ (h >> 29)) * 0x94d049bb133111ebu;
+        }
+    }
+}
+
+/* Of the energy, as a part of what was put in; damping may take from it. */
+static double energy_off(const struct bead_run *run)
+{
+    const struct bead_stepper *s = run->stepper;
+    double change = bead_stepper_energy(s, &s->end) - run->energy_start;
+    if (s->chain->spec->damping_coefficient > 0 && change < 0)
+        return 0;
+    return run->input > 0 ? fabs(change) / run->input : fabs(change);
+}
+
+/* Where the energy runs away the numbers mean nothing any more. */
+static enum bead_error check_energy(struct bead_run *run, double error, struct bead_message *msg)
+{
+    const struct bead_stepper *s = run->stepper;
+    run->checked = s->steps;
+    if (error <= energy_limit)
+        return BEAD_OK;
+    const char *name = bead_chain_name(s->chain), *advice = run->stepping.variable ? "give a smaller simulate.accuracy"
+                                                                                   : "give a shorter simulate.step or leave it out";
+    return bead_fail(
+        msg, BEAD_ERROR_NUMBERS,
+        "chain%s%s: at %.6g s the energy is off by %.3g of all that was put in: steps of %.3g s are too long for `%s`; %s",
+        *name ? " " : "", name, s->t1, error, s->h, s->method->info.name, advice);
+}
+
+/* At fixed steps only, so that what the run knows of its errors does not depend on the outputs. */
+static enum bead_error note_errors(struct bead_run *run, struct bead_message *msg)
+{
+    double error = energy_off(run);
+    run->energy_error = fmax(run->energy_error, error);
+    if (run->stepping.variable && error > run->drift_bound) {
+        bead_control_shorten(&run->control);
+        run->drift_bound = 2 * error;
+    }
+    run->embedded_error = fmax(run->embedded_error, bead_estimate_embedded(run->stepper));
+    return check_energy(run, error, msg);
+}
+
+/* One step of the length chosen, or a shorter one that ends where the run does. */
+static void advance(struct bead_run *run)
+{
+    struct bead_stepper *s = run->stepper;
+    double h = run->stepping.step, t = (double)(s->steps + 1) * h;
+    if (run->stepping.variable)
+        h = bead_control_next(&run->control, s);
+    if (run->stepping.variable || s->closed) /* with damping steps end where contacts close */
+        t = s->t1 + h;
+    /* Where the front's arrival ends the run the steps keep their length: they must not depend on whether it was known before. */
+    double end = run->settings.passage ? INFINITY : run->settings.end;
+    if (t > end + last_sliver * h && s->t1 < end)
+        bead_stepper_advance(s, end);
+    else if (t > end - last_sliver * h && s->t1 < end)
+        bead_stepper_advance_by(s, h, end); /* the same but for rounding */
+    else
+        bead_stepper_advance_by(s, h, t);
+}
+
+enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
+{
+    struct bead_stepper *s = run->stepper;
+    advance(run);
+    if (bead_events_failed(s->events))
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contacts that open or close");
+    run->event_error = fmax(run->event_error, s->event_change);
+    enum bead_error err = bead_front_watch(&run->front, s, msg);
+    if (err)
+        return err;
+    double limit = run->settings.passage && !isnan(run->front.arrival) ? run->front.arrival : run->settings.end;
+    if (run->contact_peaks)
+        bead_peaks_step(run->contact_peaks, s, limit);
+    if (run->bead_peaks)
+        bead_peaks_step(run->bead_peaks, s, limit);
+    if (run->settings.hash)
+        hash_state(run);
+    if (s->steps % CHECK_EVERY == 0 || s->t1 >= run->settings.end)
+        return note_errors(run, msg);
+    return BEAD_OK;
+}
+
+/* Forces of contacts first..last of the interpolated state, with their static part. */
+static void sample_forces(struct bead_run *run, size_t first, size_t last)
+{
+    const struct bead_stepper *s = run->stepper;
+    const struct bead_chain *c = s->chain;
+    struct bead_contact_table part = s->table;
+    part.stiffness += first;
+    part.static_compression += first;
+    part.static_force += first;
+    part.closed = s->was_closed && s->steps > 0 ? s->was_closed + first : part.closed ? part.closed + first : NULL;
+    s->force(last - first + 1, &part, run->u + first, run->v + first, run->f + first);
+    double *out = run->field[BEAD_FIELD_CONTACT_FORCE];
+    for (size_t k = first; k <= last; k++)
+        out[k] = run->f[k] + c->static_force[k];
+}
+
+static void sample_energy(struct bead_run *run, size_t first, size_t last)
+{
+    const struct bead_chain *c = run->settings.chain;
+    for (size_t j = first; j <= last; j++) {
+        double energy = 0.5 * c->mass[j] * (run->v[j] * run->v[j]);
+        for (size_t k = j > 0 ? j - 1 : 0; k <= j && k < c->contacts; k++) {
+            double d0 = c->static_compression[k], d = d0 + (run->u[k] - run->u[k + 1]), a = c->stiffness[k];
+            energy +=
+                0.5 * (c->law->energy(a, &c->spec->law, d) - c->law->energy(a, &c->spec->law, d0) - c->static_force[k] * (d - d0));
+        }
+        run->field[BEAD_FIELD_ENERGY][j] = energy;
+    }
+}
+
+enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields, struct bead_span span, struct bead_sample *sample,
+                                struct bead_message *msg)
+{
+    const struct bead_stepper *s = run->stepper;
+    const struct bead_chain *c = s->chain;
+    if (!(t >= s->t0 && t <= s->t1))
+        return bead_fail(msg, BEAD_ERROR_NUMBERS, "a sample at %.9g s lies outside the step from %.9g to %.9g s", t, s->t0, s->t1);
+    enum bead_error err = s->steps >= run->checked + CHECK_SAMPLES ? check_energy(run, energy_off(run), msg) : BEAD_OK;
+    if (err)
+        return err;
+    size_t last = span.last < c->beads ? span.last : c->beads - 1, first = span.first < last ? span.first : last;
+    sample->time = t;
+    /* Beads that static forces compress are never nothing. */
+    sample->active = c->static_force[0] > 0 || c->static_force[c->contacts - 1] > 0 ? c->beads : s->active;
+    if (last >= sample->active)
+        last = sample->active - 1; /* at rest behind: zeros since the start */
+    first = first < last ? first : last;
+    bead_dense_state(&run->dense, s, t, run->u, run->v);
+    if (fields & (BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE)))
+        sample_forces(run, first > 0 ? first - 1 : 0, last);
+    const double *f = run->field[BEAD_FIELD_CONTACT_FORCE];
+    for (size_t j = first; (fields & BEAD_FIELD_BIT(BEAD_FIELD_FORCE)) && j <= last; j++)
+        run->field[BEAD_FIELD_FORCE][j] = 0.5 * ((j > 0 ? f[j - 1] : 0) + f[j]);
+    if (fields & BEAD_FIELD_BIT(BEAD_FIELD_ENERGY))
+        sample_energy(run, first, last);
+    for (size_t i = 0; i < BEAD_FIELD_COUNT; i++)
+        sample->field[i] = fields & BEAD_FIELD_BIT(i) ? run->field[i] : NULL;
+    if (fields & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT))
+        sample->field[BEAD_FIELD_DISPLACEMENT] = run->u;
+    if (fields & BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY))
+        sample->field[BEAD_FIELD_VELOCITY] = run->v;
+    return BEAD_OK;
+}
+
+void bead_run_finish(struct bead_run *run, double end, struct bead_outcome *outcome)
+{
+    const struct bead_stepper *s = run->stepper;
+    double speed = fabs(s->chain->spec->striker_velocity);
+    *outcome = (struct bead_outcome){
+        .end = end,
+        .front_arrival = run->front.arrival,
+        .method = run->stepping.method->info.name,
+        .step = run->stepping.step,
+        .steps = s->steps,
+        .evaluations = s->evaluations,
+        .energy_start = run->energy_start,
+        .energy_end = bead_stepper_energy(s, &s->end),
+        .momentum_start = run->momentum_start,
+        .momentum_end = bead_stepper_momentum(s, &s->end),
+        .energy_error = fmax(run->energy_error, energy_off(run)),
+        .embedded_error = s->method->tableau && speed > 0 ? fmax(run->embedded_error, bead_estimate_embedded(s)) / speed : NAN,
+        .event_error = s->events && speed > 0 ? run->event_error / speed : NAN,
+        .contact_peaks = run->contact_peaks ? bead_peaks_found(run->contact_peaks) : NULL,
+        .bead_peaks = run->bead_peaks ? bead_peaks_found(run->bead_peaks) : NULL,
+    };
+}

@@ -1,0 +1,76 @@
+/* Run: one chain stepped through time, with what is wanted between the steps.
+ *
+ *   bead_run_create(&settings, &run, &msg);
+ *   while (bead_run_time(run) < t) bead_run_step(run, &msg);
+ *   bead_run_sample(run, t, ...);       start of the last step <= t <= its end
+ *   bead_run_finish(run, &outcome);
+ *   bead_run_destroy(run);
+ *
+ * Output times never force the step: states between steps come from Hermite interpolation (dense.h). */
+#ifndef BEADREEL_SIM_RUN_RUN_H
+#define BEADREEL_SIM_RUN_RUN_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/error.h"
+#include "beadreel/sample.h"
+#include "beadreel/sink.h"
+#include "sim/integrate/kernels.h"
+
+struct bead_run;
+
+struct bead_run_settings {
+    const struct bead_chain *chain;
+    const struct bead_kernels *kernels;
+    double end;   /* s: the last step ends here; INFINITY: not known, steps keep their length */
+    bool passage; /* peaks count until the front has arrived only, and not knowing end, the run is over then */
+    bool contact_peaks, bead_peaks;
+    const struct bead_span *peak_span; /* of these contacts and beads only; NULL: all */
+    bool full_window, hash;
+    double looser; /* a twin: accuracy, or the step given, times this; 0: as the scene says */
+};
+
+/* Method and step that a chain's scene asks for. Errors: SCENE (with the method's name), NUMBERS (step too long to be stable). */
+struct bead_stepping {
+    const struct bead_method *method;
+    double step;     /* s, the first */
+    double omega;    /* rad/s, bound of the frequencies */
+    double theta;    /* step in units of 1/omega */
+    double accuracy; /* that the steps are made for */
+    bool variable;   /* later steps follow the state */
+    const char *why; /* this method */
+};
+BEAD_CHECK enum bead_error bead_run_stepping(const struct bead_chain *chain, struct bead_stepping *stepping,
+                                             struct bead_message *msg);
+
+/* The same for a twin, a second run that is `looser`. */
+BEAD_CHECK enum bead_error bead_run_twin_stepping(const struct bead_chain *chain, double looser, struct bead_stepping *stepping,
+                                                  struct bead_message *msg);
+/* How much looser a twin of all these chains is to be: 10 times the accuracy, or 2 times the step that the scene gives; a tenth or
+ * half where the method has no room for that. */
+double bead_run_twin(const struct bead_chain *const *chains, size_t count);
+
+BEAD_CHECK enum bead_error bead_run_create(const struct bead_run_settings *settings, struct bead_run **run,
+                                           struct bead_message *msg);
+void bead_run_destroy(struct bead_run *run);
+
+double bead_run_time(const struct bead_run *run); /* s: end of the last step */
+/* When the front reached the end of the chain; NaN: not yet. */
+double bead_run_arrival(const struct bead_run *run);
+/* [beads], so far; NULL: not asked for. */
+const struct bead_peak *bead_run_bead_peaks(const struct bead_run *run);
+/* Errors: NUMBERS where energy or a number ran away. */
+BEAD_CHECK enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg);
+/* Fields (BEAD_FIELD_BITs) of the beads in `span` at time t into `sample` (time, active and field are set). Borrowed until the next
+ * call. */
+BEAD_CHECK enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields, struct bead_span span,
+                                           struct bead_sample *sample, struct bead_message *msg);
+/* The outcome at time `end` (in the last step); peaks are borrowed from the run. */
+void bead_run_finish(struct bead_run *run, double end, struct bead_outcome *outcome);
+uint64_t bead_run_evaluations(const struct bead_run *run);
+uint64_t bead_run_steps(const struct bead_run *run);
+uint64_t bead_run_hash(const struct bead_run *run);
+
+#endif

@@ -1,0 +1,57 @@
+#include "sim/run/run_kinds.h"
+
+#include "sim/chain/chain_data.h"
+#include "sim/integrate/stepper.h"
+
+/* Samples this often, in units of 1/omega, show every oscillation. */
+static const double resolving = 0.25;
+
+static enum bead_error pace_of_beads(const struct bead_chain *chain, double looser, struct bead_pace *pace,
+                                     struct bead_message *msg)
+{
+    struct bead_stepping stepping;
+    enum bead_error err = bead_run_twin_stepping(chain, looser > 0 ? looser : 1, &stepping, msg);
+    if (!err)
+        *pace = (struct bead_pace){stepping.method->info.name, stepping.step, resolving / stepping.omega, stepping.variable,
+                                   stepping.why};
+    return err;
+}
+
+static const struct bead_run_kind of_beads = {
+    .create = bead_run_create,
+    .destroy = bead_run_destroy,
+    .time = bead_run_time,
+    .arrival = bead_run_arrival,
+    .step = bead_run_step,
+    .sample = bead_run_sample,
+    .finish = bead_run_finish,
+    .evaluations = bead_run_evaluations,
+    .steps = bead_run_steps,
+    .hash = bead_run_hash,
+    .pace = pace_of_beads,
+};
+
+const struct bead_run_kind *bead_run_kind_of(const struct bead_chain *chain)
+{
+    return chain->equation ? &bead_run_of_equation : &of_beads;
+}
+
+double bead_run_twin_of(const struct bead_chain *const *chains, size_t count)
+{
+    if (!chains[0]->equation)
+        return bead_run_twin(chains, count);
+    return chains[0]->scene->simulate.step > 0 ? 0.5 : 10;
+}
+
+enum bead_error bead_runner_create(const struct bead_run_settings *settings, struct bead_runner *runner, struct bead_message *msg)
+{
+    runner->kind = bead_run_kind_of(settings->chain);
+    return runner->kind->create(settings, &runner->run, msg);
+}
+
+void bead_runner_destroy(struct bead_runner *runner)
+{
+    if (runner->kind && runner->run)
+        runner->kind->destroy(runner->run);
+    *runner = (struct bead_runner){NULL, NULL};
+}

@@ -1,0 +1,40 @@
+/* What can run: chains of beads (run.h) and equations (equation_run.c), each kind a const table; struct bead_run is each kind's
+ * own. Whoever plays chains knows these tables only. */
+#ifndef BEADREEL_SIM_RUN_RUN_KINDS_H
+#define BEADREEL_SIM_RUN_RUN_KINDS_H
+
+#include "sim/equation/equation.h"
+#include "sim/run/run.h"
+
+struct bead_run_kind {
+    enum bead_error (*create)(const struct bead_run_settings *settings, struct bead_run **run, struct bead_message *msg);
+    void (*destroy)(struct bead_run *run);
+    double (*time)(const struct bead_run *run);
+    double (*arrival)(const struct bead_run *run); /* of the front; NaN: not yet, or there is none */
+    enum bead_error (*step)(struct bead_run *run, struct bead_message *msg);
+    enum bead_error (*sample)(struct bead_run *run, double t, unsigned fields, struct bead_span span, struct bead_sample *sample,
+                              struct bead_message *msg);
+    void (*finish)(struct bead_run *run, double end, struct bead_outcome *outcome);
+    uint64_t (*evaluations)(const struct bead_run *run);
+    uint64_t (*steps)(const struct bead_run *run);
+    uint64_t (*hash)(const struct bead_run *run);
+    /* What such a run would do: `looser` as in bead_run_settings. */
+    enum bead_error (*pace)(const struct bead_chain *chain, double looser, struct bead_pace *pace, struct bead_message *msg);
+};
+
+extern const struct bead_run_kind bead_run_of_equation;
+const struct bead_run_kind *bead_run_kind_of(const struct bead_chain *chain);
+
+/* How much looser a twin of all these chains is to be: see bead_run_twin. */
+double bead_run_twin_of(const struct bead_chain *const *chains, size_t count);
+
+/* A run of any kind. */
+struct bead_runner {
+    const struct bead_run_kind *kind; /* NULL: none */
+    struct bead_run *run;
+};
+BEAD_CHECK enum bead_error bead_runner_create(const struct bead_run_settings *settings, struct bead_runner *runner,
+                                              struct bead_message *msg);
+void bead_runner_destroy(struct bead_runner *runner);
+
+#endif

@@ -1,0 +1,96 @@
+#include "sim/run/step_control.h"
+
+#include <math.h>
+#include <stdint.h>
+
+/* omega is looked at again after this many steps, and looks as far ahead. */
+enum { EVERY = 4 };
+static const double much = 1.1;
+/* No step is longer than this many times the first. */
+static const double growth = 4;
+static double stiffness(const struct bead_stepper *s, size_t k, double d)
+{
+    double a = s->table.stiffness[k];
+    if (s->table.law->kind == BEAD_LAW_HERTZ)
+        return d > 0 ? 1.5 * a * sqrt(d) : 0;
+    double here = s->chain->law->stiffness(a, s->table.law, d);
+    return s->chain->law->one_sided ? here : fmax(here, s->chain->law->stiffness(a, s->table.law, -d));
+}
+
+/* To be expected of contact k: at the compression now, or the one its beads' velocities lead to within `ahead` seconds. */
+static double expected(const struct bead_stepper *s, size_t k, double ahead)
+{
+    const struct bead_state *now = &s->end;
+    double rate = now->v[k] - now->v[k + 1], d = s->table.static_compression[k] + (now->u[k] - now->u[k + 1]);
+    return stiffness(s, k, d + (rate > 0 ? ahead * rate : 0));
+}
+
+/* Gershgorin's circles of contacts 0..n-1, omega^2; see bead_chain_omega. */
+static double circles(const struct bead_stepper *s, size_t n, double ahead, bool at_rest)
+{
+    const double *w = s->chain->inverse_mass, *d0 = s->table.static_compression;
+    const size_t contacts = s->chain->contacts;
+    double worst = 0, before = 0, here = at_rest ? stiffness(s, 0, d0[0]) : expected(s, 0, ahead);
+    for (size_t k = 0; k < n; k++) {
+        double after = 0, right = k + 1 < s->beads ? w[k + 1] : 0;
+        if (k + 1 < contacts)
+            after = at_rest ? stiffness(s, k + 1, d0[k + 1]) : expected(s, k + 1, ahead);
+        double row = here * (w[k] + right) + before * w[k] + after * right;
+        worst = row > worst ? row : worst;
+        before = here;
+        here = after;
+    }
+    return worst;
+}
+
+/* The same for Hertz's law, with vectors; works in stepper->w[0], which Nystrom methods leave alone. */
+static double hertz_circles(const struct bead_stepper *s, size_t n, double ahead)
+{
+    const double *w = s->chain->inverse_mass;
+    const size_t contacts = s->chain->contacts, known = n < contacts ? n + 1 : contacts, inner = n < s->beads ? n : s->beads - 1;
+    double *k = s->w[0];
+    s->kernels->hertz_stiffness(known, &s->table, s->end.u, s->end.v, ahead, k);
+    k[known] = 0;
+    double worst = s->kernels->circles(inner, k, w);
+    if (inner == n)
+        return worst;
+    /* The wall's contact. */
+    return fmax(worst, k[inner] * w[inner] + k[inner - 1] * w[inner]);
+}
+
+struct bead_control bead_control_start(const struct bead_stepper *s, double theta, double omega)
+{
+    double first = theta / omega;
+    return (struct bead_control){theta, sqrt(circles(s, s->chain->contacts, 0, true)), growth * first, first};
+}
+
+/* Length that the stiffnesses allow which are to be expected when steps of length h are made until they are looked at again. */
+static double allowed(const struct bead_control *control, const struct bead_stepper *s, double h)
+{
+    size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
+    const double ahead = EVERY * h;
+    double worst = s->table.law->kind == BEAD_LAW_HERTZ ? hertz_circles(s, n, ahead) : circles(s, n, ahead, false);
+    double omega = fmax(sqrt(worst), control->static_omega);
+    return omega * control->longest > control->theta ? control->theta / omega : control->longest;
+}
+
+double bead_control_next(struct bead_control *control, const struct bead_stepper *s)
+{
+    if (s->steps == 0 || s->steps % EVERY != 0)
+        return control->h;
+    double h = allowed(control, s, control->h);
+    /* Much longer ones see more of what is coming. */
+    if (h > much * control->h)
+        h = fmax(control->h, allowed(control, s, h));
+    control->h = h;
+    return h;
+}
+
+/* Of an order-8 method's drift this leaves a 25th. */
+static const double shortening = 0.7;
+
+void bead_control_shorten(struct bead_control *control)
+{
+    control->theta *= shortening;
+    control->longest *= shortening;
+}

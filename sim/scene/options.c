@@ -1,0 +1,341 @@
+/* The generic reader of option tables. */
+#include "sim/scene/options.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/base/suggest.h"
+#include "sim/scene/scene_private.h"
+
+enum { LONGEST_TEXT = 1000 };
+
+static void add_path(const struct bead_at *at, char *text, size_t size)
+{
+    if (!at)
+        return;
+    add_path(at->up, text, size);
+    size_t used = strlen(text);
+    if (at->key && *at->key)
+        snprintf(text + used, size - used, "%s%s", used ? "." : "", at->key);
+    else if (!at->key)
+        snprintf(text + used, size - used, "%s%zu", used ? "." : "", at->index);
+}
+
+enum bead_error bead_wrong(const struct bead_reader *reader, const struct bead_at *at, const char *format, ...)
+{
+    char path[256] = "", shown[256], what[640];
+    va_list values;
+    va_start(values, format);
+    vsnprintf(what, sizeof what, format, values);
+    va_end(values);
+    add_path(at, path, sizeof path);
+    return bead_fail(reader->msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s%s%s", bead_yaml_name(reader->yaml, at->node),
+                     at->node->place.line, at->node->place.column, bead_text_show(path, shown, sizeof shown), *path ? ": " : "",
+                     what);
+}
+
+enum bead_error bead_no_memory(const struct bead_reader *reader)
+{
+    return bead_fail(reader->msg, BEAD_ERROR_MEMORY, "%s: out of memory", bead_yaml_name(reader->yaml, NULL));
+}
+
+struct bead_at bead_at_key(const struct bead_at *at, const char *key)
+{
+    const struct bead_node *node = bead_node_get(at->node, key, NULL);
+    return (struct bead_at){at, key, 0, node ? node : at->node};
+}
+
+/* ---- single values ---- */
+
+enum bead_error bead_read_scalar(const struct bead_reader *reader, const struct bead_at *at, const char *wanted, const char **text)
+{
+    char shown[64];
+    if (at->node->kind != BEAD_NODE_SCALAR || (at->node->plain && !*at->node->text))
+        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), wanted);
+    *text = at->node->text;
+    return BEAD_OK;
+}
+
+static bool in_range(const struct bead_option *option, double value)
+{
+    if (option->low == 0 && option->high == 0 && !option->open)
+        return true;
+    bool above = option->open & BEAD_OPEN_LOW ? value > option->low : value >= option->low;
+    bool below = option->open & BEAD_OPEN_HIGH ? value < option->high : value <= option->high;
+    return above && below;
+}
+
+enum bead_error bead_read_number(const struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                 double *value)
+{
+    char allowed[200], why[200];
+    const char *text = NULL;
+    struct bead_option plain = *option;
+    if (option->of_motion && bead_scene_plain(reader->scene)) {
+        plain.unit = NULL;
+        option = &plain;
+    }
+    bead_option_allowed(option, allowed, sizeof allowed);
+    enum bead_error err = bead_read_scalar(reader, at, allowed, &text);
+    if (err)
+        return err;
+    if (option->word && strcmp(text, option->word) == 0) {
+        *value = option->word_value;
+        return BEAD_OK;
+    }
+    double read = 0;
+    err = bead_units_read(reader->units, text, option->unit, &read, why, sizeof why);
+    if (err)
+        return bead_wrong(reader, at, "%s; must be %s", why, allowed);
+    bool whole = option->type != BEAD_OPTION_COUNT || read == floor(read);
+    if (!whole || !in_range(option, read))
+        return bead_wrong(reader, at, "%s is %s; must be %s", bead_node_show(at->node, why, 64),
+                          whole ? "out of range" : "not whole", allowed);
+    *value = read;
+    return BEAD_OK;
+}
+
+enum bead_error bead_read_choice(const struct bead_reader *reader, const struct bead_at *at, const char *const *choices,
+                                 unsigned *value)
+{
+    char all[240] = "", shown[64], near[96];
+    struct bead_suggest search;
+    bead_suggest_begin(&search, at->node->kind == BEAD_NODE_SCALAR ? at->node->text : "");
+    for (unsigned i = 0; choices[i]; i++) {
+        if (strcmp(search.word, choices[i]) == 0) {
+            *value = i;
+            return BEAD_OK;
+        }
+        bead_suggest_try(&search, choices[i]);
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s%s", i == 0 ? "" : choices[i + 1] ? ", " : " or ", choices[i]);
+    }
+    return bead_wrong(reader, at, "is %s; must be %s%s", bead_node_show(at->node, shown, sizeof shown), all,
+                      bead_suggest_text(&search, near, sizeof near));
+}
+
+enum bead_error bead_read_text(const struct bead_reader *reader, const struct bead_at *at, char **text)
+{
+    const char *read = NULL;
+    enum bead_error err = bead_read_scalar(reader, at, "a text", &read);
+    if (err)
+        return err;
+    if (strlen(read) > LONGEST_TEXT)
+        return bead_wrong(reader, at, "is too long: at most %d bytes are allowed", LONGEST_TEXT);
+    for (const char *c = read; *c; c++) {
+        if ((unsigned char)*c < ' ' || *c == 127)
+            return bead_wrong(reader, at, "contains a line break or another control character; must be one line of text");
+    }
+    free(*text);
+    *text = strdup(read);
+    return *text ? BEAD_OK : bead_no_memory(reader);
+}
+
+static enum bead_error read_flag(const struct bead_reader *reader, const struct bead_at *at, bool *value)
+{
+    static const char *const words[] = {"false", "true", "no", "yes", "False", "True", "No", "Yes", "FALSE", "TRUE", "NO", "YES"};
+    char shown[64];
+    for (size_t i = 0; at->node->kind == BEAD_NODE_SCALAR && i < sizeof words / sizeof *words; i++) {
+        if (strcmp(at->node->text, words[i]) == 0) {
+            *value = i % 2 == 1;
+            return BEAD_OK;
+        }
+    }
+    return bead_wrong(reader, at, "is %s; must be true or false", bead_node_show(at->node, shown, sizeof shown));
+}
+
+/* All 64 bits, which a double would not hold. */
+static enum bead_error read_seed(const struct bead_reader *reader, const struct bead_at *at, uint64_t *value)
+{
+    static const char wanted[] = "a whole number from 0 to 18446744073709551615";
+    const char *text = NULL;
+    char shown[64];
+    uint64_t read = 0;
+    enum bead_error err = bead_read_scalar(reader, at, wanted, &text);
+    if (err)
+        return err;
+    bool good = *text != 0;
+    for (const char *c = text; *c && good; c++) {
+        unsigned digit = (unsigned)(*c - '0');
+        good = digit < 10 && !__builtin_mul_overflow(read, 10, &read) && !__builtin_add_overflow(read, digit, &read);
+    }
+    if (!good)
+        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), wanted);
+    *value = read;
+    return BEAD_OK;
+}
+
+static enum bead_error read_pair(const struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                 double value[2])
+{
+    char allowed[200], shown[64];
+    if (option->word && at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, option->word) == 0) {
+        value[0] = value[1] = option->word_value;
+        return BEAD_OK;
+    }
+    if (at->node->kind != BEAD_NODE_LIST || at->node->count != 2)
+        return bead_wrong(reader, at, "is %s; must be [a, b], both %s", bead_node_show(at->node, shown, sizeof shown),
+                          bead_option_allowed(option, allowed, sizeof allowed));
+    for (size_t i = 0; i < 2; i++) {
+        struct bead_at element = {at, NULL, i, at->node->items[i]};
+        enum bead_error err = bead_read_number(reader, &element, option, &value[i]);
+        if (err)
+            return err;
+    }
+    return BEAD_OK;
+}
+
+/* ---- rows ---- */
+
+static enum bead_error read_value(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                  void *settings)
+{
+    char *field = (char *)settings + option->offset;
+    double number = 0;
+    unsigned choice = 0;
+    enum bead_error err = BEAD_OK;
+    switch (option->type) {
+    case BEAD_OPTION_NUMBER:
+        return bead_read_number(reader, at, option, (double *)(void *)field);
+    case BEAD_OPTION_PAIR:
+        return read_pair(reader, at, option, (double *)(void *)field);
+    case BEAD_OPTION_COUNT:
+        err = bead_read_number(reader, at, option, &number);
+        if (!err)
+            *(size_t *)(void *)field = (size_t)number;
+        return err;
+    case BEAD_OPTION_SEED:
+        return read_seed(reader, at, (uint64_t *)(void *)field);
+    case BEAD_OPTION_FLAG:
+        return read_flag(reader, at, (bool *)(void *)field);
+    case BEAD_OPTION_TEXT:
+        return bead_read_text(reader, at, (char **)(void *)field);
+    case BEAD_OPTION_CHOICE:
+        err = bead_read_choice(reader, at, option->choices, &choice);
+        _Static_assert(sizeof(enum bead_show) == sizeof choice, "enums are stored as unsigned");
+        if (!err)
+            memcpy(field, option->values ? &option->values[choice] : &choice, sizeof choice);
+        return err;
+    case BEAD_OPTION_CUSTOM:
+        break;
+    }
+    return option->read(reader, at, option, settings);
+}
+
+/* Defaults are read like values; those in brackets are parsed first. */
+static enum bead_error read_initial(struct bead_reader *reader, const struct bead_at *up, const struct bead_option *option,
+                                    void *settings)
+{
+    struct bead_node word = {.plain = false, .place = up->node->place, .text = option->initial, .setting = up->node->setting};
+    struct bead_at at = {up, option->key, 0, &word};
+    if (*option->initial == '[' || *option->initial == '{') {
+        struct bead_node *parsed = NULL;
+        enum bead_error err =
+            bead_yaml_piece(reader->scratch, option->initial, strlen(option->initial), up->node->place, &parsed, reader->msg);
+        if (err)
+            return err;
+        parsed->setting = up->node->setting;
+        at.node = parsed;
+    }
+    return read_value(reader, &at, option, settings);
+}
+
+static bool belongs(const struct bead_option *option, unsigned form)
+{
+    return !option->forms || (option->forms & form);
+}
+
+/* The row of a key that belongs to the form; else the first of that key; else NULL. */
+static const struct bead_option *find_row(const struct bead_options *options, const char *key, unsigned form)
+{
+    const struct bead_option *found = NULL;
+    for (size_t i = 0; i < options->count; i++) {
+        const struct bead_option *row = &options->rows[i];
+        if (strcmp(row->key, key) == 0 && (!found || (belongs(row, form) && !belongs(found, form))))
+            found = row;
+    }
+    return found;
+}
+
+static enum bead_error unknown_key(const struct bead_reader *reader, const struct bead_at *at, const struct bead_options *options,
+                                   unsigned form)
+{
+    struct bead_suggest search;
+    char near[96], all[480] = "";
+    bead_suggest_begin(&search, at->key);
+    for (size_t i = 0; i < options->count; i++) {
+        const struct bead_option *row = &options->rows[i];
+        bool hidden = row->type == BEAD_OPTION_CUSTOM && !row->shape;
+        if (find_row(options, row->key, form) != row || !belongs(row, form) || hidden)
+            continue;
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s%s", used ? ", " : "", row->key);
+        bead_suggest_try(&search, row->key);
+    }
+    if (search.best)
+        return bead_wrong(reader, at, "unknown key%s", bead_suggest_text(&search, near, sizeof near));
+    return bead_wrong(reader, at, "unknown key; known are %s", all);
+}
+
+static enum bead_error foreign_key(const struct bead_reader *reader, const struct bead_at *at, const struct bead_options *options,
+                                   unsigned form)
+{
+    char homes[120] = "";
+    const char *here = "this", *help = "";
+    unsigned forms = 0;
+    for (size_t i = 0; i < options->count; i++) {
+        if (strcmp(options->rows[i].key, at->key) != 0)
+            continue;
+        forms |= options->rows[i].forms;
+        help = options->rows[i].help;
+    }
+    for (unsigned i = 0; options->form_names && options->form_names[i]; i++) {
+        size_t used = strlen(homes);
+        if (forms >> i & 1)
+            snprintf(homes + used, sizeof homes - used, "%s%s", used ? ", " : "", options->form_names[i]);
+        here = form >> i & 1 ? options->form_names[i] : here;
+    }
+    if (!homes[0]) /* of forms without a name, which the help names */
+        return bead_wrong(reader, at, "is not a key of %s (%s)", here, help);
+    return bead_wrong(reader, at, "is a key of %s %s, not of %s", options->forms_of, homes, here);
+}
+
+static enum bead_error check_keys(const struct bead_reader *reader, const struct bead_at *at, const struct bead_options *options,
+                                  unsigned form)
+{
+    for (size_t i = 0; i + 1 < at->node->count; i += 2) {
+        struct bead_at key = {at, at->node->items[i]->text, 0, at->node->items[i]};
+        const struct bead_option *row = find_row(options, key.key, form);
+        if (!row)
+            return unknown_key(reader, &key, options, form);
+        if (!belongs(row, form))
+            return foreign_key(reader, &key, options, form);
+    }
+    return BEAD_OK;
+}
+
+enum bead_error bead_options_read(struct bead_reader *reader, const struct bead_at *at, const struct bead_options *options,
+                                  unsigned form, void *settings)
+{
+    char shown[64];
+    if (at->node->kind != BEAD_NODE_MAP)
+        return bead_wrong(reader, at, "is %s; must be a map of keys and values: %s", bead_node_show(at->node, shown, sizeof shown),
+                          options->help);
+    enum bead_error err = check_keys(reader, at, options, form);
+    for (size_t i = 0; i < options->count && !err; i++) {
+        const struct bead_option *row = &options->rows[i];
+        if (find_row(options, row->key, form) != row)
+            continue;
+        const struct bead_node *value = belongs(row, form) ? bead_node_get(at->node, row->key, NULL) : NULL;
+        struct bead_at key = {at, row->key, 0, value ? value : at->node};
+        if (value)
+            err = read_value(reader, &key, row, settings);
+        else if (row->required && belongs(row, form))
+            err = bead_wrong(reader, &key, "is missing: %s", row->help);
+        else if (row->initial)
+            err = read_initial(reader, at, row, settings);
+    }
+    return err;
+}

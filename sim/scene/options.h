@@ -1,0 +1,110 @@
+/* Options: one const table for each settings structure. Parser, help text, man page and error messages come from it. */
+#ifndef BEADREEL_SIM_SCENE_OPTIONS_H
+#define BEADREEL_SIM_SCENE_OPTIONS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "beadreel/error.h"
+#include "beadreel/scene.h"
+#include "sim/base/units.h"
+#include "sim/base/yaml.h"
+
+/* What a value is and where in its structure it goes. */
+enum bead_option_type {
+    BEAD_OPTION_NUMBER, /* double */
+    BEAD_OPTION_PAIR,   /* double[2], written [a, b] */
+    BEAD_OPTION_COUNT,  /* size_t */
+    BEAD_OPTION_SEED,   /* uint64_t */
+    BEAD_OPTION_FLAG,   /* bool */
+    BEAD_OPTION_TEXT,   /* char *, owned by the structure */
+    BEAD_OPTION_CHOICE, /* an enum, in the order of `choices` */
+    BEAD_OPTION_CUSTOM  /* whatever `read` makes of it */
+};
+
+/* A place in the document on the way down: for the key path and the line and column of messages. */
+struct bead_at {
+    const struct bead_at *up;
+    const char *key; /* NULL: an element of a list */
+    size_t index;
+    const struct bead_node *node;
+};
+
+/* What every part of the parser needs. */
+struct bead_reader {
+    struct bead_yaml *yaml;
+    struct bead_yaml *scratch; /* where default values are parsed */
+    struct bead_units *units;
+    struct bead_scene *scene; /* being filled */
+    struct bead_message *msg;
+};
+
+/* Are the scene's numbers without units: those of equations? */
+static inline bool bead_scene_plain(const struct bead_scene *scene)
+{
+    return scene->chain_count > 0 && scene->chains[0].equation.name;
+}
+
+enum { BEAD_OPEN_LOW = 1, BEAD_OPEN_HIGH = 2 }; /* the limit itself is not allowed */
+
+struct bead_option {
+    const char *key;
+    enum bead_option_type type;
+    size_t offset;
+    const char *unit;    /* SI, of plain numbers; NULL: numbers without unit */
+    const char *initial; /* default, as in a scene; NULL: none */
+    bool required;
+    double low, high; /* allowed; both 0: anything finite */
+    unsigned open;
+    const char *word; /* may stand for a number, and means ... */
+    double word_value;
+    const char *const *choices; /* NULL-terminated */
+    const unsigned *values;     /* what the choices mean; NULL: their index */
+    const char
+        *shape; /* what a custom value looks like (NULL: not to be shown in help), or other words for the range of a number */
+    const char *help;
+    bool of_motion; /* a time of what moves: without a unit where that has none */
+    unsigned forms; /* 0: any; else bits of the forms of the structure it belongs to */
+    enum bead_error (*read)(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option, void *settings);
+};
+
+struct bead_options {
+    const char *name; /* "chain", as a heading */
+    const char *help;
+    const struct bead_option *rows;
+    size_t count;
+    const char *const *form_names; /* one a bit of `forms`, NULL-terminated */
+    const char *forms_of;          /* what has forms: "outputs of kind" */
+};
+#define BEAD_OPTIONS(rows) rows, sizeof(rows) / sizeof *(rows)
+
+/* Read the map at `at` into `settings` (zeroed before), defaults included; rows of other forms get their default, too.
+ * Errors: SCENE, MEMORY; what was filled in before stays and is freed with its structure. */
+BEAD_CHECK enum bead_error bead_options_read(struct bead_reader *reader, const struct bead_at *at,
+                                             const struct bead_options *options, unsigned form, void *settings);
+
+/* Describe the rows: as text, or as a part of a man page. */
+void bead_options_help(const struct bead_options *options, FILE *out);
+void bead_options_man(const struct bead_options *options, FILE *out);
+
+/* "must be ..." of a row: "from 0 to 10000 m/s or auto" into `text`; returns text. */
+const char *bead_option_allowed(const struct bead_option *option, char *text, size_t size);
+
+/* Fail with `file:line:column: key.path: ...`. */
+enum bead_error bead_wrong(const struct bead_reader *reader, const struct bead_at *at, const char *format, ...) BEAD_PRINTF(3, 4);
+enum bead_error bead_no_memory(const struct bead_reader *reader);
+/* The place of `key` in the map at `at`: of its value, or of the map where it has none. */
+struct bead_at bead_at_key(const struct bead_at *at, const char *key);
+
+/* Readers of single values, for custom options. */
+BEAD_CHECK enum bead_error bead_read_scalar(const struct bead_reader *reader, const struct bead_at *at, const char *wanted,
+                                            const char **text);
+BEAD_CHECK enum bead_error bead_read_number(const struct bead_reader *reader, const struct bead_at *at,
+                                            const struct bead_option *option, double *value);
+BEAD_CHECK enum bead_error bead_read_choice(const struct bead_reader *reader, const struct bead_at *at, const char *const *choices,
+                                            unsigned *value);
+BEAD_CHECK enum bead_error bead_read_text(const struct bead_reader *reader, const struct bead_at *at, char **text);
+
+#endif

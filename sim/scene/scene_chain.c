@@ -1,0 +1,219 @@
+/* `chain`: what stands in a row, how it is struck, and the forces in it. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/base/suggest.h"
+#include "sim/scene/scene_private.h"
+
+#define CHAIN(member) offsetof(struct bead_chain_spec, member)
+
+static enum bead_error read_striker(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                    void *settings)
+{
+    (void)option;
+    return bead_options_read(reader, at, &bead_striker_options, 0, settings);
+}
+
+static enum bead_error read_damping(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                    void *settings)
+{
+    (void)option;
+    return bead_options_read(reader, at, &bead_damping_options, 0, settings);
+}
+
+static enum bead_error read_wall(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                 void *settings)
+{
+    struct bead_chain_spec *chain = settings;
+    const char *text = NULL;
+    enum bead_error err = bead_read_scalar(reader, at, option->shape, &text);
+    if (err)
+        return err;
+    chain->wall = strcmp(text, "none") == 0 ? BEAD_WALL_NONE : strcmp(text, "rigid") == 0 ? BEAD_WALL_RIGID : BEAD_WALL_MATERIAL;
+    return chain->wall == BEAD_WALL_MATERIAL ? bead_scene_find_material(reader, at, false, &chain->wall_material) : BEAD_OK;
+}
+
+static enum bead_error read_law(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                void *settings)
+{
+    static const struct {
+        const char *word;
+        enum bead_law_kind kind;
+        const struct bead_options *options; /* NULL: a word alone */
+    } laws[] = {{"hertz", BEAD_LAW_HERTZ, NULL},
+                {"thesis-appendix", BEAD_LAW_THESIS_APPENDIX, NULL},
+                {"power", BEAD_LAW_POWER, &bead_power_options},
+                {"fpu-alpha", BEAD_LAW_FPU_ALPHA, &bead_fpu_options}};
+    struct bead_chain_spec *chain = settings;
+    struct bead_suggest search;
+    char shown[64], near[96];
+    bool map = at->node->kind == BEAD_NODE_MAP, word = at->node->kind == BEAD_NODE_SCALAR;
+    bead_suggest_begin(&search, word ? at->node->text : map && at->node->count ? at->node->items[0]->text : "");
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
+        chain->law.kind = laws[i].kind;
+        if (map && laws[i].options && bead_node_get(at->node, laws[i].word, NULL))
+            return bead_options_read(reader, at, laws[i].options, 0, &chain->law);
+        if (word && !laws[i].options && strcmp(at->node->text, laws[i].word) == 0)
+            return BEAD_OK;
+        bead_suggest_try(&search, laws[i].word);
+    }
+    if (search.best && strcmp(search.best, search.word) == 0)
+        search.best = NULL; /* the right word, the wrong way */
+    return bead_wrong(reader, at, "is %s; must be %s%s", bead_node_show(at->node, shown, sizeof shown), option->shape,
+                      bead_suggest_text(&search, near, sizeof near));
+}
+
+static const struct bead_option striker_rows[] = {
+    {.key = "bead",
+     .type = BEAD_OPTION_CUSTOM,
+     .offset = CHAIN(striker_material),
+     .initial = "large-steel",
+     .shape = "the name of a material",
+     .help = "its material",
+     .read = bead_scene_read_material},
+    {.key = "velocity",
+     .offset = CHAIN(striker_velocity),
+     .unit = "m/s",
+     .initial = "0.443 m/s",
+     .low = 0,
+     .high = 1e4,
+     .help = "its velocity when it touches the first bead, at time 0"},
+};
+const struct bead_options bead_striker_options = {"chain.striker", "the bead that strikes the chain", BEAD_OPTIONS(striker_rows),
+                                                  NULL, NULL};
+
+static const struct bead_option damping_rows[] = {
+    {.key = "coefficient",
+     .offset = CHAIN(damping_coefficient),
+     .initial = "0",
+     .low = 0,
+     .high = 1e12,
+     .help = "gamma in the force gamma |D|^exponent of every closed contact, D the speed of compression; in N (s/m)^exponent"},
+    {.key = "exponent",
+     .offset = CHAIN(damping_exponent),
+     .initial = "1.8",
+     .low = 0,
+     .high = 10,
+     .open = BEAD_OPEN_LOW | BEAD_OPEN_HIGH,
+     .help = "exponent of the speed of compression"},
+};
+const struct bead_options bead_damping_options = {"chain.damping", "forces against the relative motion of touching beads",
+                                                  BEAD_OPTIONS(damping_rows), NULL, NULL};
+
+#define LAW(member) offsetof(struct bead_law_spec, member)
+static const struct bead_option power_rows[] = {
+    {.key = "power", .offset = LAW(power), .required = true, .low = 1, .high = 10, .help = "exponent of the compression"},
+    {.key = "coefficient",
+     .offset = LAW(coefficient),
+     .required = true,
+     .low = 0,
+     .high = 1e30,
+     .open = BEAD_OPEN_LOW,
+     .help = "force at a compression of 1 m, of every contact; in N/m^power"},
+};
+const struct bead_options bead_power_options = {"chain.law (power)", "force = coefficient * compression^power, one-sided",
+                                                BEAD_OPTIONS(power_rows), NULL, NULL};
+
+static const struct bead_option fpu_rows[] = {
+    {.key = "fpu-alpha",
+     .offset = LAW(alpha),
+     .unit = "1/m",
+     .required = true,
+     .low = -1e12,
+     .high = 1e12,
+     .help = "alpha in the force k d (1 - alpha d) of every spring"},
+    {.key = "stiffness",
+     .offset = LAW(coefficient),
+     .unit = "N/m",
+     .initial = "1 N/m",
+     .low = 0,
+     .high = 1e30,
+     .open = BEAD_OPEN_LOW,
+     .help = "k in that force"},
+};
+const struct bead_options bead_fpu_options = {"chain.law (fpu-alpha)", "springs of Fermi, Pasta, Ulam and Tsingou, two-sided",
+                                              BEAD_OPTIONS(fpu_rows), NULL, NULL};
+
+static const struct bead_option chain_rows[] = {
+    {.key = "name",
+     .type = BEAD_OPTION_TEXT,
+     .offset = CHAIN(name),
+     .initial = "",
+     .help = "name of the chain; needed under `chains`"},
+    {.key = "label", .type = BEAD_OPTION_TEXT, .offset = CHAIN(label), .initial = "", .help = "a line about it, for pictures"},
+    {.key = "striker",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "{}",
+     .shape = "a map",
+     .help = "see chain.striker",
+     .read = read_striker},
+    {.key = "beads",
+     .type = BEAD_OPTION_CUSTOM,
+     .required = true,
+     .shape = "a list such as [{bead: large-steel, count: 50}]",
+     .help = "the beads behind the striker, left to right: see chain.beads",
+     .read = bead_scene_read_segments},
+    {.key = "wall",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "none",
+     .shape = "none, rigid or a material",
+     .help = "what stands behind the last bead",
+     .read = read_wall},
+    {.key = "law",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "hertz",
+     .shape = "hertz, thesis-appendix, {power: P, coefficient: A} or {fpu-alpha: ALPHA, stiffness: K}",
+     .help = "the force between two beads",
+     .read = read_law},
+    {.key = "precompression",
+     .offset = CHAIN(precompression),
+     .unit = "N",
+     .initial = "0 N",
+     .low = 0,
+     .high = 1e12,
+     .help = "static force that presses the chain together"},
+    {.key = "tilt",
+     .offset = CHAIN(tilt),
+     .unit = "rad",
+     .initial = "0 deg",
+     .low = 0,
+     .high = 1.5707963267948966,
+     .open = BEAD_OPEN_HIGH,
+     .shape = "from 0 to below 90 deg (1.5708 rad)",
+     .help = "slope of the chain, its wall at the lower end"},
+    {.key = "damping",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "{}",
+     .shape = "a map",
+     .help = "see chain.damping",
+     .read = read_damping},
+};
+const struct bead_options bead_chain_options = {"chain",
+                                                "a chain; or `chains`, a list of these with a `name` each, run and shown together",
+                                                BEAD_OPTIONS(chain_rows), NULL, NULL};
+
+enum bead_error bead_scene_read_chain(struct bead_reader *reader, const struct bead_at *at, struct bead_chain_spec *chain)
+{
+    chain->place = at->node->place;
+    if (at->node->kind == BEAD_NODE_MAP && bead_node_get(at->node, "equation", NULL))
+        return bead_scene_read_equation(reader, at, chain);
+    enum bead_error err = bead_options_read(reader, at, &bead_chain_options, 0, chain);
+    if (err)
+        return err;
+    struct bead_at tilt = bead_at_key(at, "tilt");
+    if (chain->tilt > 0 && chain->wall == BEAD_WALL_NONE)
+        return bead_wrong(reader, &tilt, "needs a wall that holds the lower end: give `wall`");
+    return BEAD_OK;
+}
+
+bool bead_scene_has_sensors(const struct bead_scene *scene)
+{
+    for (size_t c = 0; c < scene->chain_count; c++) {
+        for (size_t s = 0; s < scene->chains[c].segment_count; s++) {
+            if (scene->chains[c].segments[s].sensor)
+                return true;
+        }
+    }
+    return false;
+}

@@ -1,0 +1,375 @@
+/* A chain that is an equation: its keys, which of them belong to which equation, and how it starts. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/base/suggest.h"
+#include "sim/equation/equation.h"
+#include "sim/scene/scene_private.h"
+
+#define EQUATION(member) offsetof(struct bead_equation_spec, member)
+
+/* Forms of the tables: equations by their rows here. */
+enum { FPUT = 1, KDV = 2, SHOCK = 4 };
+static const char *const forms[] = {"fput", "kdv", "shock", NULL};
+
+static const char *const ends[] = {"fixed", "periodic", NULL};
+static const char *const ways[] = {"rest", "right", "left", NULL};
+static const char *const variables[] = {
+#define FIELD_NAME(id, name, unit, title, place) name,
+    BEAD_FIELDS(FIELD_NAME)
+#undef FIELD_NAME
+        NULL};
+
+/* ---- start ---- */
+
+#define NUMBER(name, member, from, to, says)                                                             \
+    {                                                                                                    \
+        .key = name, .offset = EQUATION(member), .required = true, .low = from, .high = to, .help = says \
+    }
+#define AMPLITUDE(says) NUMBER("amplitude", amplitude, -1e6, 1e6, says)
+#define WAVES(name, says)                                                                                                       \
+    {                                                                                                                           \
+        .key = name, .type = BEAD_OPTION_COUNT, .offset = EQUATION(mode), .required = true, .low = 1, .high = 1e6, .help = says \
+    }
+
+static const struct bead_option mode_rows[] = {
+    WAVES("mode", "number of a linear mode of the string"),
+    {.key = "amplitude",
+     .offset = EQUATION(amplitude),
+     .initial = "1",
+     .low = -1e6,
+     .high = 1e6,
+     .help = "its largest displacement"},
+};
+const struct bead_options bead_start_mode_options = {"chain.start (mode)", "at rest, displaced as in a mode of the linear string",
+                                                     BEAD_OPTIONS(mode_rows), NULL, NULL};
+
+static const struct bead_option pulse_rows[] = {
+    NUMBER("pulse", amplitude, -1e6, 1e6, "its height: of the strain in strings, else of the unknown"),
+    {.key = "width",
+     .offset = EQUATION(width),
+     .required = true,
+     .low = 0,
+     .high = 1e6,
+     .open = BEAD_OPEN_LOW,
+     .help = "w in height sech^2((x - at) / w)"},
+    NUMBER("at", at, -1e9, 1e9, "place of its centre"),
+    {.key = "moving",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = EQUATION(moving),
+     .initial = "rest",
+     .choices = ways,
+     .help = "rest: it parts into two; right, left: it goes one way (strings and shocks)"},
+};
+const struct bead_options bead_start_pulse_options = {"chain.start (pulse)", "one hump", BEAD_OPTIONS(pulse_rows), NULL, NULL};
+
+static const struct bead_option cosine_rows[] = {
+    WAVES("cosine", "number of waves in the domain"),
+    AMPLITUDE("of the cosine"),
+};
+const struct bead_options bead_start_cosine_options = {"chain.start (cosine)", "amplitude cos(2 pi n (x - low) / length)",
+                                                       BEAD_OPTIONS(cosine_rows), NULL, NULL};
+
+static const struct bead_option wave_rows[] = {
+    WAVES("simple-wave", "number of waves in the domain"),
+    AMPLITUDE("of the strain"),
+};
+const struct bead_options bead_start_wave_options = {"chain.start (simple-wave)",
+                                                     "strain amplitude sin(2 pi n (x - low) / length), all of it going right",
+                                                     BEAD_OPTIONS(wave_rows), NULL, NULL};
+
+static const struct bead_option soliton_rows[] = {
+    {.key = "speed",
+     .offset = offsetof(struct bead_soliton, speed),
+     .required = true,
+     .low = 0,
+     .high = 1e6,
+     .open = BEAD_OPEN_LOW,
+     .help = "its speed (less the drift)"},
+    {.key = "at",
+     .offset = offsetof(struct bead_soliton, at),
+     .required = true,
+     .low = -1e9,
+     .high = 1e9,
+     .help = "place of its centre at time 0"},
+};
+const struct bead_options bead_soliton_options = {"chain.start.solitons", "entries of the list", BEAD_OPTIONS(soliton_rows), NULL,
+                                                  NULL};
+
+static enum bead_error read_solitons(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                     void *settings)
+{
+    struct bead_equation_spec *spec = settings;
+    char shown[64];
+    if (at->node->kind != BEAD_NODE_LIST)
+        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
+    if (at->node->count == 0 || at->node->count > BEAD_SOLITONS)
+        return bead_wrong(reader, at, "has %zu solitons; must have from 1 to %d", at->node->count, BEAD_SOLITONS);
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; i < at->node->count && !err; i++) {
+        struct bead_at element = {at, NULL, i, at->node->items[i]};
+        err = bead_options_read(reader, &element, &bead_soliton_options, 0, &spec->solitons[i]);
+        spec->soliton_count = i + 1;
+    }
+    return err;
+}
+
+static const struct bead_option solitons_rows[] = {
+    {.key = "solitons",
+     .type = BEAD_OPTION_CUSTOM,
+     .required = true,
+     .shape = "a list such as [{speed: 16, at: -8}, {speed: 4, at: 0}]",
+     .help = "see chain.start.solitons",
+     .read = read_solitons},
+};
+const struct bead_options bead_start_solitons_options = {"chain.start (solitons)", "solitary waves of the equation added up",
+                                                         BEAD_OPTIONS(solitons_rows), NULL, NULL};
+
+static const struct start {
+    const char *word;
+    enum bead_start_kind kind;
+    unsigned forms;
+    const struct bead_options *options;
+} starts[] = {{"mode", BEAD_START_MODE, FPUT, &bead_start_mode_options},
+              {"pulse", BEAD_START_PULSE, FPUT | KDV | SHOCK, &bead_start_pulse_options},
+              {"solitons", BEAD_START_SOLITONS, KDV, &bead_start_solitons_options},
+              {"cosine", BEAD_START_COSINE, KDV | SHOCK, &bead_start_cosine_options},
+              {"simple-wave", BEAD_START_SIMPLE_WAVE, SHOCK, &bead_start_wave_options}};
+enum { STARTS = sizeof starts / sizeof *starts };
+
+static unsigned form_of(const char *equation)
+{
+    unsigned form = 1;
+    for (size_t i = 0; forms[i] && strcmp(forms[i], equation) != 0; i++)
+        form <<= 1;
+    return form;
+}
+
+static enum bead_error read_start(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                  void *settings)
+{
+    struct bead_equation_spec *spec = settings;
+    struct bead_suggest search;
+    char shown[64], near[96], all[160] = "";
+    bool map = at->node->kind == BEAD_NODE_MAP;
+    (void)option;
+    bead_suggest_begin(&search, map && at->node->count ? at->node->items[0]->text : "");
+    for (size_t i = 0; i < STARTS; i++) {
+        size_t used = strlen(all);
+        if (!(starts[i].forms & form_of(spec->name)))
+            continue;
+        if (map && bead_node_get(at->node, starts[i].word, NULL)) {
+            spec->start = starts[i].kind;
+            return bead_options_read(reader, at, starts[i].options, 0, spec);
+        }
+        snprintf(all + used, sizeof all - used, "%s%s", used ? ", " : "", starts[i].word);
+        bead_suggest_try(&search, starts[i].word);
+    }
+    return bead_wrong(reader, at, "is %s; must be a map with one of the keys %s for the equation %s%s",
+                      map ? "none of those known here" : bead_node_show(at->node, shown, sizeof shown), all, spec->name,
+                      bead_suggest_text(&search, near, sizeof near));
+}
+
+/* ---- the chain ---- */
+
+static enum bead_error read_name(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                 void *settings)
+{
+    struct bead_equation_spec *spec = settings;
+    struct bead_suggest search;
+    const char *text = NULL;
+    char all[120] = "", shown[64], near[96];
+    enum bead_error err = bead_read_scalar(reader, at, option->shape, &text);
+    if (err)
+        return err;
+    bead_suggest_begin(&search, text);
+    for (size_t i = 0; bead_equation_info(i); i++) {
+        const char *name = bead_equation_info(i)->name;
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s%s", used ? ", " : "", name);
+        bead_suggest_try(&search, name);
+    }
+    if (!bead_equation_find(text))
+        return bead_wrong(reader, at, "is %s; must be one of %s%s", bead_node_show(at->node, shown, sizeof shown), all,
+                          bead_suggest_text(&search, near, sizeof near));
+    spec->name = strdup(text);
+    return spec->name ? BEAD_OK : bead_no_memory(reader);
+}
+
+/* Name and label are the chain's own, the rest the equation's: read by the caller. */
+static enum bead_error pass_over(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                 void *settings)
+{
+    (void)reader, (void)at, (void)option, (void)settings;
+    return BEAD_OK;
+}
+
+static const struct bead_option rows[] = {
+    {.key = "equation",
+     .type = BEAD_OPTION_CUSTOM,
+     .required = true,
+     .shape = "fput, kdv or shock",
+     .help = "what moves instead of beads; its numbers are without units",
+     .read = read_name},
+    {.key = "name",
+     .type = BEAD_OPTION_CUSTOM,
+     .shape = "a text",
+     .help = "name of the chain; needed under `chains`",
+     .read = pass_over},
+    {.key = "label", .type = BEAD_OPTION_CUSTOM, .shape = "a text", .help = "a line about it, for pictures", .read = pass_over},
+    {.key = "points",
+     .type = BEAD_OPTION_COUNT,
+     .offset = EQUATION(points),
+     .required = true,
+     .low = 1,
+     .high = 1e6,
+     .help = "number of moving masses",
+     .forms = FPUT},
+    {.key = "points",
+     .type = BEAD_OPTION_COUNT,
+     .offset = EQUATION(points),
+     .initial = "auto",
+     .low = 8,
+     .high = 1 << 20,
+     .word = "auto",
+     .help = "points of the grid; auto: as many as the accuracy asks",
+     .forms = KDV | SHOCK},
+    {.key = "low",
+     .offset = EQUATION(low),
+     .initial = "0",
+     .low = -1e9,
+     .high = 1e9,
+     .help = "left end of the domain; of a ring of masses the place of the first",
+     .forms = FPUT | KDV | SHOCK},
+    {.key = "length",
+     .offset = EQUATION(length),
+     .required = true,
+     .low = 0,
+     .high = 1e9,
+     .open = BEAD_OPEN_LOW,
+     .help = "length of the domain, which is periodic",
+     .forms = KDV | SHOCK},
+    {.key = "ends",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = EQUATION(ends),
+     .initial = "fixed",
+     .choices = ends,
+     .help = "fixed: walls on both sides; periodic: a ring",
+     .forms = FPUT},
+    {.key = "alpha",
+     .offset = EQUATION(alpha),
+     .initial = "0.25",
+     .low = -1e6,
+     .high = 1e6,
+     .help = "in the tension r + alpha r^2 + beta r^3 of a spring stretched by r",
+     .forms = FPUT},
+    {.key = "beta",
+     .offset = EQUATION(beta),
+     .initial = "0",
+     .low = -1e6,
+     .high = 1e6,
+     .help = "in the same tension",
+     .forms = FPUT},
+    {.key = "drift",
+     .offset = EQUATION(drift),
+     .initial = "0",
+     .low = -1e6,
+     .high = 1e6,
+     .help = "d in u_t + d u_x + a u u_x + b u_xxx = 0",
+     .forms = KDV},
+    {.key = "nonlinearity",
+     .offset = EQUATION(nonlinearity),
+     .initial = "6",
+     .low = -1e6,
+     .high = 1e6,
+     .help = "a in that equation",
+     .forms = KDV},
+    {.key = "dispersion",
+     .offset = EQUATION(dispersion),
+     .initial = "1",
+     .low = -1e6,
+     .high = 1e6,
+     .help = "b in that equation",
+     .forms = KDV},
+    {.key = "variable",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = EQUATION(variable),
+     .initial = "displacement",
+     .choices = variables,
+     .help = "field that the unknown is shown as",
+     .forms = KDV},
+    {.key = "speed",
+     .offset = EQUATION(speed),
+     .initial = "1",
+     .low = 0,
+     .high = 1e6,
+     .open = BEAD_OPEN_LOW,
+     .help = "c in u_tt = c^2 u_xx (1 + e u_x)",
+     .forms = SHOCK},
+    {.key = "epsilon",
+     .offset = EQUATION(epsilon),
+     .required = true,
+     .low = -1e6,
+     .high = 1e6,
+     .help = "e in that equation",
+     .forms = SHOCK},
+    {.key = "start",
+     .type = BEAD_OPTION_CUSTOM,
+     .required = true,
+     .shape = "a map: {mode: 1, amplitude: 1}, {pulse: 0.1, width: 5, at: 50}, {solitons: [...]}, {cosine: 1, amplitude: 1} or "
+              "{simple-wave: 1, amplitude: 1}",
+     .help = "the state at time 0: see chain.start",
+     .read = read_start},
+};
+const struct bead_options bead_equation_options = {"chain (equation)", "an equation that moves instead of a chain of beads",
+                                                   BEAD_OPTIONS(rows), forms, "chains with the equation"};
+
+static const struct bead_option naming_rows[] = {
+    {.key = "name", .type = BEAD_OPTION_TEXT, .offset = offsetof(struct bead_chain_spec, name), .initial = ""},
+    {.key = "label", .type = BEAD_OPTION_TEXT, .offset = offsetof(struct bead_chain_spec, label), .initial = ""},
+};
+
+/* Name and label of the same map. */
+static enum bead_error read_naming(struct bead_reader *reader, const struct bead_at *at, struct bead_chain_spec *chain)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; i < 2 && !err; i++) {
+        char **text = (char **)(void *)((char *)chain + naming_rows[i].offset);
+        struct bead_at where = bead_at_key(at, naming_rows[i].key);
+        if (where.node != at->node)
+            err = bead_read_text(reader, &where, text);
+        else if (!(*text = strdup("")))
+            err = bead_no_memory(reader);
+    }
+    return err;
+}
+
+enum bead_error bead_scene_read_equation(struct bead_reader *reader, const struct bead_at *at, struct bead_chain_spec *chain)
+{
+    struct bead_equation_spec *spec = &chain->equation;
+    const struct bead_node *given = bead_node_get(at->node, "equation", NULL);
+    struct bead_at where = {at, "equation", 0, given};
+    enum bead_error err = read_naming(reader, at, chain);
+    if (!err)
+        err = read_name(reader, &where, &rows[0], spec);
+    if (err)
+        return err;
+    unsigned form = form_of(spec->name);
+    free(spec->name); /* read again with the rest */
+    spec->name = NULL;
+    err = bead_options_read(reader, at, &bead_equation_options, form, spec);
+    if (err)
+        return err;
+    const char *key = "equation", *wrong = bead_equation_find(spec->name)->check(spec, &key);
+    where = bead_at_key(at, key);
+    return wrong ? bead_wrong(reader, &where, "%s", wrong) : BEAD_OK;
+}
+
+size_t bead_scene_last_bead(const struct bead_scene *scene, size_t chain)
+{
+    const struct bead_chain_spec *spec = &scene->chains[chain];
+    if (!spec->equation.name)
+        return bead_scene_count_beads(spec);
+    return bead_equation_find(spec->equation.name)->points(&spec->equation, scene->simulate.accuracy) - 1;
+}

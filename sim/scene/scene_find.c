@@ -1,0 +1,199 @@
+/* Ready scenes: assets/scenes/NAME.yaml, in folders too. */
+#include <dirent.h>
+#include <errno.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "beadreel/assets.h"
+#include "sim/base/suggest.h"
+#include "sim/scene/scene_private.h"
+
+enum { DEEPEST = 4 };
+static const char extension[] = ".yaml";
+
+struct listing {
+    struct bead_ready_scene *scenes;
+    size_t count;
+    struct bead_message *msg;
+};
+
+static enum bead_error out_of_memory(struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the list of ready scenes");
+}
+
+static enum bead_error add(struct listing *list, const char *name, size_t length)
+{
+    struct bead_ready_scene *grown = realloc(list->scenes, (list->count + 1) * sizeof *grown);
+    if (!grown)
+        return out_of_memory(list->msg);
+    list->scenes = grown;
+    grown[list->count] = (struct bead_ready_scene){strndup(name, length), NULL};
+    return grown[list->count++].name ? BEAD_OK : out_of_memory(list->msg);
+}
+
+static enum bead_error walk(struct listing *list, const char *directory, const char *prefix, int depth);
+
+static enum bead_error visit(struct listing *list, const char *directory, const char *prefix, const char *entry, int depth)
+{
+    char path[PATH_MAX], name[PATH_MAX];
+    struct stat status;
+    if (entry[0] == '.' || snprintf(path, sizeof path, "%s/%s", directory, entry) >= (int)sizeof path ||
+        snprintf(name, sizeof name, "%s%s", prefix, entry) >= (int)sizeof name - 1 || stat(path, &status))
+        return BEAD_OK;
+    size_t length = strlen(name), suffix = strlen(extension);
+    if (S_ISDIR(status.st_mode)) {
+        strcat(name, "/");
+        return depth < DEEPEST ? walk(list, path, name, depth + 1) : BEAD_OK;
+    }
+    bool scene = length > suffix && strcmp(name + length - suffix, extension) == 0;
+    return scene ? add(list, name, length - suffix) : BEAD_OK;
+}
+
+static enum bead_error walk(struct listing *list, const char *directory, const char *prefix, int depth)
+{
+    DIR *open = opendir(directory);
+    enum bead_error err = BEAD_OK;
+    if (!open)
+        return bead_fail(list->msg, BEAD_ERROR_IO, "%s: %s", directory, strerror(errno));
+    for (const struct dirent *entry; !err && (entry = readdir(open));)
+        err = visit(list, directory, prefix, entry->d_name, depth);
+    closedir(open);
+    return err;
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(((const struct bead_ready_scene *)a)->name, ((const struct bead_ready_scene *)b)->name);
+}
+
+/* Names only, sorted. */
+static enum bead_error list_names(struct listing *list)
+{
+    char directory[PATH_MAX];
+    enum bead_error err = bead_asset_path("scenes", directory, sizeof directory, list->msg);
+    if (!err)
+        err = walk(list, directory, "", 0);
+    if (!err && list->count > 1)
+        qsort(list->scenes, list->count, sizeof *list->scenes, by_name);
+    return err;
+}
+
+/* The title alone: a ready scene need not be whole to be listed. */
+static enum bead_error read_title(struct bead_ready_scene *scene, struct bead_message *msg)
+{
+    char name[PATH_MAX], *text = NULL;
+    struct bead_yaml *yaml = NULL;
+    size_t length = 0;
+    snprintf(name, sizeof name, "scenes/%s%s", scene->name, extension);
+    enum bead_error err = bead_asset_read(name, &text, &length, msg);
+    if (!err)
+        err = bead_yaml_parse(name, text, length, &yaml, msg);
+    free(text);
+    if (err)
+        return err;
+    const struct bead_node *title = bead_node_get(bead_yaml_root(yaml), "title", NULL);
+    scene->title = strdup(title && title->kind == BEAD_NODE_SCALAR ? title->text : "");
+    bead_yaml_free(yaml);
+    return scene->title ? BEAD_OK : out_of_memory(msg);
+}
+
+enum bead_error bead_scene_ready(struct bead_ready_scene **scenes, size_t *count, struct bead_message *msg)
+{
+    struct listing list = {NULL, 0, msg};
+    *scenes = NULL;
+    *count = 0;
+    enum bead_error err = list_names(&list);
+    for (size_t i = 0; i < list.count && !err; i++)
+        err = read_title(&list.scenes[i], msg);
+    if (err) {
+        bead_scene_ready_free(list.scenes, list.count);
+        return err;
+    }
+    *scenes = list.scenes;
+    *count = list.count;
+    return BEAD_OK;
+}
+
+void bead_scene_ready_free(struct bead_ready_scene *scenes, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        free(scenes[i].name);
+        free(scenes[i].title);
+    }
+    free(scenes);
+}
+
+/* The error for a name that is neither a file nor a ready scene. */
+static enum bead_error not_found(const char *name, struct bead_message *msg)
+{
+    struct listing list = {NULL, 0, msg};
+    struct bead_suggest search;
+    char near[96], shown[200];
+    enum bead_error err = list_names(&list);
+    if (!err) {
+        bead_suggest_begin(&search, name);
+        for (size_t i = 0; i < list.count; i++)
+            bead_suggest_try(&search, list.scenes[i].name);
+        bead_text_show(name, shown, sizeof shown);
+        if (search.best)
+            err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: no such file, and no ready scene%s", shown,
+                            bead_suggest_text(&search, near, sizeof near));
+        else
+            err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: no such file, and no ready scene; --list scenes shows those", shown);
+    }
+    bead_scene_ready_free(list.scenes, list.count);
+    return err;
+}
+
+/* A name of ours: no way out of the directory of scenes. */
+static bool may_be_ready(const char *name)
+{
+    return *name && *name != '/' && *name != '.' && !strstr(name, "/.") && strlen(name) < 1000;
+}
+
+/* "fig7" is thesis/fig7, as long as no other folder has one. */
+static bool find_in_folders(const char *name, char *path, size_t size)
+{
+    struct listing list = {NULL, 0, NULL};
+    const char *found = NULL;
+    size_t count = 0;
+    char asset[1100];
+    bool good = !strchr(name, '/') && list_names(&list) == BEAD_OK;
+    for (size_t i = 0; good && i < list.count; i++) {
+        const char *slash = strrchr(list.scenes[i].name, '/');
+        if (slash && strcmp(slash + 1, name) == 0) {
+            found = list.scenes[i].name;
+            count++;
+        }
+    }
+    if (count == 1) {
+        snprintf(asset, sizeof asset, "scenes/%s%s", found, extension);
+        good = bead_asset_path(asset, path, size, NULL) == BEAD_OK;
+    }
+    bead_scene_ready_free(list.scenes, list.count);
+    return good && count == 1;
+}
+
+enum bead_error bead_scene_find(const char *name, char *path, size_t size, struct bead_message *msg)
+{
+    char asset[1100];
+    struct stat status;
+    bool exists = stat(name, &status) == 0;
+    if (exists && !S_ISDIR(status.st_mode)) {
+        if (strlen(name) >= size)
+            return bead_fail(msg, BEAD_ERROR_IO, "the name of the scene is too long");
+        memcpy(path, name, strlen(name) + 1);
+        return BEAD_OK;
+    }
+    if (may_be_ready(name)) {
+        snprintf(asset, sizeof asset, "scenes/%s%s", name, extension);
+        if (bead_asset_path(asset, path, size, NULL) == BEAD_OK || find_in_folders(name, path, size))
+            return BEAD_OK;
+    }
+    if (exists)
+        return bead_fail(msg, BEAD_ERROR_IO, "%s: is a directory, not a scene", name);
+    return not_found(name, msg);
+}

@@ -1,0 +1,215 @@
+/* `materials`: what beads and walls are made of. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/assets.h"
+#include "sim/base/suggest.h"
+#include "sim/scene/scene_private.h"
+
+/* As written; a bead_material is made of it. */
+struct written {
+    double density, mass, modulus, poisson, radius;
+    double colour[3];
+};
+
+static enum bead_error read_colour(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                   void *settings);
+
+static const struct bead_option rows[] = {
+    {.key = "modulus",
+     .offset = offsetof(struct written, modulus),
+     .unit = "Pa",
+     .required = true,
+     .low = 1,
+     .high = 1e15,
+     .help = "Young's modulus"},
+    {.key = "poisson",
+     .offset = offsetof(struct written, poisson),
+     .required = true,
+     .low = -1,
+     .high = 0.5,
+     .open = BEAD_OPEN_LOW,
+     .help = "Poisson's ratio"},
+    {.key = "radius",
+     .offset = offsetof(struct written, radius),
+     .unit = "m",
+     .low = 1e-9,
+     .high = 1e3,
+     .help = "radius of a bead; not needed of walls"},
+    {.key = "mass",
+     .offset = offsetof(struct written, mass),
+     .unit = "kg",
+     .low = 0,
+     .high = 1e9,
+     .open = BEAD_OPEN_LOW,
+     .help = "mass of a bead; this or density, not needed of walls"},
+    {.key = "density",
+     .offset = offsetof(struct written, density),
+     .unit = "kg/m3",
+     .low = 0,
+     .high = 1e6,
+     .open = BEAD_OPEN_LOW,
+     .help = "density, from which the mass follows with the radius"},
+    {.key = "colour",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "#9aa4b2",
+     .shape = "\"#rrggbb\"",
+     .help = "colour in pictures",
+     .read = read_colour},
+};
+
+const struct bead_options bead_material_options = {"materials.NAME", "a material of beads and walls, added to the ready ones",
+                                                   BEAD_OPTIONS(rows), NULL, NULL};
+
+static enum bead_error read_colour(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                   void *settings)
+{
+    struct written *written = settings;
+    char shown[64];
+    const char *text = NULL;
+    enum bead_error err = bead_read_scalar(reader, at, option->shape, &text);
+    if (err)
+        return err;
+    if (text[0] != '#' || strspn(text + 1, "0123456789abcdefABCDEF") != 6 || text[7])
+        return bead_wrong(reader, at, "is %s; must be %s, with two hexadecimal digits each of red, green and blue",
+                          bead_node_show(at->node, shown, sizeof shown), option->shape);
+    unsigned long rgb = strtoul(text + 1, NULL, 16);
+    for (int i = 0; i < 3; i++)
+        written->colour[i] = (double)(rgb >> (16 - 8 * i) & 255) / 255;
+    return BEAD_OK;
+}
+
+static enum bead_error check_mass(const struct bead_reader *reader, const struct bead_at *at, struct written *w)
+{
+    bool mass = bead_node_get(at->node, "mass", NULL), density = bead_node_get(at->node, "density", NULL);
+    bool radius = bead_node_get(at->node, "radius", NULL);
+    struct bead_at where = bead_at_key(at, mass ? "mass" : density ? "density" : "radius");
+    if (mass && density) {
+        where = bead_at_key(at, "density");
+        return bead_wrong(reader, &where, "is given beside `mass`; give one of them");
+    }
+    if (!radius && (mass || density))
+        return bead_wrong(reader, &where, "needs `radius` beside it");
+    if (radius && !mass && !density)
+        return bead_wrong(reader, &where, "needs `mass` or `density` beside it");
+    if (!radius)
+        w->mass = w->radius = NAN;
+    else if (density)
+        w->mass = w->density * (4.0 / 3) * 3.14159265358979323846 * w->radius * w->radius * w->radius;
+    if (radius && !(w->mass >= 1e-30 && w->mass <= 1e15))
+        return bead_wrong(reader, &where, "gives a mass of %.3g kg; must be from 1e-30 to 1e15 kg", w->mass);
+    return BEAD_OK;
+}
+
+/* The material of that name, made where there is none. */
+static struct bead_material *place_material(struct bead_scene *scene, const char *name)
+{
+    for (size_t i = 0; i < scene->material_count; i++) {
+        if (strcmp(scene->materials[i].name, name) == 0)
+            return &scene->materials[i];
+    }
+    struct bead_material *grown = realloc(scene->materials, (scene->material_count + 1) * sizeof *grown);
+    if (!grown)
+        return NULL;
+    scene->materials = grown;
+    grown[scene->material_count] = (struct bead_material){.name = strdup(name)};
+    return grown[scene->material_count].name ? &grown[scene->material_count++] : NULL;
+}
+
+static enum bead_error read_one(struct bead_reader *reader, const struct bead_at *at)
+{
+    struct written written = {0};
+    if (!*at->key || strcmp(at->key, "none") == 0 || strcmp(at->key, "rigid") == 0 || strchr(at->key, '\n'))
+        return bead_wrong(reader, at, "is not a name for a material; must be another word than `none` and `rigid`");
+    enum bead_error err = bead_options_read(reader, at, &bead_material_options, 0, &written);
+    if (!err)
+        err = check_mass(reader, at, &written);
+    if (err)
+        return err;
+    struct bead_material *material = place_material(reader->scene, at->key);
+    if (!material)
+        return bead_no_memory(reader);
+    material->mass = written.mass;
+    material->radius = written.radius;
+    material->modulus = written.modulus;
+    material->poisson = written.poisson;
+    memcpy(material->colour, written.colour, sizeof written.colour);
+    return BEAD_OK;
+}
+
+enum bead_error bead_scene_read_materials(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                          void *settings)
+{
+    char shown[64];
+    (void)settings;
+    if (at->node->kind != BEAD_NODE_MAP)
+        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; i + 1 < at->node->count && !err; i += 2) {
+        struct bead_at one = {at, at->node->items[i]->text, 0, at->node->items[i + 1]};
+        err = read_one(reader, &one);
+    }
+    return err;
+}
+
+enum bead_error bead_scene_add_ready_materials(struct bead_reader *reader)
+{
+    static const char file[] = "materials.yaml";
+    static const struct bead_option option = {.key = "", .shape = "a map of materials"};
+    char path[4096], *text = NULL;
+    size_t length = 0;
+    struct bead_yaml *yaml = NULL, *scene_yaml = reader->yaml;
+    enum bead_error err = bead_asset_path(file, path, sizeof path, reader->msg);
+    if (!err)
+        err = bead_asset_read(file, &text, &length, reader->msg);
+    if (!err)
+        err = bead_yaml_parse(path, text, length, &yaml, reader->msg);
+    if (!err) {
+        struct bead_at root = {NULL, "", 0, bead_yaml_root(yaml)};
+        reader->yaml = yaml; /* its name is that of messages */
+        err = bead_scene_read_materials(reader, &root, &option, NULL);
+        reader->yaml = scene_yaml;
+    }
+    bead_yaml_free(yaml);
+    free(text);
+    return err;
+}
+
+static enum bead_error no_material(const struct bead_reader *reader, const struct bead_at *at, const char *name)
+{
+    char shown[64], near[96];
+    struct bead_suggest search;
+    bead_suggest_begin(&search, name);
+    for (size_t i = 0; i < reader->scene->material_count; i++)
+        bead_suggest_try(&search, reader->scene->materials[i].name);
+    bead_suggest_text(&search, near, sizeof near);
+    return bead_wrong(reader, at, "there is no material `%s`%s", bead_text_show(name, shown, sizeof shown),
+                      *near ? near : "; it must be a ready one (see --list materials) or one under `materials`");
+}
+
+enum bead_error bead_scene_find_material(const struct bead_reader *reader, const struct bead_at *at, bool bead, size_t *index)
+{
+    const struct bead_scene *scene = reader->scene;
+    const char *name = NULL;
+    char shown[64];
+    size_t i = 0;
+    enum bead_error err = bead_read_scalar(reader, at, "the name of a material", &name);
+    if (err)
+        return err;
+    while (i < scene->material_count && strcmp(scene->materials[i].name, name) != 0)
+        i++;
+    if (i == scene->material_count)
+        return no_material(reader, at, name);
+    if (bead && !isfinite(scene->materials[i].radius))
+        return bead_wrong(reader, at, "`%s` has no radius and no mass: it serves for walls only; give it both under `materials`",
+                          bead_text_show(name, shown, sizeof shown));
+    *index = i;
+    return BEAD_OK;
+}
+
+enum bead_error bead_scene_read_material(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                         void *settings)
+{
+    return bead_scene_find_material(reader, at, true, (size_t *)(void *)((char *)settings + option->offset));
+}

@@ -1,0 +1,200 @@
+/* Keys of movies that explain what is to be seen: captions, title card, poster, camera. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "sim/scene/scene_output.h"
+
+enum { MOST_CAPTIONS = 200 };
+static const double card_time = 3; /* s, of `card: true` */
+
+#define CAPTION(member) offsetof(struct bead_caption, member)
+static const struct bead_option caption_rows[] = {
+    {.key = "at",
+     .offset = CAPTION(at),
+     .unit = "s",
+     .of_motion = true,
+     .required = true,
+     .low = 0,
+     .high = 1e6,
+     .help = "time of the motion at which it appears"},
+    {.key = "text",
+     .type = BEAD_OPTION_TEXT,
+     .offset = CAPTION(text),
+     .required = true,
+     .help = "what it says; *x* is in italics, _0 or _{max} lowered, ^2 or ^{3/2} raised; a backslash takes the next character as "
+             "it is"},
+    {.key = "until",
+     .offset = CAPTION(until),
+     .unit = "s",
+     .of_motion = true,
+     .initial = "auto",
+     .low = 0,
+     .high = 1e6,
+     .word = "auto",
+     .word_value = NAN,
+     .help = "time of the motion at which it disappears; auto: when the next one appears, the last one when it can have been read"},
+    {.key = "for",
+     .offset = CAPTION(lasting),
+     .unit = "s",
+     .initial = "auto",
+     .low = 0.1,
+     .high = 36000,
+     .word = "auto",
+     .word_value = NAN,
+     .help = "how long it stays, as time of the film; instead of `until`"},
+};
+const struct bead_options bead_caption_options = {"outputs.captions", "a list, by rising times; a caption ends the one before",
+                                                  BEAD_OPTIONS(caption_rows), NULL, NULL};
+
+#define CARD(member) offsetof(struct bead_card, member)
+static const struct bead_option card_rows[] = {
+    {.key = "for",
+     .offset = CARD(lasting),
+     .unit = "s",
+     .initial = "3 s",
+     .low = 0.1,
+     .high = 60,
+     .help = "how long it is shown, as time of the film"},
+    {.key = "text", .type = BEAD_OPTION_TEXT, .offset = CARD(text), .initial = "", .help = "a line below the title"},
+};
+const struct bead_options bead_card_options = {"outputs.card", "a title card: title, chains, scale of time",
+                                               BEAD_OPTIONS(card_rows), NULL, NULL};
+
+/* Behind times of the motion in messages. */
+static const char *unit_of(const struct bead_reader *reader)
+{
+    return bead_scene_plain(reader->scene) ? "" : " s";
+}
+
+static enum bead_error read_caption(struct bead_reader *reader, const struct bead_at *at, struct bead_caption *caption)
+{
+    enum bead_error err = bead_options_read(reader, at, &bead_caption_options, 0, caption);
+    struct bead_at where = bead_at_key(at, "text");
+    if (!err && !caption->text[0])
+        return bead_wrong(reader, &where, "is empty; a caption has something to say");
+    where = bead_at_key(at, "until");
+    if (!err && !isnan(caption->until) && !isnan(caption->lasting))
+        return bead_wrong(reader, &where, "is given beside `for`; give one of them");
+    if (!err && caption->until <= caption->at)
+        return bead_wrong(reader, &where, "is %g%s; must be later than `at`, %g%s", caption->until, unit_of(reader), caption->at,
+                          unit_of(reader));
+    return err;
+}
+
+BEAD_OUTPUT_READER(bead_output_read_captions)
+{
+    struct bead_output *output = settings;
+    char shown[64];
+    size_t count = at->node->count;
+    if (at->node->kind != BEAD_NODE_LIST)
+        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
+    if (count == 0 || count > MOST_CAPTIONS)
+        return bead_wrong(reader, at, "has %zu entries; must have from 1 to %d", count, MOST_CAPTIONS);
+    output->captions = calloc(count, sizeof *output->captions);
+    if (!output->captions)
+        return bead_no_memory(reader);
+    output->caption_count = count;
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < count; i++) {
+        struct bead_at element = {at, NULL, i, at->node->items[i]};
+        if (element.node->kind != BEAD_NODE_MAP)
+            return bead_wrong(reader, &element, "is %s; must be a map such as {at: 0.2 ms, text: The front has left the striker}",
+                              bead_node_show(element.node, shown, sizeof shown));
+        err = read_caption(reader, &element, &output->captions[i]);
+        struct bead_at where = bead_at_key(&element, "at");
+        output->captions[i].place = where.node->place;
+        if (!err && i > 0 && output->captions[i].at <= output->captions[i - 1].at)
+            err = bead_wrong(reader, &where, "is %g%s; must be later than that of the caption before, %g%s", output->captions[i].at,
+                             unit_of(reader), output->captions[i - 1].at, unit_of(reader));
+    }
+    return err;
+}
+
+/* A word, a time or a map. */
+BEAD_OUTPUT_READER(bead_output_read_card)
+{
+    struct bead_output *output = settings;
+    struct bead_card *card = &output->card;
+    char shown[64];
+    const char *word = at->node->kind == BEAD_NODE_SCALAR ? at->node->text : "";
+    if (at->node->kind == BEAD_NODE_MAP)
+        return bead_options_read(reader, at, &bead_card_options, 0, card);
+    if (at->node->kind != BEAD_NODE_SCALAR)
+        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
+    card->text = strdup("");
+    if (!card->text)
+        return bead_no_memory(reader);
+    bool yes = strcasecmp(word, "true") == 0 || strcasecmp(word, "yes") == 0;
+    if (yes || strcasecmp(word, "false") == 0 || strcasecmp(word, "no") == 0) {
+        card->lasting = yes ? card_time : 0;
+        return BEAD_OK;
+    }
+    struct bead_option number = card_rows[0];
+    number.shape = "true, false, or a time of the film from 0.1 to 60 s";
+    return bead_read_number(reader, at, &number, &card->lasting);
+}
+
+BEAD_OUTPUT_READER(bead_output_read_poster)
+{
+    struct bead_output *output = settings;
+    char shown[64];
+    (void)option;
+    enum bead_error err = bead_read_text(reader, at, &output->poster);
+    if (err)
+        return err;
+    if (strcmp(output->poster, "none") == 0) {
+        output->poster[0] = '\0';
+        return BEAD_OK;
+    }
+    const char *slash = strrchr(output->poster, '/'), *base = slash ? slash + 1 : output->poster, *dot = strrchr(base, '.');
+    if (!dot || dot == base || strcasecmp(dot, ".png") != 0)
+        return bead_wrong(reader, at, "is `%s`; must be none or the name of a .png file",
+                          bead_text_show(output->poster, shown, sizeof shown));
+    return BEAD_OK;
+}
+
+static enum bead_error check_captions(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+{
+    struct bead_at list = bead_at_key(at, "captions");
+    double end = fmin(reader->scene->simulate.until, output->time[1]); /* either may be NaN: not known yet */
+    if (output->caption_count > 0 && !output->axes)
+        return bead_wrong(reader, &list, "are given, but `axes: false` leaves no room for them");
+    for (size_t i = 0; i < output->caption_count; i++) {
+        struct bead_at element = {&list, NULL, i, list.node->items[i]}, where = bead_at_key(&element, "at");
+        if (output->captions[i].at >= end)
+            return bead_wrong(reader, &where, "is %g%s; must be before the end of what is shown, at %g%s", output->captions[i].at,
+                              unit_of(reader), end, unit_of(reader));
+    }
+    return BEAD_OK;
+}
+
+enum bead_error bead_output_check_movie(const struct bead_reader *reader, const struct bead_at *at,
+                                        const struct bead_output *output)
+{
+    struct bead_at where = bead_at_key(at, "window");
+    bool moves = false;
+    for (size_t i = 0; i < output->view_count; i++)
+        moves = moves || output->views[i] == BEAD_VIEW_BEADS || output->views[i] == BEAD_VIEW_PROFILE;
+    if (output->follow != BEAD_FOLLOW_FRONT && where.node != at->node)
+        return bead_wrong(reader, &where, "belongs to `follow: front`");
+    where = bead_at_key(at, "follow");
+    if (output->follow == BEAD_FOLLOW_FRONT && !moves)
+        return bead_wrong(reader, &where, "is front, but no view moves with it: add beads or profile to `views`");
+    where = bead_at_key(at, "poster-at");
+    if (!isnan(output->poster_at) && !output->poster[0])
+        return bead_wrong(reader, &where, "is given, but no `poster`");
+    if (output->poster_at > fmin(reader->scene->simulate.until, output->time[1]) || output->poster_at < output->time[0])
+        return bead_wrong(reader, &where, "is %g%s; must be a time that the movie shows", output->poster_at, unit_of(reader));
+    return check_captions(reader, at, output);
+}
+
+void bead_output_free_movie(struct bead_output *output)
+{
+    for (size_t i = 0; i < output->caption_count; i++)
+        free(output->captions[i].text);
+    free(output->captions);
+    free(output->card.text);
+    free(output->poster);
+}

@@ -1,0 +1,226 @@
+#include <math.h>
+#include <string.h>
+#include <strings.h>
+
+#include "sim/scene/scene_output.h"
+
+/* Extensions that suit the kinds. */
+static const char *const extensions[BEAD_OUTPUT_KINDS][8] = {
+    [BEAD_OUTPUT_TRAJECTORY] = {"h5"},
+    [BEAD_OUTPUT_IMAGE] = {"png", "pdf", "svg"},
+    [BEAD_OUTPUT_MOVIE] = {"mp4", "mkv", "webm", "gif", "png", "apng"},
+    [BEAD_OUTPUT_PLOT] = {"png", "pdf", "svg"},
+    [BEAD_OUTPUT_TABLE] = {"csv"},
+    [BEAD_OUTPUT_SWEEP] = {"h5"},
+    [BEAD_OUTPUT_SHEET] = {"png", "pdf", "svg"},
+};
+
+static enum bead_error check_extension(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+{
+    const char *slash = strrchr(output->path, '/'), *base = slash ? slash + 1 : output->path, *dot = strrchr(base, '.');
+    char all[80] = "", shown[64];
+    for (size_t i = 0; extensions[output->kind][i]; i++) {
+        const char *extension = extensions[output->kind][i];
+        if (dot && dot > base && strcasecmp(dot + 1, extension) == 0)
+            return BEAD_OK;
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s.%s", i == 0 ? "" : extensions[output->kind][i + 1] ? ", " : " or ", extension);
+    }
+    return bead_wrong(reader, at, "`%s` does not end like a file of this kind; must be a name with %s",
+                      bead_text_show(output->path, shown, sizeof shown), all);
+}
+
+BEAD_OUTPUT_READER(bead_output_read_path)
+{
+    struct bead_output *output = settings;
+    (void)option;
+    enum bead_error err = bead_read_text(reader, at, &output->path);
+    if (err)
+        return err;
+    size_t length = strlen(output->path);
+    if (length == 0)
+        return bead_wrong(reader, at, "is empty; must be the name of a file");
+    if (output->path[length - 1] == '/')
+        return bead_wrong(reader, at, "ends in `/`; must be the name of a file, not of a directory");
+    return check_extension(reader, at, output);
+}
+
+/* Index of the element's name among `names`, at most once in a list: bits of those before are in *seen. */
+static enum bead_error read_name(const struct bead_reader *reader, const struct bead_at *list, size_t index,
+                                 const char *const *names, unsigned *seen, unsigned *found)
+{
+    struct bead_at element = {list, NULL, index, list->node->items[index]};
+    enum bead_error err = bead_read_choice(reader, &element, names, found);
+    if (!err && *seen >> *found & 1)
+        err = bead_wrong(reader, &element, "`%s` is in the list twice", names[*found]);
+    *seen |= 1u << *found;
+    return err;
+}
+
+static enum bead_error need_list(const struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option)
+{
+    char shown[64];
+    if (at->node->kind == BEAD_NODE_LIST && at->node->count > 0)
+        return BEAD_OK;
+    return bead_wrong(reader, at, "is %s; must be %s",
+                      at->node->kind == BEAD_NODE_LIST ? "an empty list" : bead_node_show(at->node, shown, sizeof shown),
+                      option->shape);
+}
+
+BEAD_OUTPUT_READER(bead_output_read_fields)
+{
+    struct bead_output *output = settings;
+    unsigned found = 0;
+    if (at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, "all") == 0) {
+        output->fields = bead_scene_fields(reader->scene);
+        return BEAD_OK;
+    }
+    enum bead_error err = need_list(reader, at, option);
+    for (size_t i = 0; !err && i < at->node->count; i++)
+        err = read_name(reader, at, i, bead_output_field_names(), &output->fields, &found);
+    return err;
+}
+
+BEAD_OUTPUT_READER(bead_output_read_views)
+{
+    static const char *const names[] = {"beads", "profile", "spacetime", "sensors", "modes", NULL};
+    struct bead_output *output = settings;
+    unsigned seen = 0, found = 0;
+    enum bead_error err = need_list(reader, at, option);
+    for (size_t i = 0; !err && i < at->node->count; i++) {
+        err = read_name(reader, at, i, names, &seen, &found);
+        if (err)
+            break;
+        if (found == BEAD_VIEW_SENSORS && !bead_scene_has_sensors(reader->scene))
+            return bead_wrong(reader, at, "shows sensors, but no bead of the chain has a `sensor`");
+        output->views[output->view_count++] = (enum bead_view_kind)found;
+    }
+    return err;
+}
+
+static enum bead_error read_bead(const struct bead_reader *reader, const struct bead_at *at, size_t *bead)
+{
+    static const struct bead_option number = {.type = BEAD_OPTION_COUNT, .low = 0, .high = BEAD_SCENE_BEADS};
+    double value = 0;
+    size_t last = 0;
+    enum bead_error err = bead_read_number(reader, at, &number, &value);
+    if (err)
+        return err;
+    *bead = (size_t)value;
+    for (size_t i = 0; i < reader->scene->chain_count; i++) {
+        size_t beads = bead_scene_last_bead(reader->scene, i);
+        last = beads > last ? beads : last;
+    }
+    if (*bead > last)
+        return bead_wrong(reader, at, "is %zu, but the last bead is %zu", *bead, last);
+    return BEAD_OK;
+}
+
+BEAD_OUTPUT_READER(bead_output_read_beads)
+{
+    struct bead_output *output = settings;
+    char shown[64];
+    bool scalar = at->node->kind == BEAD_NODE_SCALAR, pair = at->node->kind == BEAD_NODE_LIST && at->node->count == 2;
+    if (scalar && strcmp(at->node->text, "all") == 0) {
+        output->beads = (struct bead_span){0, SIZE_MAX};
+        return BEAD_OK;
+    }
+    if ((!scalar && !pair) || (scalar && at->node->text[0] && !strchr("+-.0123456789", at->node->text[0])))
+        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
+    if (scalar) {
+        enum bead_error err = read_bead(reader, at, &output->beads.first);
+        output->beads.last = output->beads.first;
+        return err;
+    }
+    struct bead_at first = {at, NULL, 0, at->node->items[0]}, last = {at, NULL, 1, at->node->items[1]};
+    enum bead_error err = read_bead(reader, &first, &output->beads.first);
+    if (!err)
+        err = read_bead(reader, &last, &output->beads.last);
+    if (!err && output->beads.first > output->beads.last)
+        err =
+            bead_wrong(reader, at, "is [%zu, %zu]; the first must not be behind the last", output->beads.first, output->beads.last);
+    return err;
+}
+
+/* One of the two sizes: a plain number is in pixels, a length in metres. */
+static enum bead_error read_extent(const struct bead_reader *reader, const struct bead_at *at, double *value, bool *length)
+{
+    static const struct bead_option pixels = {.type = BEAD_OPTION_COUNT,
+                                              .low = 1,
+                                              .high = 32768,
+                                              .shape = "a whole number of pixels from 1 to 32768, or a length from 1 mm to 5 m"},
+                                    metres = {.unit = "m",
+                                              .low = 1e-3,
+                                              .high = 5,
+                                              .shape = "a length from 1 mm to 5 m, or a whole number of pixels from 1 to 32768"};
+    bool scalar = at->node->kind == BEAD_NODE_SCALAR;
+    double plain = 0;
+    char why[120];
+    *length = scalar && bead_units_read(reader->units, at->node->text, NULL, &plain, why, sizeof why) != BEAD_OK &&
+              bead_units_read(reader->units, at->node->text, "m", &plain, why, sizeof why) == BEAD_OK;
+    return bead_read_number(reader, at, *length ? &metres : &pixels, value);
+}
+
+BEAD_OUTPUT_READER(bead_output_read_size)
+{
+    struct bead_output *output = settings;
+    bool length[2] = {false, false};
+    char shown[64];
+    if (at->node->kind != BEAD_NODE_LIST || at->node->count != 2)
+        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
+    for (size_t i = 0; i < 2; i++) {
+        struct bead_at element = {at, NULL, i, at->node->items[i]};
+        enum bead_error err = read_extent(reader, &element, &output->size[i], &length[i]);
+        if (err)
+            return err;
+    }
+    if (length[0] != length[1])
+        return bead_wrong(reader, at, "mixes pixels and a length; must be %s", option->shape);
+    if (length[0] && output->kind == BEAD_OUTPUT_MOVIE)
+        return bead_wrong(reader, at, "is a length; the size of a movie must be in pixels, such as [1920, 1080]");
+    output->size_is_length = length[0];
+    double scale = length[0] ? output->dpi / 0.0254 : 1, width = output->size[0] * scale, height = output->size[1] * scale;
+    if (!(fmin(width, height) >= 1) || fmax(width, height) > 32768 || width * height > 5e8)
+        return bead_wrong(reader, at, "is %.0f x %.0f pixels; must be from 1 to 32768 each way and at most 5e8 in all", width,
+                          height);
+    return BEAD_OK;
+}
+
+/* [low, high] in `unit`; "": plain numbers. */
+static enum bead_error read_range(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                  const char *unit, struct bead_output *output)
+{
+    const struct bead_option number = {.unit = *unit ? unit : NULL, .word = option->word, .word_value = option->word_value};
+    const char *space = *unit ? " " : "";
+    char shown[64];
+    if (at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, option->word) == 0) {
+        output->range[0] = output->range[1] = NAN;
+        return BEAD_OK;
+    }
+    if (at->node->kind != BEAD_NODE_LIST || at->node->count != 2)
+        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
+    for (size_t i = 0; i < 2; i++) {
+        struct bead_at element = {at, NULL, i, at->node->items[i]};
+        enum bead_error err = bead_read_number(reader, &element, &number, &output->range[i]);
+        if (err)
+            return err;
+    }
+    if (output->range[0] >= output->range[1])
+        return bead_wrong(reader, at, "is [%g, %g]%s%s; the first must be below the second", output->range[0], output->range[1],
+                          space, unit);
+    if (output->scale == BEAD_SCALE_LOG && output->range[0] <= 0)
+        return bead_wrong(reader, at, "begins at %g%s%s; must be above 0 with `scale: log`", output->range[0], space, unit);
+    return BEAD_OK;
+}
+
+BEAD_OUTPUT_READER(bead_output_read_range)
+{
+    struct bead_output *output = settings;
+    bool plain = bead_scene_plain(reader->scene) || output->normalise != BEAD_NORMALISE_NONE;
+    return read_range(reader, at, option, plain ? "" : bead_field_info(output->field)->unit, output);
+}
+
+BEAD_OUTPUT_READER(bead_output_read_sweep_range)
+{
+    return read_range(reader, at, option, "", settings);
+}

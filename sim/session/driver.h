@@ -1,0 +1,82 @@
+/* Play: samples of all chains of a scene, in time order, from a simulation or a trajectory to those who want them. */
+#ifndef BEADREEL_SIM_SESSION_DRIVER_H
+#define BEADREEL_SIM_SESSION_DRIVER_H
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/error.h"
+#include "beadreel/sample.h"
+#include "beadreel/session.h"
+#include "beadreel/sink.h"
+#include "beadreel/trajectory.h"
+#include "sim/integrate/kernels.h"
+#include "sim/run/run_kinds.h"
+
+struct bead_made;
+
+/* Somebody who wants samples. */
+struct bead_consumer {
+    struct bead_needs needs;
+    bool exact; /* where two grids meet but for rounding, this one's time is the sample's (trajectories) */
+    enum bead_error (*take)(struct bead_consumer *consumer, const struct bead_sample *sample, struct bead_message *msg);
+    struct bead_made *made;  /* the output it stands for */
+    struct bead_range range; /* scouted so far */
+    size_t next, count;      /* kept by play */
+};
+
+/* What one pass computes, and with what. */
+struct bead_play {
+    const struct bead_chain *const *chains;
+    size_t chain_count;
+    struct bead_consumer *consumers;
+    size_t consumer_count;
+    double end;    /* s; INFINITY: until every front has arrived */
+    double needed; /* s: nobody needs more than this */
+    bool passage;  /* the scene's `until` is the default */
+    bool full_window, hash;
+    int threads; /* for chains that nobody wants samples of any more; results do not depend on it */
+    double twin; /* how much looser twin runs are, where consumers want one */
+    const struct bead_kernels *kernels;
+    const char *what; /* for progress */
+    const volatile sig_atomic_t *stop;
+    void (*progress)(void *context, const struct bead_progress *progress);
+    void *progress_context;
+};
+
+/* The runs of a pass stay, for their peaks, until bead_passed_free. */
+struct bead_passed {
+    struct bead_runner *runs;
+    struct bead_runner *twins;     /* NULL where nobody asked */
+    struct bead_outcome *outcomes; /* [chains] */
+    size_t count;
+    double end;   /* s: reached by all chains */
+    bool stopped; /* by a signal */
+};
+
+/* Simulate all chains. Errors: MEMORY, NUMBERS, STOPPED (outcomes are valid then), and those of consumers. */
+BEAD_CHECK enum bead_error bead_play_simulation(const struct bead_play *play, struct bead_counts *counts,
+                                                struct bead_passed *passed, struct bead_message *msg);
+/* Read them from a trajectory instead. Errors: IO, FORMAT, STOPPED and those of consumers. */
+BEAD_CHECK enum bead_error bead_play_trajectory(const struct bead_play *play, struct bead_trajectory *trajectory,
+                                                struct bead_counts *counts, struct bead_message *msg);
+void bead_passed_free(struct bead_passed *passed);
+
+/* A take for scouting: widens consumer->range by needs.range_field. */
+enum bead_error bead_consumer_scout(struct bead_consumer *consumer, const struct bead_sample *sample, struct bead_message *msg);
+
+/* kept by play.c for its two sources */
+struct bead_due {
+    double time;
+    unsigned fields, twin;
+    struct bead_span span;
+};
+/* The next time anybody wants, and what is wanted then; false: nobody wants more. */
+bool bead_play_due(const struct bead_play *play, struct bead_due *due);
+/* Give a sample to all who wanted due->time; `last` chain of this time: they move on. */
+BEAD_CHECK enum bead_error bead_play_deliver(const struct bead_play *play, const struct bead_due *due, struct bead_sample *sample,
+                                             bool last, struct bead_message *msg);
+void bead_play_start(const struct bead_play *play);
+
+#endif

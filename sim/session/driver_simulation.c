@@ -1,0 +1,254 @@
+/* Samples from a simulation: all chains advance together, none further than the next sample needs. */
+#include <math.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "sim/base/thread_pool.h"
+#include "sim/run/run_kinds.h"
+#include "sim/session/driver.h"
+
+struct pass {
+    const struct bead_play *play;
+    struct bead_counts *counts;
+    struct bead_passed *passed;
+    double told; /* s, clock at the last progress */
+    unsigned turn;
+    bool quiet;          /* in a thread that tells nobody */
+    double fraction;     /* told last; never falls */
+    atomic_size_t *done; /* chains; NULL: they advance together */
+};
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Once in a while: tell how far it is; look whether to stop. */
+static enum bead_error look_up(struct pass *pass, double time, struct bead_message *msg)
+{
+    const struct bead_play *p = pass->play;
+    if (p->stop && *p->stop) {
+        return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped at %.4g s", time);
+    }
+    if (pass->quiet || !p->progress || pass->turn++ % 64 != 0 || now() - pass->told < 0.1)
+        return BEAD_OK;
+    pass->told = now();
+    double end = fmin(p->end, p->needed);
+    double fraction = isfinite(end) && end > 0 ? fmin(time / end, 1) : 0;
+    if (pass->done)
+        fraction = fmin(((double)atomic_load(pass->done) + fraction) / (double)p->chain_count, 1);
+    pass->fraction = fmax(pass->fraction, fraction);
+    struct bead_progress progress = {.what = p->what, .done = pass->fraction, .time = time};
+    p->progress(p->progress_context, &progress);
+    return BEAD_OK;
+}
+
+static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
+{
+    const struct bead_play *p = pass->play;
+    struct bead_passed *passed = pass->passed;
+    *passed = (struct bead_passed){.runs = calloc(p->chain_count, sizeof *passed->runs),
+                                   .outcomes = calloc(p->chain_count, sizeof *passed->outcomes)};
+    if (!passed->runs || !passed->outcomes)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu chains", p->chain_count);
+    passed->count = p->chain_count;
+    struct bead_run_settings settings = {
+        .kernels = p->kernels, .end = p->end, .passage = p->passage, .full_window = p->full_window, .hash = p->hash};
+    for (size_t i = 0; i < p->consumer_count; i++) {
+        settings.contact_peaks |= p->consumers[i].needs.contact_peaks;
+        settings.bead_peaks |= p->consumers[i].needs.bead_peaks;
+    }
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < p->chain_count; i++) {
+        settings.chain = p->chains[i];
+        err = bead_runner_create(&settings, &passed->runs[i], msg);
+    }
+    return err;
+}
+
+/* The same chains again, where anybody asks for samples of them. */
+static enum bead_error create_twins(struct pass *pass, struct bead_message *msg)
+{
+    const struct bead_play *p = pass->play;
+    struct bead_run_settings settings = {
+        .kernels = p->kernels, .end = p->end, .passage = p->passage, .full_window = p->full_window, .looser = p->twin};
+    unsigned asked = 0;
+    for (size_t i = 0; i < p->consumer_count; i++)
+        asked |= p->consumers[i].needs.twin;
+    if (!asked)
+        return BEAD_OK;
+    pass->passed->twins = calloc(p->chain_count, sizeof *pass->passed->twins);
+    if (!pass->passed->twins)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu chains", p->chain_count);
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < p->chain_count; i++) {
+        settings.chain = p->chains[i];
+        err = bead_runner_create(&settings, &pass->passed->twins[i], msg);
+    }
+    return err;
+}
+
+/* A front that takes this many times longer than a wave needs for the chain never comes. */
+static const double patience = 200;
+
+static enum bead_error lost_front(const struct bead_play *p, size_t chain, double time, struct bead_message *msg)
+{
+    const char *name = bead_chain_name(p->chains[chain]);
+    return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: chain%s%s: after %.4g s the front has not reached the end: give simulate.until",
+                     bead_chain_scene(p->chains[chain])->file, *name ? " " : "", name, time);
+}
+
+static enum bead_error advance(struct pass *pass, const struct bead_runner *runner, double time, struct bead_message *msg)
+{
+    const struct bead_run_kind *kind = runner->kind;
+    enum bead_error err = BEAD_OK;
+    while (!err && kind->time(runner->run) < time && kind->time(runner->run) < pass->play->end) {
+        err = kind->step(runner->run, msg);
+        if (!err)
+            err = look_up(pass, kind->time(runner->run), msg);
+    }
+    return err;
+}
+
+/* Without a known end: until the front is there. */
+static enum bead_error advance_to_arrival(struct pass *pass, size_t chain, struct bead_message *msg)
+{
+    struct bead_run *run = pass->passed->runs[chain].run;
+    const struct bead_run_kind *kind = pass->passed->runs[chain].kind;
+    const struct bead_chain *c = pass->play->chains[chain];
+    double give_up = patience * bead_chain_passage(c, bead_chain_energy(c));
+    enum bead_error err = BEAD_OK;
+    while (!err && isnan(kind->arrival(run))) {
+        err = kind->step(run, msg);
+        if (!err)
+            err = look_up(pass, kind->time(run), msg);
+        if (!err && kind->time(run) > give_up)
+            err = lost_front(pass->play, chain, kind->time(run), msg);
+    }
+    return err;
+}
+
+/* The twin's values join the sample. */
+static enum bead_error add_twin(struct pass *pass, size_t chain, double time, const struct bead_due *due,
+                                struct bead_sample *sample, struct bead_message *msg)
+{
+    const struct bead_runner *twin = &pass->passed->twins[chain];
+    struct bead_sample other = {.chain = chain};
+    enum bead_error err = advance(pass, twin, time, msg);
+    if (!err)
+        err = twin->kind->sample(twin->run, time, due->twin, due->span, &other, msg);
+    if (err)
+        return err;
+    memcpy(sample->twin, other.field, sizeof sample->twin);
+    sample->twin_active = other.active;
+    return BEAD_OK;
+}
+
+static enum bead_error give_samples(struct pass *pass, struct bead_message *msg)
+{
+    const struct bead_play *p = pass->play;
+    struct bead_due due;
+    enum bead_error err = BEAD_OK;
+    while (!err && bead_play_due(p, &due)) {
+        if (due.time > p->end * (1 + 1e-9)) /* grids end with the run but for rounding */
+            break;
+        double time = fmin(due.time, p->end);
+        for (size_t i = 0; !err && i < p->chain_count; i++) {
+            const struct bead_runner *runner = &pass->passed->runs[i];
+            struct bead_sample sample = {.chain = i};
+            err = advance(pass, runner, time, msg);
+            if (!err)
+                err = runner->kind->sample(runner->run, time, due.fields, due.span, &sample, msg);
+            if (!err && due.twin)
+                err = add_twin(pass, i, time, &due, &sample, msg);
+            sample.time = due.time;
+            if (!err)
+                err = bead_play_deliver(p, &due, &sample, i + 1 == p->chain_count, msg);
+            size_t last = due.span.last < bead_chain_beads(p->chains[i]) ? due.span.last + 1 : bead_chain_beads(p->chains[i]);
+            last = last < sample.active ? last : sample.active;
+            pass->counts->samples++;
+            pass->counts->sample_values += last > due.span.first ? last - due.span.first : 0;
+        }
+        if (!err)
+            err = look_up(pass, time, msg);
+    }
+    return err;
+}
+
+/* What is left of one chain when all samples are given. */
+static enum bead_error complete(void *context, size_t chain, bool calling, struct bead_message *msg)
+{
+    struct pass *pass = context, quiet = {.play = pass->play, .passed = pass->passed, .quiet = true};
+    struct pass *mine = calling ? pass : &quiet;
+    double rest = fmin(pass->play->end, pass->play->needed);
+    enum bead_error err =
+        isfinite(rest) ? advance(mine, &pass->passed->runs[chain], rest, msg) : advance_to_arrival(mine, chain, msg);
+    if (!err)
+        atomic_fetch_add(pass->done, 1);
+    return err;
+}
+
+static void finish(struct pass *pass)
+{
+    struct bead_passed *passed = pass->passed;
+    double end = pass->play->end;
+    passed->end = INFINITY;
+    for (size_t i = 0; i < passed->count; i++) {
+        const struct bead_run_kind *kind = passed->runs[i].kind;
+        struct bead_run *run = passed->runs[i].run;
+        if (!run)
+            continue;
+        double reached = fmin(kind->time(run), end);
+        if (!isfinite(end) && !isnan(kind->arrival(run)))
+            reached = kind->arrival(run);
+        kind->finish(run, reached, &passed->outcomes[i]);
+        passed->end = fmin(passed->end, reached);
+        pass->counts->steps += kind->steps(run);
+        pass->counts->evaluations += kind->evaluations(run);
+        pass->counts->state_hash += kind->hash(run) * (2 * i + 1);
+    }
+    for (size_t i = 0; passed->twins && i < passed->count; i++) {
+        const struct bead_runner *twin = &passed->twins[i];
+        if (!twin->run)
+            continue;
+        pass->counts->twin_steps += twin->kind->steps(twin->run);
+        pass->counts->twin_evaluations += twin->kind->evaluations(twin->run);
+    }
+    pass->counts->passes++;
+}
+
+enum bead_error bead_play_simulation(const struct bead_play *play, struct bead_counts *counts, struct bead_passed *passed,
+                                     struct bead_message *msg)
+{
+    struct pass pass = {.play = play, .counts = counts, .passed = passed, .told = now()};
+    atomic_size_t done = 0;
+    enum bead_error err = create_runs(&pass, msg);
+    if (!err)
+        err = create_twins(&pass, msg);
+    if (err)
+        return err;
+    bead_play_start(play);
+    err = give_samples(&pass, msg);
+    pass.done = &done;
+    if (!err)
+        err = bead_crew_run(play->chain_count, play->threads, complete, &pass, msg);
+    passed->stopped = err == BEAD_ERROR_STOPPED;
+    finish(&pass);
+    return err;
+}
+
+void bead_passed_free(struct bead_passed *passed)
+{
+    for (size_t i = 0; passed->runs && i < passed->count; i++)
+        bead_runner_destroy(&passed->runs[i]);
+    for (size_t i = 0; passed->twins && i < passed->count; i++)
+        bead_runner_destroy(&passed->twins[i]);
+    free(passed->runs);
+    free(passed->twins);
+    free(passed->outcomes);
+    *passed = (struct bead_passed){.count = 0};
+}

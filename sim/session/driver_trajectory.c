@@ -1,0 +1,49 @@
+/* Samples from a trajectory: those stored, to whom wants them. */
+#include <math.h>
+
+#include "sim/session/driver.h"
+
+/* Index of the stored sample at `time`, which must be one of them. */
+static enum bead_error find_sample(const struct bead_trajectory *trajectory, double time, size_t *index, struct bead_message *msg)
+{
+    const struct bead_grid *grid = bead_trajectory_grid(trajectory);
+    double place = grid->every > 0 ? (time - grid->start) / grid->every : 0, nearest = floor(place + 0.5);
+    if (nearest < 0 || fabs(place - nearest) > 1e-3)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the trajectory has no sample at %.9g s", time);
+    *index = (size_t)nearest;
+    return BEAD_OK;
+}
+
+static enum bead_error give(const struct bead_play *play, struct bead_trajectory *trajectory, const struct bead_due *due,
+                            struct bead_message *msg)
+{
+    size_t index = 0;
+    enum bead_error err = find_sample(trajectory, due->time, &index, msg);
+    for (size_t i = 0; !err && i < play->chain_count; i++) {
+        struct bead_sample sample = {.chain = i};
+        err = bead_trajectory_read(trajectory, index, i, due->fields, &sample, msg);
+        sample.chain = i;
+        if (!err)
+            err = bead_play_deliver(play, due, &sample, i + 1 == play->chain_count, msg);
+    }
+    return err;
+}
+
+enum bead_error bead_play_trajectory(const struct bead_play *play, struct bead_trajectory *trajectory, struct bead_counts *counts,
+                                     struct bead_message *msg)
+{
+    struct bead_due due;
+    enum bead_error err = BEAD_OK;
+    size_t stored = bead_grid_count(bead_trajectory_grid(trajectory));
+    double last = stored > 0 ? bead_grid_time(bead_trajectory_grid(trajectory), stored - 1) : -INFINITY;
+    bead_play_start(play);
+    while (!err && bead_play_due(play, &due)) {
+        if (due.time > last + 1e-6 * bead_trajectory_grid(trajectory)->every)
+            break; /* its run was stopped before */
+        if (play->stop && *play->stop)
+            return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped at %.4g s", due.time);
+        err = give(play, trajectory, &due, msg);
+        counts->samples += play->chain_count;
+    }
+    return err;
+}

@@ -1,0 +1,144 @@
+/* Sessions, first half: from a job to chains and their end; sinks are made in session_sinks.c. */
+#include <math.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "beadreel/sweep.h"
+#include "sim/output/trajectory_data.h"
+#include "sim/session/session_data.h"
+
+void bead_job_default(struct bead_job *job)
+{
+    *job = (struct bead_job){.threads = 0};
+}
+
+static enum bead_error create_chains(struct bead_session *s, struct bead_message *msg)
+{
+    s->chain_count = s->scene->chain_count;
+    s->own_chains = calloc(s->chain_count, sizeof *s->own_chains);
+    if (!s->own_chains)
+        return bead_session_out_of_memory(msg);
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < s->chain_count; i++)
+        err = bead_chain_create(s->scene, i, &s->own_chains[i], msg);
+    s->chains = (const struct bead_chain *const *)s->own_chains;
+    return err;
+}
+
+/* Without `until` somebody must go ahead and see when the last front arrives, unless nobody asks beforehand. */
+static enum bead_error find_end(struct bead_session *s, struct bead_message *msg)
+{
+    s->end = s->source->simulate.until;
+    s->passage = isnan(s->end);
+    if (!s->passage)
+        return BEAD_OK;
+    s->end = INFINITY;
+    bool asked = false;
+    for (size_t i = 0; i < s->made_count; i++)
+        asked = asked || (s->made[i].asked && s->made[i].type && bead_output_needs_end(s->made[i].output));
+    if (!asked)
+        return BEAD_OK;
+    struct bead_play play = bead_session_play(s, "scouting the end");
+    play.hash = false;
+    struct bead_passed passed;
+    enum bead_error err = bead_play_simulation(&play, &s->counts, &passed, msg);
+    double end = 0;
+    for (size_t i = 0; !err && i < passed.count; i++)
+        end = fmax(end, passed.outcomes[i].front_arrival);
+    bead_passed_free(&passed);
+    s->end = end;
+    return err;
+}
+
+static enum bead_error open_scene(struct bead_session *s, struct bead_message *msg)
+{
+    char path[4096];
+    enum bead_error err = BEAD_OK;
+    if (s->job.configuration) {
+        err = bead_session_load_configuration(s, msg);
+    } else if (s->job.sheet) {
+        err = bead_session_load_sheet(s, msg);
+    } else {
+        err = bead_scene_find(s->job.input, path, sizeof path, msg);
+        if (!err)
+            err = bead_scene_load(path, s->job.settings, s->job.setting_count, &s->scene, msg);
+    }
+    if (err)
+        return err;
+    s->source = s->scene;
+    if (s->scene->sweep_count > 0)
+        return bead_session_open_sweep(s, msg);
+    if (s->job.parts > 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: %s has no sweep that could be parted", s->job.input);
+    err = create_chains(s, msg);
+    if (!err)
+        err = bead_session_find_resolution(s, msg);
+    if (!err)
+        err = bead_session_list_outputs(s, msg);
+    if (!err)
+        err = find_end(s, msg);
+    return err ? err : bead_session_create_sinks(s, msg);
+}
+
+/* A trajectory, a sweep's file, or a scene. */
+static enum bead_error open_input(struct bead_session *s, struct bead_message *msg)
+{
+    if (s->job.configuration && s->job.sheet)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--sheet shows many configurations, --configuration one: give one of the two");
+    if (s->job.configuration || !bead_trajectory_is(s->job.input))
+        return open_scene(s, msg);
+    enum bead_error err = bead_trajectory_begin(s->job.input, &s->trajectory, msg);
+    if (err)
+        return err;
+    if (!s->trajectory)
+        return bead_session_open_sweep_file(s, msg);
+    return s->job.sheet ? bead_fail(msg, BEAD_ERROR_USAGE, "--sheet: %s is the trajectory of a single run", s->job.input)
+                        : bead_session_open_trajectory(s, msg);
+}
+
+enum bead_error bead_session_open(const struct bead_job *job, struct bead_session **session, struct bead_message *msg)
+{
+    *session = NULL;
+    struct bead_session *s = calloc(1, sizeof *s);
+    if (!s)
+        return bead_session_out_of_memory(msg);
+    s->job = *job;
+    s->kernels = bead_kernels_find(job->instructions);
+    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    s->threads = job->threads > 0 ? job->threads : cores > 1 ? (int)cores : 1;
+    enum bead_error err = BEAD_OK;
+    if (!s->kernels)
+        err = bead_fail(msg, BEAD_ERROR_USAGE,
+                        "--instructions %s: this machine has no such kernels; allowed are sse2, avx2, avx512", job->instructions);
+    else if (!job->input)
+        err = bead_fail(msg, BEAD_ERROR_USAGE, "no scene given");
+    else
+        err = open_input(s, msg);
+    if (err)
+        bead_session_close(s);
+    else
+        *session = s;
+    return err;
+}
+
+void bead_session_close(struct bead_session *s)
+{
+    if (!s)
+        return;
+    for (size_t i = 0; i < s->made_count; i++) {
+        if (s->made[i].sink)
+            s->made[i].type->destroy(s->made[i].sink);
+        free(s->made[i].path);
+    }
+    free(s->made);
+    free(s->results);
+    free(s->outcomes);
+    bead_passed_free(&s->passed);
+    for (size_t i = 0; s->own_chains && i < s->chain_count; i++)
+        bead_chain_destroy(s->own_chains[i]);
+    free(s->own_chains);
+    bead_trajectory_close(s->trajectory);
+    bead_sweep_close(s->sweep);
+    bead_scene_free(s->scene);
+    free(s);
+}

@@ -1,0 +1,91 @@
+/* Sessions that draw a trajectory again. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/output/trajectory_data.h"
+#include "sim/session/session_data.h"
+
+/* The file's scene has no such output: its defaults then, with the user's settings on top. */
+static enum bead_error settle_with_default(struct bead_session *s, struct bead_message *msg)
+{
+    static const struct bead_file_kind kinds[] = {
+        {"png", "image", NULL}, {"pdf", "image", NULL},  {"svg", "image", NULL},
+        {"mp4", "movie", NULL}, {"mkv", "movie", NULL},  {"webm", "movie", NULL},
+        {"gif", "movie", NULL}, {"apng", "movie", NULL}, {"csv", "table", ", show: sensors"},
+        {NULL, NULL, NULL}};
+    struct bead_settings settings = {0};
+    char *outputs = NULL;
+    enum bead_error err = bead_session_outputs_for(s->job.output, kinds, &outputs, msg);
+    if (!err)
+        err = bead_session_settings_make(&s->job, outputs, NULL, &settings, msg);
+    if (!err)
+        err = bead_trajectory_settle(s->trajectory, settings.all, settings.count, msg);
+    bead_session_settings_free(&settings);
+    free(outputs);
+    return err;
+}
+
+/* Only what the file holds. */
+static enum bead_error limit_to_file(struct bead_session *s, struct bead_output *output, struct bead_message *msg)
+{
+    struct bead_span beads = bead_trajectory_beads(s->trajectory);
+    if (output->beads.first > beads.last || output->beads.last < beads.first)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s holds beads %zu to %zu only", s->job.input, beads.first, beads.last);
+    output->beads.first = output->beads.first < beads.first ? beads.first : output->beads.first;
+    output->beads.last = output->beads.last > beads.last ? beads.last : output->beads.last;
+    if (!(output->time[0] >= s->native.start))
+        output->time[0] = s->native.start;
+    return BEAD_OK;
+}
+
+/* `index`: of the output in the file's scene. */
+static enum bead_error check_stored(const struct bead_session *s, const struct bead_made *m, size_t index, struct bead_message *msg)
+{
+    unsigned missing = m->needs.fields & ~bead_trajectory_fields(s->trajectory);
+    if (m->needs.contact_peaks || m->needs.bead_peaks)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: peaks are found while simulating, not from samples: run the scene",
+                         m->output->path);
+    if (m->needs.twin)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED,
+                         "%s: `trust` compares two runs, and a trajectory holds one: run the scene, or draw without it: "
+                         "--set outputs.%zu.trust=false",
+                         m->output->path, index);
+    for (size_t f = 0; f < BEAD_FIELD_COUNT; f++) {
+        if (missing & BEAD_FIELD_BIT(f))
+            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED,
+                             "%s needs the field `%s`, which %s does not hold: add it to `fields` and run again", m->output->path,
+                             bead_field_info((enum bead_field)f)->name, s->job.input);
+    }
+    return BEAD_OK;
+}
+
+enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead_message *msg)
+{
+    if (!s->job.output)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "%s is a trajectory: say what to draw with -o FILE (png, pdf, svg, mp4, ...)",
+                         s->job.input);
+    /* Which output of the stored scene is meant decides what the user's settings are about. */
+    enum bead_error err = bead_session_find_again(bead_trajectory_scene(s->trajectory), s->job.output)
+                              ? bead_trajectory_settle(s->trajectory, s->job.settings, s->job.setting_count, msg)
+                              : settle_with_default(s, msg);
+    if (err)
+        return err;
+    s->source = bead_trajectory_scene(s->trajectory);
+    s->chains = bead_trajectory_chains(s->trajectory, &s->chain_count);
+    s->end = s->needed = bead_trajectory_end(s->trajectory);
+    s->native = *bead_trajectory_grid(s->trajectory);
+    size_t index = 0;
+    err = bead_session_take_again(s, "trajectory", &index, msg);
+    if (err)
+        return err;
+    struct bead_made *m = s->made;
+    m->type = bead_session_find_type(&s->job, m->output);
+    if (!m->type)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: this program does not make such files", s->job.output);
+    err = bead_session_find_resolution(s, msg);
+    if (!err)
+        err = limit_to_file(s, &m->changed, msg);
+    if (!err)
+        err = bead_session_create_sink(s, m, msg);
+    return err ? err : check_stored(s, m, index, msg);
+}

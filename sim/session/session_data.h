@@ -1,0 +1,103 @@
+/* A session's insides, shared by session.c (opening) and the other session_*.c. */
+#ifndef BEADREEL_SIM_SESSION_SESSION_DATA_H
+#define BEADREEL_SIM_SESSION_SESSION_DATA_H
+
+#include "beadreel/session.h"
+#include "sim/session/driver.h"
+
+/* One output of the scene, in its order. */
+struct bead_made {
+    const struct bead_output *output;
+    struct bead_output changed;               /* what replaces it when a trajectory is drawn again */
+    const struct bead_sink_type *type;        /* NULL: this program does not make it */
+    struct bead_sink *sink;                   /* NULL: skipped */
+    const struct bead_sweep_sink *sweep_type; /* of sweeps, instead */
+    bool asked;                               /* not excluded by --only */
+    bool shared;                              /* draws from the samples of the trajectory output */
+    bool ended;
+    char *path; /* where it goes */
+    struct bead_needs needs;
+    struct bead_range range; /* found by scouting */
+};
+
+struct bead_session {
+    struct bead_job job;
+    struct bead_scene *scene;           /* own; NULL with a trajectory or a sweep's file */
+    struct bead_sweep *sweep;           /* of scenes with sweeps, and their files */
+    bool sweep_read;                    /* it comes from a file */
+    struct bead_trajectory *trajectory; /* NULL with a scene */
+    const struct bead_scene *source;    /* either's */
+    struct bead_chain **own_chains;
+    const struct bead_chain *const *chains;
+    size_t chain_count;
+    const struct bead_kernels *kernels;
+    int threads;
+    bool passage;                     /* the scene's `until` is the default */
+    double end, needed;               /* s; end INFINITY: not known before the run */
+    double resolution;                /* s */
+    double twin;                      /* how much looser a twin run is */
+    struct bead_grid native;          /* of the trajectory output, every 0: none */
+    const struct bead_output *keeper; /* that output */
+    struct bead_made *made;
+    size_t made_count;
+    struct bead_counts counts;
+    uint64_t scout_steps;          /* steps of passes before the last */
+    struct bead_passed passed;     /* the last pass */
+    struct bead_outcome *outcomes; /* [chains] */
+    struct bead_result *results;
+    size_t result_count;
+};
+
+/* session_sinks.c */
+/* A play with the session's chains and settings, no consumers. */
+struct bead_play bead_session_play(const struct bead_session *session, const char *what);
+BEAD_CHECK enum bead_error bead_session_out_of_memory(struct bead_message *msg);
+/* The fastest chain says how often a picture must look. */
+BEAD_CHECK enum bead_error bead_session_find_resolution(struct bead_session *session, struct bead_message *msg);
+/* The sink of an output, with what it needs and where it goes. */
+BEAD_CHECK enum bead_error bead_session_create_sink(struct bead_session *session, struct bead_made *made, struct bead_message *msg);
+/* Those of all outputs that are asked for. */
+BEAD_CHECK enum bead_error bead_session_create_sinks(struct bead_session *session, struct bead_message *msg);
+/* Does this output need to know the end of the run before it starts? */
+bool bead_output_needs_end(const struct bead_output *output);
+
+/* session_outputs.c. Which outputs are there and which are asked for; check --only. */
+BEAD_CHECK enum bead_error bead_session_list_outputs(struct bead_session *session, struct bead_message *msg);
+bool bead_session_has_extension(const char *const *extensions, const char *path);
+/* Of the stored scene: which output does `-o file` draw again: the one of that name, else the first of that kind. */
+const struct bead_output *bead_session_find_again(const struct bead_scene *scene, const char *file);
+/* That output, number `index` of the source, goes to `-o file` and is the session's only one; `from` names what was read. */
+BEAD_CHECK enum bead_error bead_session_take_again(struct bead_session *session, const char *from, size_t *index,
+                                                   struct bead_message *msg);
+/* NULL: this program does not make it. */
+const struct bead_sink_type *bead_session_find_type(const struct bead_job *job, const struct bead_output *output);
+
+/* What a file's name says about the output wanted: kind "table", more ", show: sensors" or NULL. */
+struct bead_file_kind {
+    const char *extension, *kind, *more;
+};
+/* `[{movie: "a.mp4"}]` for a file of one of the kinds, the last of which is NULL; to be freed. Errors: USAGE, MEMORY. */
+BEAD_CHECK enum bead_error bead_session_outputs_for(const char *file, const struct bead_file_kind *kinds, char **outputs,
+                                                    struct bead_message *msg);
+/* Settings of a scene: `first` (NULL: none; borrowed), the outputs, then the job's. */
+struct bead_settings {
+    const char **all;
+    size_t count;
+    char *outputs;
+};
+BEAD_CHECK enum bead_error bead_session_settings_make(const struct bead_job *job, const char *outputs, const char *first,
+                                                      struct bead_settings *settings, struct bead_message *msg);
+void bead_session_settings_free(struct bead_settings *settings);
+
+/* session_again.c: a trajectory. */
+BEAD_CHECK enum bead_error bead_session_open_trajectory(struct bead_session *session, struct bead_message *msg);
+
+/* session_sweep.c: the scene's sweeps; a sweep's file; one configuration of it as the session's scene; running and planning. */
+BEAD_CHECK enum bead_error bead_session_open_sweep(struct bead_session *session, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_session_open_sweep_file(struct bead_session *session, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_session_load_sheet(struct bead_session *session, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_session_load_configuration(struct bead_session *session, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_session_run_sweep(struct bead_session *session, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_session_plan_sweep(const struct bead_session *session, FILE *out, struct bead_message *msg);
+
+#endif

@@ -1,0 +1,166 @@
+/* The plan of a session in words: what will be computed, what is skipped, and why. */
+#include <math.h>
+
+#include "beadreel/trajectory.h"
+#include "sim/run/run_kinds.h"
+#include "sim/session/session_data.h"
+
+/* Times for people, of beads in microseconds or milliseconds, of equations without unit. */
+struct words {
+    char text[32];
+};
+
+static struct words time_words(const struct bead_session *s, double time, bool milli)
+{
+    struct words words;
+    if (!*bead_chain_time_unit(s->chains[0]))
+        snprintf(words.text, sizeof words.text, "%.6g", time);
+    else if (milli)
+        snprintf(words.text, sizeof words.text, "%.6g ms", 1e3 * time);
+    else
+        snprintf(words.text, sizeof words.text, "%.4g us", 1e6 * time);
+    return words;
+}
+
+static void plan_chain(const struct bead_session *s, size_t index, const struct bead_pace *pace, FILE *out)
+{
+    const struct bead_chain *c = s->chains[index];
+    const char *name = bead_chain_name(c), *equation = bead_chain_spec(c)->equation.name;
+    if (equation)
+        fprintf(out, "chain %s%s%s, %zu points", name, *name ? ": " : "", equation, bead_chain_beads(c));
+    else
+        fprintf(out, "chain %s%s%zu beads, %zu contacts", name, *name ? ": " : "", bead_chain_beads(c), bead_chain_contacts(c));
+    if (*bead_chain_spins(c))
+        fprintf(out, ", M = %.4g", bead_chain_magnetism(c));
+    fprintf(out, "; %s", pace->method);
+    if (pace->why)
+        fprintf(out, " (%s)", pace->why);
+    fprintf(out, " with steps %s %s", pace->variable ? "from" : "of", time_words(s, pace->step, false).text);
+    double end = fmin(s->end, s->needed);
+    if (isfinite(end))
+        fprintf(out, ", %s%.0f of them", pace->variable ? "at most about " : "", ceil(end / pace->step * (1 - 1e-9)));
+    fprintf(out, "\n");
+}
+
+static void plan_time(const struct bead_session *s, FILE *out)
+{
+    if (s->trajectory)
+        fprintf(out, "time: samples of a run of %s are read; nothing is simulated\n", time_words(s, s->end, true).text);
+    else if (!isfinite(s->end))
+        fprintf(out, "time: until the front reaches the end; nobody needs to know when beforehand, so no scouting pass\n");
+    else if (s->needed < s->end)
+        fprintf(out, "time: stops at %s of %s: no output needs more\n", time_words(s, s->needed, true).text,
+                time_words(s, s->end, true).text);
+    else if (s->passage)
+        fprintf(out, "time: until the front reaches the end, at %s (found by a scouting pass without samples)\n",
+                time_words(s, s->end, true).text);
+    else
+        fprintf(out, "time: %s as asked\n", time_words(s, s->end, true).text);
+}
+
+static const char *plan_fields(unsigned fields, char *text, size_t size)
+{
+    size_t used = 0;
+    text[0] = '\0';
+    for (size_t f = 0; f < BEAD_FIELD_COUNT; f++) {
+        if (fields & BEAD_FIELD_BIT(f))
+            used += (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "", bead_field_info((enum bead_field)f)->name);
+    }
+    return text;
+}
+
+static void plan_output(const struct bead_session *s, const struct bead_made *m, FILE *out)
+{
+    if (!m->sink) {
+        fprintf(out, "output %s: skipped: %s\n", m->output->path,
+                m->asked ? "this program makes data only" : "not asked for (--only)");
+        return;
+    }
+    const struct bead_needs *n = &m->needs;
+    uint64_t bytes;
+    const char *beside = m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
+    bool beads = !bead_chain_spec(s->chains[0])->equation.name;
+    char fields[128];
+    fprintf(out, "output %s: %s\n", m->path, n->why ? n->why : m->type->help);
+    if (n->grid.every > 0 && n->fields) {
+        fprintf(out, "  samples: %s of %s %zu to %zu, %zu times every %s until %s%s\n",
+                plan_fields(n->fields, fields, sizeof fields), beads ? "beads" : "points", n->beads.first, n->beads.last,
+                bead_grid_count(&n->grid), time_words(s, n->grid.every, false).text, time_words(s, n->grid.end, true).text,
+                m->shared && !s->trajectory ? " (shared with the trajectory)" : "");
+    } else {
+        fprintf(out, "  samples: none\n");
+    }
+    if (n->contact_peaks || n->bead_peaks)
+        fprintf(out, "  maxima of every %s's force, found between steps\n", n->contact_peaks ? "contact" : "bead");
+    if (beside)
+        fprintf(out, "  beside it: %s\n", beside);
+    if (n->range)
+        fprintf(out, "  the range of colours is found by a scouting pass over the same samples\n");
+}
+
+/* Who asks for a second run of all chains, and what that is. */
+static enum bead_error plan_twin(const struct bead_session *s, FILE *out, struct bead_message *msg)
+{
+    const struct bead_simulate *asked = &s->source->simulate;
+    size_t count = 0;
+    for (size_t i = 0; i < s->made_count; i++) {
+        const struct bead_made *m = &s->made[i];
+        if (m->sink && m->needs.twin)
+            fprintf(out, "%s %s", count++ ? "," : "twin: trust of", m->path);
+    }
+    if (count == 0)
+        return BEAD_OK;
+    struct bead_pace pace;
+    enum bead_error err = bead_run_kind_of(s->chains[0])->pace(s->chains[0], s->twin, &pace, msg);
+    if (err)
+        return err;
+    fprintf(out, " needs all chains a second time, for comparison: ");
+    if (!(asked->step > 0))
+        fprintf(out, "accuracy %.3g instead of %.3g, ", s->twin * asked->accuracy, asked->accuracy);
+    fprintf(out, "steps of %s\n", time_words(s, pace.step, false).text);
+    return BEAD_OK;
+}
+
+/* What the whole run does without. */
+static void plan_skips(const struct bead_session *s, FILE *out)
+{
+    bool file = false, graphics = false, samples = false, kinds[BEAD_OUTPUT_KINDS] = {false};
+    for (size_t i = 0; i < s->made_count; i++) {
+        const struct bead_made *m = &s->made[i];
+        if (!m->sink)
+            continue;
+        kinds[m->output->kind] = true;
+        samples = samples || (m->needs.grid.every > 0 && m->needs.fields);
+    }
+    file = kinds[BEAD_OUTPUT_TRAJECTORY];
+    graphics = kinds[BEAD_OUTPUT_IMAGE] || kinds[BEAD_OUTPUT_MOVIE] || kinds[BEAD_OUTPUT_PLOT];
+    if (!samples)
+        fprintf(out, "skipped: samples (no output reads any)\n");
+    if (!file)
+        fprintf(out, "skipped: HDF5 (no trajectory output)\n");
+    if (!graphics)
+        fprintf(out, "skipped: drawing (no picture asked for)\n");
+    if (!s->trajectory && !bead_chain_spec(s->chains[0])->equation.name)
+        fprintf(out, "skipped: beads ahead of the front, until it comes (exactly at rest)%s\n",
+                s->job.full_window ? ": computed all the same, as asked" : "");
+}
+
+enum bead_error bead_session_plan(const struct bead_session *s, FILE *out, struct bead_message *msg)
+{
+    if (s->sweep)
+        return bead_session_plan_sweep(s, out, msg);
+    for (size_t i = 0; i < s->chain_count; i++) {
+        struct bead_pace pace;
+        enum bead_error err = bead_run_kind_of(s->chains[i])->pace(s->chains[i], 1, &pace, msg);
+        if (err)
+            return err;
+        plan_chain(s, i, &pace, out);
+    }
+    plan_time(s, out);
+    for (size_t i = 0; i < s->made_count; i++)
+        plan_output(s, &s->made[i], out);
+    enum bead_error err = plan_twin(s, out, msg);
+    if (!err)
+        plan_skips(s, out);
+    return err;
+}

@@ -1,0 +1,172 @@
+/* Sessions, second half: scouting, the pass itself, and the end of every sink. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/file.h"
+#include "sim/session/session_data.h"
+
+static enum bead_error play(struct bead_session *s, struct bead_play *p, struct bead_passed *passed, struct bead_message *msg)
+{
+    return s->trajectory ? bead_play_trajectory(p, s->trajectory, &s->counts, msg)
+                         : bead_play_simulation(p, &s->counts, passed, msg);
+}
+
+/* A pass for those who must know the range of their field before they begin. */
+static enum bead_error scout(struct bead_session *s, struct bead_consumer *consumers, struct bead_message *msg)
+{
+    struct bead_play p = bead_session_play(s, "scouting ranges");
+    size_t count = 0;
+    double needed = 0;
+    for (size_t i = 0; i < s->made_count; i++) {
+        struct bead_made *m = &s->made[i];
+        if (!m->sink || !m->needs.range)
+            continue;
+        struct bead_consumer *c = &consumers[count++];
+        *c = (struct bead_consumer){.needs = m->needs, .take = bead_consumer_scout, .made = m};
+        c->needs.fields = BEAD_FIELD_BIT(m->needs.range_field);
+        c->needs.contact_peaks = c->needs.bead_peaks = false;
+        c->needs.twin = 0;
+        needed = fmax(needed, m->needs.until);
+    }
+    if (count == 0)
+        return BEAD_OK;
+    p.consumers = consumers;
+    p.consumer_count = count;
+    p.needed = needed;
+    p.hash = false;
+    struct bead_passed passed = {.count = 0};
+    enum bead_error err = play(s, &p, &passed, msg);
+    bead_passed_free(&passed);
+    for (size_t i = 0; i < count; i++)
+        consumers[i].made->range = consumers[i].range;
+    return err;
+}
+
+static enum bead_error give_to_sink(struct bead_consumer *consumer, const struct bead_sample *sample, struct bead_message *msg)
+{
+    return consumer->made->type->sample(consumer->made->sink, sample, msg);
+}
+
+static enum bead_error begin(struct bead_session *s, struct bead_consumer *consumers, size_t *count, struct bead_message *msg)
+{
+    *count = 0;
+    for (size_t i = 0; i < s->made_count; i++) {
+        struct bead_made *m = &s->made[i];
+        if (!m->sink)
+            continue;
+        enum bead_error err = m->type->begin(m->sink, m->range, msg);
+        if (err)
+            return err;
+        consumers[(*count)++] =
+            (struct bead_consumer){.needs = m->needs, .exact = m->output == s->keeper, .take = give_to_sink, .made = m};
+    }
+    return BEAD_OK;
+}
+
+/* The outcomes that sinks are told at the end: of the pass, or as stored. */
+static enum bead_error collect_outcomes(struct bead_session *s, struct bead_message *msg)
+{
+    s->outcomes = calloc(s->chain_count, sizeof *s->outcomes);
+    if (!s->outcomes)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for outcomes");
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < s->chain_count; i++) {
+        if (s->trajectory)
+            err = bead_trajectory_outcome(s->trajectory, i, &s->outcomes[i], msg);
+        else
+            s->outcomes[i] = s->passed.outcomes[i];
+    }
+    return err;
+}
+
+static enum bead_error end(struct bead_session *s, struct bead_message *msg)
+{
+    enum bead_error err = collect_outcomes(s, msg);
+    s->results = calloc(2 * s->made_count + 1, sizeof *s->results); /* each with a second file, at most */
+    if (!err && !s->results)
+        err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for results");
+    for (size_t i = 0; !err && i < s->made_count; i++) {
+        struct bead_made *m = &s->made[i];
+        if (!m->sink)
+            continue;
+        err = m->type->end(m->sink, s->outcomes, msg);
+        m->ended = !err;
+        struct bead_result *r = &s->results[s->result_count];
+        if (err)
+            break;
+        *r = (struct bead_result){m->path, 0, 0};
+        if (m->type->result)
+            m->type->result(m->sink, &r->bytes, &r->items);
+        s->result_count++;
+        uint64_t bytes = 0;
+        const char *beside = m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
+        if (beside && bytes > 0)
+            s->results[s->result_count++] = (struct bead_result){beside, bytes, 1};
+    }
+    return err;
+}
+
+static enum bead_error run(struct bead_session *s, struct bead_consumer *consumers, struct bead_message *msg)
+{
+    enum bead_error err = s->trajectory ? BEAD_OK : bead_file_make_directory(s->job.output, msg);
+    if (!err)
+        err = scout(s, consumers, msg);
+    s->scout_steps = s->counts.steps;
+    struct bead_play p = bead_session_play(s, s->trajectory ? "drawing" : "simulating");
+    if (!err)
+        err = begin(s, consumers, &p.consumer_count, msg);
+    p.consumers = consumers;
+    p.needed = s->needed;
+    if (!err)
+        err = play(s, &p, &s->passed, msg);
+    if (err && err != BEAD_ERROR_STOPPED)
+        return err;
+    if (s->passage && !s->trajectory && !err && !isfinite(s->end))
+        s->end = s->passed.end;
+    struct bead_message unused;
+    enum bead_error closing = end(s, err ? &unused : msg);
+    return err ? err : closing;
+}
+
+enum bead_error bead_session_run(struct bead_session *s, struct bead_message *msg)
+{
+    if (s->sweep)
+        return bead_session_run_sweep(s, msg);
+    struct bead_consumer *consumers = calloc(s->made_count + 1, sizeof *consumers);
+    if (!consumers)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for outputs");
+    enum bead_error err = run(s, consumers, msg);
+    free(consumers);
+    /* What was not finished goes now, with its unfinished file. */
+    for (size_t i = 0; err && i < s->made_count; i++) {
+        if (s->made[i].sink && !s->made[i].ended) {
+            s->made[i].type->destroy(s->made[i].sink);
+            s->made[i].sink = NULL;
+        }
+    }
+    return err;
+}
+
+size_t bead_session_results(const struct bead_session *s, const struct bead_result **results)
+{
+    *results = s->results;
+    return s->result_count;
+}
+
+const char *bead_session_time_unit(const struct bead_session *s)
+{
+    return s->sweep ? "s" : bead_chain_time_unit(s->chains[0]);
+}
+
+const struct bead_counts *bead_session_counts(const struct bead_session *s)
+{
+    return &s->counts;
+}
+
+const struct bead_outcome *bead_session_outcomes(const struct bead_session *s, size_t *chain_count)
+{
+    *chain_count = s->outcomes ? s->chain_count : 0;
+    return s->outcomes;
+}

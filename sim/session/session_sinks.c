@@ -1,0 +1,144 @@
+/* Sinks of sessions: what they are told of the run, whose samples they take, what they need. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "beadreel/file.h"
+#include "sim/run/run_kinds.h"
+#include "sim/session/session_data.h"
+
+/* Pictures take the trajectory's samples when they come at least this often, in units of the spacing that shows every
+ * oscillation; then the file draws the same picture again. */
+static const double coarsest = 8;
+
+enum bead_error bead_session_out_of_memory(struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a session");
+}
+
+bool bead_output_needs_end(const struct bead_output *output)
+{
+    bool timed = output->show == BEAD_SHOW_SENSORS || output->show == BEAD_SHOW_PROFILES;
+    if (output->kind == BEAD_OUTPUT_PLOT)
+        return timed || output->show == BEAD_SHOW_PEAKS;
+    return output->kind != BEAD_OUTPUT_TABLE || timed || output->show == BEAD_SHOW_MEASURES;
+}
+
+enum bead_error bead_session_find_resolution(struct bead_session *s, struct bead_message *msg)
+{
+    s->resolution = INFINITY;
+    for (size_t i = 0; i < s->chain_count; i++) {
+        struct bead_pace pace;
+        enum bead_error err = bead_run_kind_of(s->chains[i])->pace(s->chains[i], 1, &pace, msg);
+        if (err)
+            return err;
+        s->resolution = fmin(s->resolution, pace.resolution);
+    }
+    s->twin = bead_run_twin_of(s->chains, s->chain_count);
+    return BEAD_OK;
+}
+
+struct bead_play bead_session_play(const struct bead_session *s, const char *what)
+{
+    return (struct bead_play){.chains = s->chains,
+                              .chain_count = s->chain_count,
+                              .end = s->end,
+                              .needed = s->end,
+                              .passage = s->passage,
+                              .full_window = s->job.full_window,
+                              .hash = s->job.hash,
+                              .threads = s->threads,
+                              .twin = s->twin,
+                              .kernels = s->kernels,
+                              .what = what,
+                              .stop = s->job.stop,
+                              .progress = s->job.progress,
+                              .progress_context = s->job.progress_context};
+}
+
+/* What can be had of the trajectory: its fields, and forces from displacements of all beads. */
+static unsigned kept_fields(const struct bead_session *s)
+{
+    const struct bead_output *k = s->keeper;
+    bool all = k->fields & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && k->beads.first == 0 && k->beads.last == SIZE_MAX;
+    for (size_t i = 0; i < s->chain_count; i++)
+        all = all && !(bead_chain_spec(s->chains[i])->damping_coefficient > 0) && !bead_chain_spec(s->chains[i])->equation.name;
+    return all ? k->fields | BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE) : k->fields;
+}
+
+/* What an output reads of samples. */
+static unsigned fields_of(const struct bead_session *s, const struct bead_output *output)
+{
+    bool shows = output->kind == BEAD_OUTPUT_TABLE || output->kind == BEAD_OUTPUT_PLOT;
+    bool modes = shows && output->show == BEAD_SHOW_MODES;
+    unsigned fields = shows && output->show != BEAD_SHOW_PROFILES ? 0 : BEAD_FIELD_BIT(output->field);
+    for (size_t i = 0; i < output->view_count; i++)
+        modes = modes || output->views[i] == BEAD_VIEW_MODES;
+    for (size_t c = 0; modes && c < s->chain_count; c++)
+        fields |= bead_chain_mode_fields(s->chains[c]);
+    return fields ? fields : BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
+}
+
+static bool covers(const struct bead_session *s, const struct bead_output *output)
+{
+    const struct bead_output *k = s->keeper;
+    if (output->kind == BEAD_OUTPUT_TABLE && output->show == BEAD_SHOW_MEASURES)
+        return false; /* no interval is close enough, but its own */
+    unsigned needs = fields_of(s, output);
+    double from = isnan(output->time[0]) ? 0 : output->time[0], to = isnan(output->time[1]) ? s->end : output->time[1];
+    return k && (kept_fields(s) & needs) == needs && k->beads.first <= output->beads.first && k->beads.last >= output->beads.last &&
+           s->native.start <= from && s->native.end >= fmin(to, s->end) * (1 - 1e-9) && s->native.every <= coarsest * s->resolution;
+}
+
+enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
+{
+    m->shared = s->trajectory || (m->output != s->keeper && m->output->every == 0 && covers(s, m->output));
+    struct bead_stage stage = {.scene = s->source,
+                               .chains = s->chains,
+                               .chain_count = s->chain_count,
+                               .end = s->end,
+                               .native = m->shared ? s->native : (struct bead_grid){0, 0, 0},
+                               .resolution = s->resolution,
+                               .twin = s->twin,
+                               .threads = s->threads,
+                               .canvas = s->job.canvas,
+                               .directory = s->trajectory || !s->job.output ? "." : s->job.output};
+    enum bead_error err = m->type->create(m->output, &stage, &m->sink, msg);
+    if (err)
+        return err;
+    m->type->needs(m->sink, &m->needs);
+    size_t last = 0;
+    for (size_t i = 0; i < s->chain_count; i++)
+        last = bead_chain_beads(s->chains[i]) > last ? bead_chain_beads(s->chains[i]) : last;
+    m->needs.beads.last = m->needs.beads.last < last ? m->needs.beads.last : last - 1;
+    m->shared = m->shared && s->native.every > 0 && m->needs.grid.every == s->native.every;
+    return bead_file_join(stage.directory, m->output->path, &m->path, msg);
+}
+
+/* The trajectory output goes first: its samples are the pictures' too. */
+enum bead_error bead_session_create_sinks(struct bead_session *s, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < s->made_count; i++) {
+        struct bead_made *m = &s->made[i];
+        bool clock = isfinite(s->end); /* else nothing asked for samples its times */
+        if (m->output != s->keeper || !m->type || (!m->asked && !clock))
+            continue;
+        err = bead_session_create_sink(s, m, msg);
+        s->native = m->needs.grid;
+        if (!m->asked && !err) { /* excluded, but pictures keep its clock: the same with and without it */
+            m->type->destroy(m->sink);
+            m->sink = NULL;
+        }
+    }
+    for (size_t i = 0; !err && i < s->made_count; i++) {
+        struct bead_made *m = &s->made[i];
+        if (m->output != s->keeper && m->asked && m->type)
+            err = bead_session_create_sink(s, m, msg);
+    }
+    s->needed = 0;
+    for (size_t i = 0; i < s->made_count; i++) {
+        if (s->made[i].sink)
+            s->needed = fmax(s->needed, s->made[i].needs.until);
+    }
+    return err;
+}

@@ -1,0 +1,301 @@
+/* Sweeps: from a scene to panels, configurations and their chains. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/chain/spins.h"
+#include "sim/scene/sweep_yaml.h"
+#include "sim/sweep/sweep_data.h"
+
+static enum bead_error out_of_memory(struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sweep");
+}
+
+static const struct bead_chain_spec *pattern_of(const struct bead_sweep *sweep, const struct sweep_panel *panel)
+{
+    return &sweep->scene->chains[panel->shown.spec->chain];
+}
+
+static size_t count_beads(const struct bead_chain_spec *chain)
+{
+    size_t beads = 1;
+    for (size_t s = 0; s < chain->segment_count; s++)
+        beads += chain->segments[s].cell_beads * chain->segments[s].count;
+    return beads;
+}
+
+size_t bead_sweep_words(const struct sweep_panel *panel)
+{
+    return 3 * panel->shown.places + (panel->profiles ? PROFILES * panel->shown.beads : 0);
+}
+
+struct sweep_panel *bead_sweep_panel_of(const struct bead_sweep *sweep, size_t job, size_t *row)
+{
+    size_t p = sweep->panel_count - 1;
+    while (sweep->panels[p].first_job > job)
+        p--;
+    *row = job - sweep->panels[p].first_job;
+    return &sweep->panels[p];
+}
+
+bool bead_sweep_mine(const struct bead_sweep *sweep, size_t job)
+{
+    return job % sweep->parts == sweep->part - 1;
+}
+
+static enum bead_error make_panel(struct bead_sweep *sweep, size_t index, struct bead_message *msg)
+{
+    const struct bead_sweep_spec *spec = &sweep->scene->sweeps[index];
+    struct sweep_panel *panel = &sweep->panels[index];
+    size_t sensors = spec->measures.sensor_count;
+    panel->shown = (struct bead_sweep_panel){.name = spec->name,
+                                             .spec = spec,
+                                             .places = !spec->measures.peak ? 0
+                                                       : sensors            ? sensors
+                                                                            : 1,
+                                             .beads = count_beads(&sweep->scene->chains[spec->chain])};
+    for (size_t g = 0; g < spec->group_count; g++)
+        panel->shown.configurations += spec->groups[g].configurations;
+    panel->first_job = sweep->jobs;
+    size_t jobs = panel->shown.configurations + 1;
+    sweep->jobs += jobs;
+    panel->spins = calloc(jobs, spec->cells);
+    panel->peaks = calloc(jobs * (panel->shown.places + 1), sizeof *panel->peaks);
+    if (spec->measures.decay)
+        panel->profiles = calloc(jobs * panel->shown.beads, PROFILES * sizeof *panel->profiles);
+    return panel->spins && panel->peaks && (panel->profiles || !spec->measures.decay) ? BEAD_OK : out_of_memory(msg);
+}
+
+enum bead_error bead_sweep_allocate(const struct bead_scene *scene, struct bead_sweep **sweep, struct bead_message *msg)
+{
+    *sweep = NULL;
+    if (scene->sweep_count == 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: has no sweep", scene->file);
+    struct bead_sweep *s = calloc(1, sizeof *s);
+    if (!s)
+        return out_of_memory(msg);
+    s->scene = scene;
+    s->part = s->parts = 1;
+    s->panels = calloc(scene->sweep_count, sizeof *s->panels);
+    s->panel_count = s->panels ? scene->sweep_count : 0;
+    enum bead_error err = s->panels && (s->version = strdup(BEADREEL_VERSION)) ? BEAD_OK : out_of_memory(msg);
+    for (size_t i = 0; i < s->panel_count && !err; i++)
+        err = make_panel(s, i, msg);
+    if (!err && !(s->known = calloc(s->jobs, 1)))
+        err = out_of_memory(msg);
+    if (err)
+        bead_sweep_close(s);
+    else
+        *sweep = s;
+    return err;
+}
+
+/* Each random segment by its own magnetism, on a stream of its own. */
+static void draw_segments(const struct bead_chain_spec *pattern, uint64_t seed, size_t index, char *digits)
+{
+    uint64_t number = 0;
+    for (size_t s = 0; s < pattern->segment_count; s++) {
+        const struct bead_segment *segment = &pattern->segments[s];
+        if (segment->spins != BEAD_SPINS_RANDOM)
+            continue;
+        bead_spins_draw(digits, segment->count, segment->magnetism, seed, number++ << 40 | index);
+        digits += segment->count;
+    }
+}
+
+static void draw_panel(const struct bead_sweep *sweep, const struct sweep_panel *panel)
+{
+    const struct bead_sweep_spec *spec = panel->shown.spec;
+    char *digits = panel->spins;
+    memset(digits, '1', spec->cells);
+    for (size_t g = 0; g < spec->group_count; g++) {
+        for (size_t c = 0; c < spec->groups[g].configurations; c++) {
+            digits += spec->cells;
+            if (spec->spins)
+                memcpy(digits, spec->spins[g], spec->cells);
+            else if (spec->own_magnetism)
+                draw_segments(pattern_of(sweep, panel), spec->seed, c, digits);
+            else
+                bead_spins_shuffle(digits, spec->cells, spec->groups[g].up, spec->seed, (uint64_t)spec->groups[g].up << 32 | c);
+        }
+    }
+}
+
+enum bead_error bead_sweep_create(const struct bead_scene *scene, struct bead_sweep **sweep, struct bead_message *msg)
+{
+    enum bead_error err = bead_sweep_allocate(scene, sweep, msg);
+    for (size_t p = 0; !err && p < (*sweep)->panel_count; p++)
+        draw_panel(*sweep, &(*sweep)->panels[p]);
+    return err;
+}
+
+void bead_sweep_close(struct bead_sweep *sweep)
+{
+    if (!sweep)
+        return;
+    for (size_t p = 0; p < sweep->panel_count; p++) {
+        free(sweep->panels[p].spins);
+        free(sweep->panels[p].peaks);
+        free(sweep->panels[p].profiles);
+    }
+    free(sweep->panels);
+    free(sweep->known);
+    free(sweep->version);
+    bead_scene_free(sweep->own_scene);
+    free(sweep);
+}
+
+const struct bead_scene *bead_sweep_scene(const struct bead_sweep *sweep)
+{
+    return sweep->scene;
+}
+
+size_t bead_sweep_panels(const struct bead_sweep *sweep)
+{
+    return sweep->panel_count;
+}
+
+const struct bead_sweep_panel *bead_sweep_panel(const struct bead_sweep *sweep, size_t panel)
+{
+    return &sweep->panels[panel].shown;
+}
+
+const char *bead_sweep_place(const struct bead_sweep *sweep, size_t panel, size_t place)
+{
+    const struct bead_sweep_measures *measures = &sweep->panels[panel].shown.spec->measures;
+    return measures->sensor_count ? measures->sensors[place] : "peak";
+}
+
+size_t bead_sweep_count(const struct bead_sweep *sweep, size_t *known)
+{
+    *known = 0;
+    for (size_t job = 0; job < sweep->jobs; job++)
+        *known += sweep->known[job];
+    return sweep->jobs;
+}
+
+void bead_sweep_part(const struct bead_sweep *sweep, size_t *part, size_t *parts)
+{
+    *part = sweep->part;
+    *parts = sweep->parts;
+}
+
+const char *bead_sweep_version(const struct bead_sweep *sweep)
+{
+    return sweep->version;
+}
+
+/* Of the cells whose spins the scene gives: as bead_chain_magnetism. */
+static double magnetism_of(const struct bead_chain_spec *pattern, const char *digits)
+{
+    double up = 0, all = 0;
+    for (size_t s = 0; s < pattern->segment_count; s++) {
+        const struct bead_segment *segment = &pattern->segments[s];
+        if (!segment->spins_given || segment->cell_beads < 2)
+            continue;
+        const char *own = segment->digits;
+        if (segment->spins == BEAD_SPINS_RANDOM) {
+            own = digits;
+            digits += segment->count;
+        }
+        for (size_t i = 0; i < segment->count; i++)
+            up += own ? own[i] == '1' : segment->spins == BEAD_SPINS_UP;
+        all += (double)segment->count;
+    }
+    return all > 0 ? fabs(2 * up - all) / all : 1;
+}
+
+bool bead_sweep_configuration(const struct bead_sweep *sweep, size_t panel, size_t index, struct bead_sweep_configuration *found)
+{
+    const struct sweep_panel *p = &sweep->panels[panel];
+    size_t row = index + 1; /* the clean chain: 0 */
+    bool known = sweep->known[p->first_job + row];
+    *found = (struct bead_sweep_configuration){.spins = p->spins + row * p->shown.spec->cells};
+    found->magnetism = magnetism_of(pattern_of(sweep, p), found->spins);
+    if (!known)
+        return false;
+    found->peaks = p->shown.places ? p->peaks + row * p->shown.places : NULL;
+    if (p->profiles) {
+        const double *profiles = p->profiles + PROFILES * row * p->shown.beads;
+        found->bead_force = profiles + PROFILE_FORCE * p->shown.beads;
+        found->bead_energy = profiles + PROFILE_ENERGY * p->shown.beads;
+        found->last_force = profiles + PROFILE_LAST_FORCE * p->shown.beads;
+        found->last_energy = profiles + PROFILE_LAST_ENERGY * p->shown.beads;
+    }
+    return true;
+}
+
+/* ---- chains ---- */
+
+struct bead_sweep_chain {
+    struct bead_scene scene; /* the sweep's, with this chain alone */
+    struct bead_chain_spec spec;
+    struct bead_segment *segments;
+    struct bead_chain *chain;
+};
+
+enum bead_error bead_sweep_chain_create(const struct bead_sweep *sweep, size_t panel, size_t index, struct bead_sweep_chain **chain,
+                                        struct bead_message *msg)
+{
+    const struct sweep_panel *p = &sweep->panels[panel];
+    const struct bead_chain_spec *pattern = pattern_of(sweep, p);
+    char *digits = p->spins + (index + 1) * p->shown.spec->cells;
+    struct bead_sweep_chain *c = *chain = calloc(1, sizeof *c);
+    if (c)
+        c->segments = calloc(pattern->segment_count, sizeof *c->segments);
+    if (!c || !c->segments) {
+        free(c);
+        *chain = NULL;
+        return out_of_memory(msg);
+    }
+    memcpy(c->segments, pattern->segments, pattern->segment_count * sizeof *c->segments);
+    for (size_t s = 0; s < pattern->segment_count; s++) {
+        if (c->segments[s].spins != BEAD_SPINS_RANDOM)
+            continue;
+        c->segments[s].spins = BEAD_SPINS_DIGITS;
+        c->segments[s].digits = digits;
+        digits += c->segments[s].count;
+    }
+    c->scene = *sweep->scene;
+    c->spec = *pattern;
+    c->spec.segments = c->segments;
+    c->scene.chains = &c->spec;
+    c->scene.chain_count = 1;
+    c->scene.sweeps = NULL;
+    c->scene.sweep_count = 0;
+    enum bead_error err = bead_chain_create(&c->scene, 0, &c->chain, msg);
+    if (err) {
+        bead_sweep_chain_destroy(c);
+        *chain = NULL;
+    }
+    return err;
+}
+
+const struct bead_chain *bead_sweep_chain_of(const struct bead_sweep_chain *chain)
+{
+    return chain->chain;
+}
+
+void bead_sweep_chain_destroy(struct bead_sweep_chain *chain)
+{
+    if (!chain)
+        return;
+    bead_chain_destroy(chain->chain);
+    free(chain->segments);
+    free(chain);
+}
+
+enum bead_error bead_sweep_single(const struct bead_sweep *sweep, size_t panel, size_t index, const char *outputs, char **text,
+                                  struct bead_message *msg)
+{
+    const struct sweep_panel *p = &sweep->panels[panel];
+    size_t cells = p->shown.spec->cells;
+    char *digits = strndup(p->spins + (index + 1) * cells, cells);
+    *text = NULL;
+    if (!digits)
+        return out_of_memory(msg);
+    enum bead_error err = bead_sweep_single_text(sweep->scene->text, panel, digits, outputs, text, msg);
+    free(digits);
+    return err;
+}

@@ -1,0 +1,322 @@
+/* Reading a sweep's file, which is not trusted, and putting parts together. */
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/base/h5.h"
+#include "sim/base/yaml.h"
+#include "sim/output/file_kinds.h"
+#include "sim/sweep/sweep_data.h"
+
+bool bead_sweep_is(const char *path)
+{
+    struct bead_h5 h5 = {.file = -1};
+    char kind[32] = "";
+    if (!bead_h5_is(path))
+        return false;
+    bead_h5_open(&h5, path, NULL);
+    if (!h5.error)
+        bead_h5_get_text(&h5, h5.file, "format", kind, sizeof kind);
+    bool is = !h5.error && strcmp(kind, BEAD_SWEEP_KIND) == 0;
+    bead_h5_shut(&h5);
+    return is;
+}
+
+/* What is being read of a panel: `count` configurations, those of the file's part. */
+struct reader {
+    struct bead_h5 *h5;
+    struct bead_sweep *sweep;
+    struct sweep_panel *panel;
+    size_t index, count;
+    size_t *row; /* [count] */
+    char name[64];
+};
+
+static const char *name_of(struct reader *r, const char *prefix, const char *name)
+{
+    snprintf(r->name, sizeof r->name, "/sweeps/%zu/%s%s", r->index, prefix, name);
+    return r->name;
+}
+
+static void wrong(struct reader *r, const char *what)
+{
+    if (!r->h5->error)
+        bead_h5_fail(r->h5, false, "%s has %s", r->name, what);
+}
+
+static void read_spins(struct reader *r, int64_t *whole)
+{
+    const size_t cells = r->panel->shown.spec->cells;
+    bead_h5_read_ints(r->h5, name_of(r, "", "configuration"), whole, r->count);
+    for (size_t i = 0; i < r->count && !r->h5->error; i++) {
+        if (whole[i] != (int64_t)(r->row[i] - 1))
+            wrong(r, "other configurations than the part it says it is");
+    }
+    unsigned char *bits = malloc(r->count * cells + 1);
+    if (!bits) {
+        r->h5->error = bead_fail(r->h5->msg, BEAD_ERROR_MEMORY, "out of memory for a sweep");
+        return;
+    }
+    bead_h5_read_table(r->h5, name_of(r, "", "spins"), BEAD_H5_BYTE, r->count, cells, bits);
+    for (size_t i = 0; i < r->count * cells && !r->h5->error; i++) {
+        if (bits[i] > 1)
+            wrong(r, "spins other than 0 and 1");
+        r->panel->spins[r->row[i / cells] * cells + i % cells] = bits[i] ? '1' : '0';
+    }
+    free(bits);
+}
+
+static void read_peaks(struct reader *r, const char *prefix, const size_t *rows, size_t count, double *numbers, int64_t *whole)
+{
+    const size_t places = r->panel->shown.places;
+    struct bead_sweep_peak *peaks = r->panel->peaks;
+    bead_h5_read_table(r->h5, name_of(r, prefix, "peak_force"), BEAD_H5_DOUBLE, count, places, numbers);
+    for (size_t i = 0; i < count * places && !r->h5->error; i++) {
+        if (!(numbers[i] >= 0) || !isfinite(numbers[i]))
+            wrong(r, "a force that is none");
+        peaks[rows[i / places] * places + i % places].force = numbers[i];
+    }
+    bead_h5_read_table(r->h5, name_of(r, prefix, "peak_time"), BEAD_H5_DOUBLE, count, places, numbers);
+    for (size_t i = 0; i < count * places && !r->h5->error; i++)
+        peaks[rows[i / places] * places + i % places].time = numbers[i];
+    bead_h5_read_table(r->h5, name_of(r, prefix, "peak_bead"), BEAD_H5_INT, count, places, whole);
+    for (size_t i = 0; i < count * places && !r->h5->error; i++) {
+        if (whole[i] < 0 || (uint64_t)whole[i] >= r->panel->shown.beads)
+            wrong(r, "a bead that the chain does not have");
+        peaks[rows[i / places] * places + i % places].bead = (uint32_t)whole[i];
+    }
+    bead_h5_read_table(r->h5, name_of(r, prefix, "peak_open"), BEAD_H5_INT, count, places, whole);
+    for (size_t i = 0; i < count * places && !r->h5->error; i++) {
+        if (whole[i] != 0 && whole[i] != 1)
+            wrong(r, "marks other than 0 and 1");
+        peaks[rows[i / places] * places + i % places].open = whole[i] == 1;
+    }
+}
+
+static void read_profiles(struct reader *r, const char *prefix, const size_t *rows, size_t count, double *numbers)
+{
+    const size_t beads = r->panel->shown.beads;
+    for (size_t what = 0; what < PROFILES; what++) {
+        bead_h5_read_table(r->h5, name_of(r, prefix, bead_sweep_profiles[what].name), BEAD_H5_DOUBLE, count, beads, numbers);
+        for (size_t i = 0; i < count * beads && !r->h5->error; i++) {
+            if (!(numbers[i] >= 0) || !isfinite(numbers[i]))
+                wrong(r, "a force or energy that is none");
+            r->panel->profiles[(PROFILES * rows[i / beads] + what) * beads + i % beads] = numbers[i];
+        }
+    }
+}
+
+static void read_results(struct reader *r, const char *prefix, const size_t *rows, size_t count, double *numbers, int64_t *whole)
+{
+    if (count > 0 && r->panel->shown.places > 0)
+        read_peaks(r, prefix, rows, count, numbers, whole);
+    if (count > 0 && r->panel->profiles)
+        read_profiles(r, prefix, rows, count, numbers);
+    for (size_t i = 0; i < count && !r->h5->error; i++)
+        r->sweep->known[r->panel->first_job + rows[i]] = 1;
+}
+
+static enum bead_error read_panel(struct bead_h5 *h5, struct bead_sweep *sweep, size_t index, struct bead_message *msg)
+{
+    struct reader r = {.h5 = h5, .sweep = sweep, .panel = &sweep->panels[index], .index = index};
+    const struct bead_sweep_panel *shown = &r.panel->shown;
+    const size_t clean = 0, jobs = shown->configurations + 1;
+    size_t wide = shown->places > shown->beads ? shown->places : shown->beads;
+    r.row = calloc(jobs, sizeof *r.row);
+    for (size_t row = 1; r.row && row < jobs; row++) {
+        if (bead_sweep_mine(sweep, r.panel->first_job + row))
+            r.row[r.count++] = row;
+    }
+    double *numbers = calloc((r.count + 1) * (r.panel->profiles ? wide : shown->places + 1), sizeof *numbers);
+    int64_t *whole = calloc((r.count + 1) * (shown->places + 1), sizeof *whole);
+    enum bead_error err =
+        r.row && numbers && whole ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for a sweep", h5->path);
+    memset(r.panel->spins, '1', jobs * shown->spec->cells);
+    if (!err && r.count)
+        read_spins(&r, whole);
+    if (!err)
+        read_results(&r, "", r.row, r.count, numbers, whole);
+    if (!err)
+        read_results(&r, "reference_", &clean, bead_sweep_mine(sweep, r.panel->first_job), numbers, whole);
+    free(r.row);
+    free(numbers);
+    free(whole);
+    return err ? err : h5->error;
+}
+
+/* The stored scene; settings may change its outputs, not what was computed. */
+static enum bead_error read_scene(struct bead_h5 *h5, const char *const *settings, size_t count, struct bead_scene **scene,
+                                  struct bead_message *msg)
+{
+    struct bead_scene *stored = NULL;
+    *scene = NULL;
+    char *text = bead_h5_read_text(h5, "/scene", BEAD_YAML_BYTES + 1);
+    if (!text)
+        return h5->error;
+    enum bead_error err = bead_scene_parse(h5->path, text, strlen(text), NULL, 0, &stored, msg);
+    if (!err && count > 0)
+        err = bead_scene_parse(h5->path, text, strlen(text), settings, count, scene, msg);
+    if (!err && count > 0 && (*scene)->fingerprint != stored->fingerprint)
+        err = bead_fail(msg, BEAD_ERROR_USAGE,
+                        "%s: a setting would change what was computed; only outputs can be changed here: run the scene again",
+                        h5->path);
+    if (!err && stored->sweep_count == 0)
+        err = bead_fail(msg, BEAD_ERROR_FORMAT, "%s: its scene has no sweep", h5->path);
+    if (err) {
+        bead_scene_free(*scene);
+        *scene = NULL;
+    }
+    if (!err && count == 0)
+        *scene = stored;
+    else
+        bead_scene_free(stored);
+    free(text);
+    return err;
+}
+
+static enum bead_error read_head(struct bead_h5 *h5, struct bead_sweep *sweep, struct bead_message *msg)
+{
+    char kind[32] = "", version[64] = "";
+    bead_h5_get_text(h5, h5->file, "format", kind, sizeof kind);
+    if (!h5->error && strcmp(kind, BEAD_SWEEP_KIND) != 0)
+        bead_h5_fail(h5, false, "is no file of a sweep");
+    bead_h5_get_int(h5, h5->file, "format_version", BEAD_SWEEP_FORMAT, BEAD_SWEEP_FORMAT);
+    bead_h5_get_text(h5, h5->file, "version", version, sizeof version);
+    int64_t parts = bead_h5_get_int(h5, h5->file, "parts", 1, 1000000), part = bead_h5_get_int(h5, h5->file, "part", 1, parts);
+    sweep->part = (size_t)part;
+    sweep->parts = (size_t)parts;
+    free(sweep->version);
+    sweep->version = strdup(version);
+    if (!sweep->version)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", h5->path);
+    return h5->error;
+}
+
+enum bead_error bead_sweep_open(const char *path, const char *const *settings, size_t setting_count, struct bead_sweep **sweep,
+                                struct bead_message *msg)
+{
+    struct bead_h5 h5 = {.file = -1, .kind = "sweep"};
+    struct bead_scene *scene = NULL;
+    *sweep = NULL;
+    bead_h5_open(&h5, path, msg);
+    h5.kind = "sweep";
+    enum bead_error err = h5.error ? h5.error : read_scene(&h5, settings, setting_count, &scene, msg);
+    if (!err)
+        err = bead_sweep_allocate(scene, sweep, msg);
+    if (!err) {
+        (*sweep)->own_scene = scene;
+        scene = NULL;
+        err = read_head(&h5, *sweep, msg);
+    }
+    for (size_t p = 0; !err && p < (*sweep)->panel_count; p++)
+        err = read_panel(&h5, *sweep, p, msg);
+    bead_h5_shut(&h5);
+    bead_scene_free(scene);
+    if (err) {
+        bead_sweep_close(*sweep);
+        *sweep = NULL;
+    }
+    return err;
+}
+
+/* ---- merging ---- */
+
+/* Does a part belong to the first one? */
+static enum bead_error check_part(const struct bead_sweep *first, const char *first_path, const struct bead_sweep *part,
+                                  const char *path, struct bead_message *msg)
+{
+    const char *differs = strcmp(part->version, first->version) != 0           ? "another version of the program"
+                          : strcmp(part->scene->text, first->scene->text) != 0 ? "another scene"
+                                                                               : NULL;
+    if (differs)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: is of %s than %s", path, differs, first_path);
+    if (part->parts != first->parts)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: is part %zu of %zu, and %s one of %zu", path, part->part, part->parts,
+                         first_path, first->parts);
+    return BEAD_OK;
+}
+
+static void take_part(struct bead_sweep *all, const struct bead_sweep *part)
+{
+    for (size_t job = 0; job < all->jobs; job++) {
+        size_t row = 0;
+        if (!part->known[job])
+            continue;
+        struct sweep_panel *to = bead_sweep_panel_of(all, job, &row);
+        const struct sweep_panel *from = &part->panels[to - all->panels];
+        const size_t cells = to->shown.spec->cells, places = to->shown.places, profile = PROFILES * to->shown.beads;
+        memcpy(to->spins + row * cells, from->spins + row * cells, cells);
+        if (places)
+            memcpy(to->peaks + row * places, from->peaks + row * places, places * sizeof *to->peaks);
+        if (to->profiles)
+            memcpy(to->profiles + row * profile, from->profiles + row * profile, profile * sizeof *to->profiles);
+        all->known[job] = 1;
+    }
+}
+
+static enum bead_error check_all(const struct bead_sweep *all, size_t parts, const size_t *file_of, struct bead_message *msg)
+{
+    char missing[200] = "";
+    size_t count = 0;
+    for (size_t k = 0; k < parts; k++) {
+        size_t used = strlen(missing);
+        if (file_of[k] == SIZE_MAX && count++ < 8)
+            snprintf(missing + used, sizeof missing - used, "%s%zu", used ? ", " : "", k + 1);
+    }
+    if (count > 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "part%s %s%s of %zu %s missing", count > 1 ? "s" : "", missing,
+                         count > 8 ? ", ..." : "", parts, count > 1 ? "are" : "is");
+    for (size_t job = 0; job < all->jobs; job++) {
+        if (!all->known[job])
+            return bead_fail(msg, BEAD_ERROR_FORMAT, "the parts do not hold all configurations");
+    }
+    return BEAD_OK;
+}
+
+enum bead_error bead_sweep_merge(const char *const *paths, size_t count, struct bead_sweep **sweep, struct bead_message *msg)
+{
+    *sweep = NULL;
+    if (count == 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "no parts to merge");
+    struct bead_sweep *all = NULL;
+    size_t *file_of = NULL, parts = 0;
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; i < count && !err; i++) {
+        struct bead_sweep *part = NULL;
+        err = bead_sweep_open(paths[i], NULL, 0, &part, msg);
+        if (!err && all)
+            err = check_part(all, paths[0], part, paths[i], msg);
+        if (!err && !all) {
+            parts = part->parts;
+            file_of = malloc(parts * sizeof *file_of);
+            if (!file_of)
+                err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu parts", parts);
+            for (size_t k = 0; file_of && k < parts; k++)
+                file_of[k] = SIZE_MAX;
+        }
+        if (!err && file_of[part->part - 1] != SIZE_MAX)
+            err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: is part %zu of %zu, as %s is", paths[i], part->part, parts,
+                            paths[file_of[part->part - 1]]);
+        if (!err)
+            file_of[part->part - 1] = i;
+        if (!err && all)
+            take_part(all, part);
+        if (!err && !all) {
+            all = part;
+            part = NULL;
+        }
+        bead_sweep_close(part);
+    }
+    if (!err)
+        err = check_all(all, parts, file_of, msg);
+    if (!err)
+        all->part = all->parts = 1;
+    free(file_of);
+    if (err)
+        bead_sweep_close(all);
+    else
+        *sweep = all;
+    return err;
+}

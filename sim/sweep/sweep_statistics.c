@@ -1,0 +1,125 @@
+/* From the results of a sweep to statistics. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/sweep/sweep_data.h"
+
+enum { RESAMPLES = 1000 };
+/* Two magnetisms closer than this are the same: those of chains are ratios of whole numbers. */
+static const double same = 1e-9;
+
+static enum bead_error out_of_memory(struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the statistics of a sweep");
+}
+
+static int by_magnetism(const void *a, const void *b)
+{
+    const struct sweep_entry *p = a, *q = b;
+    if (fabs(p->magnetism - q->magnetism) > same)
+        return p->magnetism < q->magnetism ? -1 : 1;
+    return (p->index > q->index) - (p->index < q->index);
+}
+
+struct sweep_entry *bead_sweep_entries(const struct bead_sweep *sweep, size_t panel, size_t *count)
+{
+    size_t all = sweep->panels[panel].shown.configurations;
+    struct sweep_entry *entries = calloc(all + 1, sizeof *entries);
+    *count = 0;
+    for (size_t i = 0; entries && i < all; i++) {
+        struct bead_sweep_configuration c;
+        if (bead_sweep_configuration(sweep, panel, i, &c))
+            entries[(*count)++] = (struct sweep_entry){c.magnetism, i};
+    }
+    if (entries)
+        qsort(entries, *count, sizeof *entries, by_magnetism);
+    return entries;
+}
+
+size_t bead_sweep_alike(const struct sweep_entry *entries, size_t count, size_t first)
+{
+    size_t last = first + 1;
+    while (last < count && fabs(entries[last].magnetism - entries[first].magnetism) <= same)
+        last++;
+    return last - first;
+}
+
+static enum bead_error fill_rows(struct bead_sweep_statistics *s, const struct sweep_entry *entries, size_t count,
+                                 struct bead_message *msg)
+{
+    double *sorted = calloc(count + 1, sizeof *sorted);
+    s->rows = calloc(count + 1, sizeof *s->rows);
+    if (!sorted || !s->rows) {
+        free(sorted);
+        return out_of_memory(msg);
+    }
+    for (size_t first = 0; first < count;) {
+        struct bead_sweep_row *row = &s->rows[s->row_count++];
+        *row = (struct bead_sweep_row){
+            .magnetism = entries[first].magnetism, .first = first, .count = bead_sweep_alike(entries, count, first)};
+        memcpy(sorted, s->values + first, row->count * sizeof *sorted);
+        bead_summary_of(sorted, row->count, &row->summary);
+        first += row->count;
+    }
+    free(sorted);
+    return BEAD_OK;
+}
+
+/* A sweep need not have both regimes. */
+static enum bead_error find_threshold(struct bead_sweep_statistics *s, const char *name, uint64_t seed, struct bead_message *msg)
+{
+    const struct bead_threshold_info *how = bead_threshold_info_named(name);
+    struct bead_group_results *groups = calloc(s->row_count + 1, sizeof *groups);
+    struct bead_message why;
+    if (!how || !groups) {
+        free(groups);
+        return how ? out_of_memory(msg) : bead_fail(msg, BEAD_ERROR_USAGE, "there is no threshold `%s`", name);
+    }
+    for (size_t i = 0; i < s->row_count; i++)
+        groups[i] = (struct bead_group_results){s->rows[i].magnetism, s->values + s->rows[i].first, s->rows[i].count};
+    enum bead_error err = bead_threshold_fit(groups, s->row_count, how, RESAMPLES, seed, &s->threshold, &why);
+    s->has_threshold = !err;
+    free(groups);
+    return err == BEAD_ERROR_NUMBERS ? BEAD_OK : err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;
+}
+
+enum bead_error bead_sweep_statistics(const struct bead_sweep *sweep, size_t panel, size_t place, const char *threshold,
+                                      struct bead_sweep_statistics *s, struct bead_message *msg)
+{
+    struct bead_sweep_configuration clean, c;
+    *s = (struct bead_sweep_statistics){.clean = NAN};
+    if (place >= sweep->panels[panel].shown.places || !bead_sweep_configuration(sweep, panel, BEAD_SWEEP_CLEAN, &clean))
+        return bead_fail(msg, BEAD_ERROR_NUMBERS, "the chain with all cells up, by which forces are normalised, is not known here");
+    s->clean = clean.peaks[place].force;
+    if (!(s->clean > 0))
+        return bead_fail(msg, BEAD_ERROR_NUMBERS,
+                         "the chain with all cells up has no force at `%s` that others could be normalised by",
+                         bead_sweep_place(sweep, panel, place));
+    size_t count = 0;
+    struct sweep_entry *entries = bead_sweep_entries(sweep, panel, &count);
+    s->values = calloc(count + 1, sizeof *s->values);
+    s->indices = calloc(count + 1, sizeof *s->indices);
+    enum bead_error err = entries && s->values && s->indices ? BEAD_OK : out_of_memory(msg);
+    for (size_t i = 0; i < count && !err; i++) {
+        bead_sweep_configuration(sweep, panel, entries[i].index, &c);
+        s->values[i] = c.peaks[place].force / s->clean;
+        s->indices[i] = entries[i].index;
+    }
+    if (!err)
+        err = fill_rows(s, entries, count, msg);
+    if (!err)
+        err = find_threshold(s, threshold, sweep->panels[panel].shown.spec->seed, msg);
+    free(entries);
+    if (err)
+        bead_sweep_statistics_free(s);
+    return err;
+}
+
+void bead_sweep_statistics_free(struct bead_sweep_statistics *s)
+{
+    free(s->rows);
+    free(s->values);
+    free(s->indices);
+    *s = (struct bead_sweep_statistics){.clean = NAN};
+}

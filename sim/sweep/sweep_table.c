@@ -1,0 +1,200 @@
+/* Tables of sweeps: statistics of every magnetism, results of every configuration, decay along the chain. */
+#include <locale.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "beadreel/file.h"
+#include "sim/output/table.h"
+#include "sim/sweep/sweep_data.h"
+
+/* A table that is being written, and whose sweeps it names. */
+struct out {
+    FILE *file;
+    const struct bead_sweep *sweep;
+    const struct bead_output *output;
+    bool several, places; /* columns before the others: the sweep's name, the place's name */
+};
+
+static void number(FILE *file, double value)
+{
+    if (isfinite(value))
+        fprintf(file, ",%.17g", value);
+    else
+        fputc(',', file);
+}
+
+static void head(const struct out *o, const char *columns)
+{
+    fprintf(o->file, "%s%s%s\n", o->several ? "sweep," : "", o->places ? "place," : "", columns);
+}
+
+static void names(const struct out *o, size_t panel, size_t place)
+{
+    if (o->several) {
+        bead_table_text(o->file, bead_sweep_panel(o->sweep, panel)->name);
+        fputc(',', o->file);
+    }
+    if (o->places) {
+        bead_table_text(o->file, bead_sweep_place(o->sweep, panel, place));
+        fputc(',', o->file);
+    }
+}
+
+static void write_row(const struct out *o, const struct bead_sweep_statistics *s, const struct bead_sweep_row *row)
+{
+    const struct bead_summary *m = &row->summary;
+    const double normalised[] = {m->mean, m->standard_error, m->median, m->low, m->high, m->quartile[0], m->quartile[1]};
+    fprintf(o->file, "%.17g,%zu", row->magnetism, row->count);
+    for (size_t i = 0; i < 7; i++)
+        number(o->file, normalised[i]);
+    for (size_t i = 0; i < 3; i++)
+        number(o->file, normalised[i] * s->clean);
+    const double found[] = {s->threshold.plateau, s->threshold.plateau_error, s->threshold.critical, s->threshold.critical_error};
+    for (size_t i = 0; i < 4; i++)
+        number(o->file, s->has_threshold ? found[i] : NAN);
+    fputc('\n', o->file);
+}
+
+static enum bead_error write_magnetism(const struct out *o, struct bead_message *msg)
+{
+    head(
+        o,
+        "magnetism,configurations,mean,standard_error,median,minimum,maximum,lower_quartile,upper_quartile,mean_N,standard_error_N,"
+        "median_N,plateau,plateau_error,threshold,threshold_error");
+    for (size_t p = 0; p < bead_sweep_panels(o->sweep); p++) {
+        for (size_t place = 0; place < bead_sweep_panel(o->sweep, p)->places; place++) {
+            struct bead_sweep_statistics s;
+            enum bead_error err = bead_sweep_statistics(o->sweep, p, place, o->output->threshold, &s, msg);
+            if (err)
+                return err;
+            for (size_t i = 0; i < s.row_count; i++) {
+                names(o, p, place);
+                write_row(o, &s, &s.rows[i]);
+            }
+            bead_sweep_statistics_free(&s);
+        }
+    }
+    return BEAD_OK;
+}
+
+static enum bead_error write_configurations(const struct out *o, struct bead_message *msg)
+{
+    (void)msg;
+    head(o, "configuration,magnetism,normalised,peak_force_N,time_s,bead,spins,state");
+    for (size_t p = 0; p < bead_sweep_panels(o->sweep); p++) {
+        const struct bead_sweep_panel *panel = bead_sweep_panel(o->sweep, p);
+        struct bead_sweep_configuration clean, c;
+        bool normal = bead_sweep_configuration(o->sweep, p, BEAD_SWEEP_CLEAN, &clean);
+        for (size_t i = 0; i < panel->configurations; i++) {
+            if (!bead_sweep_configuration(o->sweep, p, i, &c))
+                continue;
+            for (size_t place = 0; place < panel->places; place++) {
+                const struct bead_sweep_peak *peak = &c.peaks[place];
+                names(o, p, place);
+                fprintf(o->file, "%zu,%.17g", i, c.magnetism);
+                number(o->file, normal ? peak->force / clean.peaks[place].force : NAN);
+                number(o->file, peak->force);
+                number(o->file, peak->time);
+                fprintf(o->file, ",%zu,%.*s,%s\n", (size_t)peak->bead, (int)panel->spec->cells, c.spins, peak->open ? "open" : "");
+            }
+        }
+    }
+    return BEAD_OK;
+}
+
+static enum bead_error write_decay(const struct out *o, struct bead_message *msg)
+{
+    head(o, "magnetism,configurations,bead,force_N,energy_J,force_length,force_length_error,energy_length,energy_length_error,"
+            "force_exponent,force_exponent_error,energy_exponent,energy_exponent_error,fit_first,fit_last,force_participation,"
+            "energy_participation");
+    for (size_t p = 0; p < bead_sweep_panels(o->sweep); p++) {
+        struct bead_sweep_decay *decays = NULL;
+        size_t count = 0;
+        enum bead_error err = bead_sweep_decays(o->sweep, p, &decays, &count, msg);
+        if (err)
+            return err;
+        for (size_t i = 0; i < count; i++) {
+            const struct bead_sweep_decay *d = &decays[i];
+            const struct bead_decay *f = &d->of_force, *e = &d->of_energy;
+            const double fits[] = {f->length,
+                                   f->length_error,
+                                   e->length,
+                                   e->length_error,
+                                   f->exponent,
+                                   f->exponent_error,
+                                   e->exponent,
+                                   e->exponent_error,
+                                   (double)f->first,
+                                   (double)f->last,
+                                   d->force_participation,
+                                   d->energy_participation};
+            for (size_t j = 0; j < bead_sweep_panel(o->sweep, p)->beads; j++) {
+                names(o, p, 0);
+                fprintf(o->file, "%.17g,%zu,%zu", d->magnetism, d->count, j);
+                number(o->file, d->force[j]);
+                number(o->file, d->energy[j]);
+                for (size_t k = 0; k < sizeof fits / sizeof *fits; k++)
+                    number(o->file, fits[k]);
+                fputc('\n', o->file);
+            }
+        }
+        bead_sweep_decays_free(decays, count);
+    }
+    return BEAD_OK;
+}
+
+static const struct kind {
+    enum bead_sweep_show show;
+    const char *why;
+    bool of_places;
+    enum bead_error (*write)(const struct out *out, struct bead_message *msg);
+} kinds[] = {{BEAD_SWEEP_MAGNETISM, "statistics of the peak forces of every magnetism, and the threshold", true, write_magnetism},
+             {BEAD_SWEEP_CONFIGURATIONS, "peak force and spins of every configuration", true, write_configurations},
+             {BEAD_SWEEP_DECAY, "mean peaks along the chain, and how they decay", false, write_decay}};
+
+static const struct kind *kind_of(const struct bead_output *output)
+{
+    size_t i = sizeof kinds / sizeof *kinds - 1;
+    while (i > 0 && kinds[i].show != output->sweep_show)
+        i--;
+    return &kinds[i];
+}
+
+static const char *why(const struct bead_output *output)
+{
+    return kind_of(output)->why;
+}
+
+static enum bead_error fill(void *context, FILE *file, const char *part, struct bead_message *msg)
+{
+    (void)part;
+    struct out *o = context;
+    o->file = file;
+    /* "C": a decimal point, whatever the user's language. */
+    locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (plain == (locale_t)0)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
+    locale_t before = uselocale(plain);
+    enum bead_error err = kind_of(o->output)->write(o, msg);
+    uselocale(before);
+    freelocale(plain);
+    return err;
+}
+
+static enum bead_error write_table(const struct bead_output *output, const struct bead_sweep *sweep, const char *path,
+                                   uint64_t *bytes, struct bead_message *msg)
+{
+    struct out o = {.sweep = sweep, .output = output, .several = bead_sweep_panels(sweep) > 1};
+    for (size_t p = 0; p < bead_sweep_panels(sweep); p++)
+        o.places = o.places || (kind_of(output)->of_places && bead_sweep_panel(sweep, p)->spec->measures.sensor_count > 0);
+    return bead_file_write(path, fill, &o, bytes, msg);
+}
+
+static const char *const extensions[] = {"csv", NULL};
+static const struct bead_sweep_sink table = {"table", BEAD_OUTPUT_TABLE, extensions, why, write_table, NULL};
+static const struct bead_sweep_sink *const sinks[] = {&table, NULL};
+
+const struct bead_sweep_sink *const *bead_sweep_data_sinks(void)
+{
+    return sinks;
+}

@@ -1,0 +1,223 @@
+/* The file of a sweep, written in one go when everything is known: see beadreel/sweep.h for what stands in it. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/file.h"
+#include "sim/base/h5.h"
+#include "sim/output/file_kinds.h"
+#include "sim/sweep/sweep_data.h"
+
+/* Rows of a panel that are in the file: numbers of jobs within it. */
+struct rows {
+    size_t *row;
+    size_t count;
+    bool clean; /* the clean chain is there */
+};
+
+/* What is being written of a panel. */
+struct writer {
+    struct bead_h5 *h5;
+    const struct bead_sweep *sweep;
+    const struct sweep_panel *panel;
+    hid_t group, configuration, place, bead;
+    struct rows rows;
+};
+
+static enum bead_error list_rows(struct writer *w, struct bead_message *msg)
+{
+    size_t jobs = w->panel->shown.configurations + 1;
+    w->rows = (struct rows){.row = calloc(jobs, sizeof *w->rows.row)};
+    if (!w->rows.row)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sweep's file");
+    w->rows.clean = w->sweep->known[w->panel->first_job];
+    for (size_t row = 1; row < jobs; row++) {
+        if (w->sweep->known[w->panel->first_job + row])
+            w->rows.row[w->rows.count++] = row;
+    }
+    return BEAD_OK;
+}
+
+static hid_t make_scale(struct writer *w, const char *name)
+{
+    hid_t scale = w->h5->error ? -1 : H5Dopen2(w->group, name, H5P_DEFAULT);
+    if (scale >= 0)
+        bead_h5_make_scale(w->h5, scale, name);
+    else if (!w->h5->error)
+        bead_h5_fail(w->h5, true, "cannot make the scale %s", name);
+    return scale;
+}
+
+static void write_scales(struct writer *w, int64_t *numbers)
+{
+    const struct bead_sweep_panel *shown = &w->panel->shown;
+    const char **places = calloc(shown->places + 1, sizeof *places);
+    if (!places) {
+        w->h5->error = bead_fail(w->h5->msg, BEAD_ERROR_MEMORY, "out of memory for a sweep's file");
+        return;
+    }
+    for (size_t i = 0; i < shown->places; i++)
+        places[i] = bead_sweep_place(w->sweep, (size_t)(w->panel - w->sweep->panels), i);
+    if (shown->places) {
+        bead_h5_write_texts(w->h5, w->group, "place", -1, places, shown->places);
+        w->place = make_scale(w, "place");
+    }
+    free(places);
+    if (w->panel->profiles) {
+        for (size_t i = 0; i < shown->beads; i++)
+            numbers[i] = (int64_t)i;
+        bead_h5_write_ints(w->h5, w->group, "bead", -1, numbers, shown->beads);
+        w->bead = make_scale(w, "bead");
+    }
+    for (size_t i = 0; i < w->rows.count; i++)
+        numbers[i] = (int64_t)(w->rows.row[i] - 1);
+    if (w->rows.count) {
+        bead_h5_write_ints(w->h5, w->group, "configuration", -1, numbers, w->rows.count);
+        w->configuration = make_scale(w, "configuration");
+    }
+}
+
+/* Some rows of one kind of result, put together for the file. */
+static void write_peaks(struct writer *w, const char *prefix, const size_t *rows, size_t count, hid_t scale, double *numbers,
+                        int64_t *whole)
+{
+    const size_t places = w->panel->shown.places;
+    const hid_t scales[2] = {scale, w->place};
+    char name[64];
+    for (int what = 0; what < 2; what++) {
+        for (size_t i = 0; i < count * places; i++) {
+            const struct bead_sweep_peak *peak = &w->panel->peaks[rows[i / places] * places + i % places];
+            numbers[i] = what == 0 ? peak->force : peak->time;
+        }
+        snprintf(name, sizeof name, "%s%s", prefix, what == 0 ? "peak_force" : "peak_time");
+        bead_h5_write_table(w->h5, w->group, name, what == 0 ? "N" : "s", BEAD_H5_DOUBLE, count, places, scales, numbers);
+    }
+    for (size_t i = 0; i < count * places; i++)
+        whole[i] = (int64_t)w->panel->peaks[rows[i / places] * places + i % places].bead;
+    snprintf(name, sizeof name, "%speak_bead", prefix);
+    bead_h5_write_table(w->h5, w->group, name, NULL, BEAD_H5_INT, count, places, scales, whole);
+    for (size_t i = 0; i < count * places; i++)
+        whole[i] = w->panel->peaks[rows[i / places] * places + i % places].open;
+    snprintf(name, sizeof name, "%speak_open", prefix);
+    bead_h5_write_table(w->h5, w->group, name, NULL, BEAD_H5_INT, count, places, scales, whole);
+}
+
+const struct sweep_profile_name bead_sweep_profiles[] = {[PROFILE_FORCE] = {"bead_force", "N"},
+                                                         [PROFILE_ENERGY] = {"bead_energy", "J"},
+                                                         [PROFILE_LAST_FORCE] = {"last_force", "N"},
+                                                         [PROFILE_LAST_ENERGY] = {"last_energy", "J"}};
+
+static void write_profiles(struct writer *w, const char *prefix, const size_t *rows, size_t count, hid_t scale, double *numbers)
+{
+    const size_t beads = w->panel->shown.beads;
+    const hid_t scales[2] = {scale, w->bead};
+    char name[64];
+    for (size_t what = 0; what < PROFILES; what++) {
+        for (size_t i = 0; i < count; i++)
+            memcpy(numbers + i * beads, w->panel->profiles + (PROFILES * rows[i] + what) * beads, beads * sizeof *numbers);
+        snprintf(name, sizeof name, "%s%s", prefix, bead_sweep_profiles[what].name);
+        bead_h5_write_table(w->h5, w->group, name, bead_sweep_profiles[what].unit, BEAD_H5_DOUBLE, count, beads, scales, numbers);
+    }
+}
+
+static void write_results(struct writer *w, const char *prefix, const size_t *rows, size_t count, hid_t scale, double *numbers,
+                          int64_t *whole)
+{
+    if (count > 0 && w->panel->shown.places > 0)
+        write_peaks(w, prefix, rows, count, scale, numbers, whole);
+    if (count > 0 && w->panel->profiles)
+        write_profiles(w, prefix, rows, count, scale, numbers);
+}
+
+static void write_spins(struct writer *w, double *numbers)
+{
+    const size_t cells = w->panel->shown.spec->cells, panel = (size_t)(w->panel - w->sweep->panels);
+    const hid_t scales[2] = {w->configuration, -1};
+    unsigned char *bits = malloc(w->rows.count * cells + 1);
+    if (!bits) {
+        w->h5->error = bead_fail(w->h5->msg, BEAD_ERROR_MEMORY, "out of memory for a sweep's file");
+        return;
+    }
+    for (size_t i = 0; i < w->rows.count; i++) {
+        struct bead_sweep_configuration c;
+        bead_sweep_configuration(w->sweep, panel, w->rows.row[i] - 1, &c);
+        numbers[i] = c.magnetism;
+        for (size_t k = 0; k < cells; k++)
+            bits[i * cells + k] = c.spins[k] == '1';
+    }
+    bead_h5_write_table(w->h5, w->group, "spins", NULL, BEAD_H5_BYTE, w->rows.count, cells, scales, bits);
+    bead_h5_write_doubles(w->h5, w->group, "magnetism", "1", w->configuration, numbers, w->rows.count);
+    free(bits);
+}
+
+static enum bead_error write_panel(struct bead_h5 *h5, const struct bead_sweep *sweep, size_t index, struct bead_message *msg)
+{
+    struct writer w = {.h5 = h5, .sweep = sweep, .panel = &sweep->panels[index], .configuration = -1, .place = -1, .bead = -1};
+    const struct bead_sweep_panel *shown = &w.panel->shown;
+    const size_t clean = 0;
+    char name[64];
+    snprintf(name, sizeof name, "/sweeps/%zu", index);
+    enum bead_error err = list_rows(&w, msg);
+    size_t wide = shown->places > shown->beads ? shown->places : shown->beads;
+    double *numbers = calloc((w.rows.count + 1) * wide, sizeof *numbers);
+    int64_t *whole = calloc(w.rows.count * (shown->places + 1) + shown->beads + 1, sizeof *whole);
+    if (!err && (!numbers || !whole))
+        err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sweep's file");
+    if (!err) {
+        const int64_t seed = (int64_t)shown->spec->seed;
+        w.group = bead_h5_make_group(h5, h5->file, name);
+        bead_h5_put_text(h5, w.group, "name", shown->name);
+        bead_h5_put_ints(h5, w.group, "seed", &seed, 0);
+        write_scales(&w, whole);
+        if (w.rows.count)
+            write_spins(&w, numbers);
+        write_results(&w, "", w.rows.row, w.rows.count, w.configuration, numbers, whole);
+        write_results(&w, "reference_", &clean, w.rows.clean, -1, numbers, whole);
+        bead_h5_close(h5, &w.configuration);
+        bead_h5_close(h5, &w.place);
+        bead_h5_close(h5, &w.bead);
+        bead_h5_close(h5, &w.group);
+    }
+    free(w.rows.row);
+    free(numbers);
+    free(whole);
+    return err ? err : h5->error;
+}
+
+static void write_head(struct bead_h5 *h5, const struct bead_sweep *sweep)
+{
+    const int64_t format = BEAD_SWEEP_FORMAT, print = (int64_t)sweep->scene->fingerprint, part = (int64_t)sweep->part,
+                  parts = (int64_t)sweep->parts;
+    bead_h5_put_text(h5, h5->file, "format", BEAD_SWEEP_KIND);
+    bead_h5_put_ints(h5, h5->file, "format_version", &format, 0);
+    bead_h5_put_text(h5, h5->file, "creator", "beadreel");
+    bead_h5_put_text(h5, h5->file, "version", sweep->version);
+    bead_h5_put_ints(h5, h5->file, "fingerprint", &print, 0);
+    bead_h5_put_ints(h5, h5->file, "part", &part, 0);
+    bead_h5_put_ints(h5, h5->file, "parts", &parts, 0);
+    if (*sweep->scene->title)
+        bead_h5_put_text(h5, h5->file, "title", sweep->scene->title);
+    bead_h5_write_text(h5, h5->file, "scene", sweep->scene->text);
+}
+
+enum bead_error bead_sweep_write(const struct bead_sweep *sweep, const char *path, struct bead_message *msg)
+{
+    struct bead_h5 h5 = {.file = -1};
+    char *name = NULL;
+    if (asprintf(&name, "%s.new", path) < 0)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a name");
+    bead_h5_create(&h5, name, msg);
+    if (!h5.error)
+        write_head(&h5, sweep);
+    enum bead_error err = h5.error;
+    for (size_t p = 0; p < sweep->panel_count && !err; p++)
+        err = write_panel(&h5, sweep, p, msg);
+    bead_h5_shut(&h5);
+    err = err ? err : h5.error;
+    if (err)
+        bead_file_discard(name);
+    else
+        err = bead_file_commit(name, path, msg);
+    free(name);
+    return err;
+}

@@ -1,8 +1,0 @@
-/* What a sweep's file says of itself. */
-#ifndef BEADREEL_SIM_SWEEP_FILE_H
-#define BEADREEL_SIM_SWEEP_FILE_H
-
-#define BEAD_SWEEP_KIND "beadreel-sweep"
-enum { BEAD_SWEEP_FORMAT = 2 };
-
-#endif
