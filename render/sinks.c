@@ -1,5 +1,9 @@
-#include "render/sinks.h"
+/* The list of everything that draws: one line for each kind of output. */
 #include "beadreel/render.h"
+#include "render/figure/contact_sheet.h"
+#include "render/figure/still.h"
+#include "render/movie/movie_sink.h"
+#include "render/plot/sweep_plot.h"
 
 static const struct bead_sink_type *const sinks[] = {
     &bead_image_sink,
@@ -7,8 +11,14 @@ static const struct bead_sink_type *const sinks[] = {
     &bead_movie_sink,
     NULL,
 };
+static const struct bead_sweep_sink *const sweep_sinks[] = {&bead_sweep_plot_sink, &bead_contact_sheet_sink, NULL};
 
 const struct bead_sink_type *const *bead_render_sinks(void)
 {
     return sinks;
+}
+
+const struct bead_sweep_sink *const *bead_sweep_render_sinks(void)
+{
+    return sweep_sinks;
 }

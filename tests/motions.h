@@ -14,7 +14,7 @@ static inline struct bead_motion *start_motion(const struct bead_equation *equat
     const char *key = "", *wrong = equation->check(spec, &key);
     if (wrong)
         fail_msg("%s %s", key, wrong);
-    struct bead_motion_settings settings = {spec, equation->points(spec, accuracy), "auto", accuracy, step, end};
+    struct bead_motion_settings settings = {spec, equation->system.points(spec, accuracy), "auto", accuracy, step, end};
     if (equation->create(&settings, &motion, &msg))
         fail_msg("%s", msg.text);
     return motion;

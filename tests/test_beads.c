@@ -16,7 +16,7 @@
 
 #include "beadreel/view.h"
 #include "render/movie/composer.h"
-#include "render/sinks.h"
+#include "render/movie/movie_sink.h"
 #include "render/view/camera.h"
 #include "render/view/magnify.h"
 #include "render/view/views.h"

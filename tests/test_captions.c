@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "beadreel/look.h"
+#include "render/draw/quantity.h"
 #include "render/movie/captions.h"
 #include "render/movie/movie_words.h"
 #include "tests/decode.h"

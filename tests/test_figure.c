@@ -13,7 +13,7 @@
 
 #include "beadreel/look.h"
 #include "render/draw/page.h"
-#include "render/sinks.h"
+#include "render/figure/still.h"
 #include "render/view/area.h"
 #include "sessions.h"
 #include "tests/pictures.h"

@@ -46,8 +46,13 @@ static double measured(const struct bead_motion *motion, const char *name)
 
 static struct bead_equation_spec string_of(size_t masses, double alpha, size_t mode)
 {
-    return (struct bead_equation_spec){
-        .name = "fput", .points = masses, .alpha = alpha, .start = BEAD_START_MODE, .mode = mode, .amplitude = 1};
+    return (struct bead_equation_spec){.name = "fput",
+                                       .system = &bead_equation_fput.system,
+                                       .points = masses,
+                                       .alpha = alpha,
+                                       .start = BEAD_START_MODE,
+                                       .mode = mode,
+                                       .amplitude = 1};
 }
 
 /* Of the fastest wave of a linear string, whose motion is known. */
@@ -125,8 +130,8 @@ static double sum_of_modes(const struct bead_equation_spec *spec, struct bead_mo
     double *const to[BEAD_FIELD_COUNT] = {[BEAD_FIELD_DISPLACEMENT] = u, [BEAD_FIELD_VELOCITY] = v};
     const double *const from[BEAD_FIELD_COUNT] = {[BEAD_FIELD_DISPLACEMENT] = u, [BEAD_FIELD_VELOCITY] = v};
     struct bead_message msg;
-    assert_int_equal(fput->sample(m, t, fput->mode_fields, to, &msg), BEAD_OK);
-    fput->modes(spec, spec->points, from, count, energy);
+    assert_int_equal(fput->sample(m, t, fput->system.mode_fields, to, &msg), BEAD_OK);
+    fput->system.modes(spec, spec->points, from, count, energy);
     for (size_t k = 0; k < count; k++)
         total += energy[k];
     return total;
@@ -191,7 +196,8 @@ static void a_pulse_is_a_soliton_of_its_kdv_limit(void **state)
     enum { N = 400 };
     static double strain[N];
     const double amplitude = 0.04, alpha = 0.5, end = 1000;
-    struct bead_equation_spec spec = {.name = "fput", .points = N, .alpha = alpha, .ends = BEAD_ENDS_PERIODIC, .at = 100};
+    struct bead_equation_spec spec = {
+        .name = "fput", .system = &bead_equation_fput.system, .points = N, .alpha = alpha, .ends = BEAD_ENDS_PERIODIC, .at = 100};
     double *const to[BEAD_FIELD_COUNT] = {[BEAD_FIELD_STRAIN] = strain};
     struct bead_message msg;
     (void)state;
@@ -243,7 +249,8 @@ static double from_limit(double e)
     enum { N = 512 };
     static double string[N], limit[2 * N];
     const double end = 10 / (e * sqrt(e)), width = 4 / sqrt(e);
-    struct bead_equation_spec spec = {.name = "fput", .points = N, .alpha = 0.5, .ends = BEAD_ENDS_PERIODIC, .at = 200};
+    struct bead_equation_spec spec = {
+        .name = "fput", .system = &bead_equation_fput.system, .points = N, .alpha = 0.5, .ends = BEAD_ENDS_PERIODIC, .at = 200};
     spec.start = BEAD_START_PULSE;
     spec.moving = BEAD_MOVING_RIGHT;
     spec.amplitude = e;
@@ -277,8 +284,13 @@ static void a_pulse_at_rest_parts_in_two(void **state)
     enum { N = 201 };
     static double strain[N];
     double *const to[BEAD_FIELD_COUNT] = {[BEAD_FIELD_STRAIN] = strain};
-    struct bead_equation_spec spec = {
-        .name = "fput", .points = N, .at = 101, .start = BEAD_START_PULSE, .amplitude = 1, .width = 12};
+    struct bead_equation_spec spec = {.name = "fput",
+                                      .system = &bead_equation_fput.system,
+                                      .points = N,
+                                      .at = 101,
+                                      .start = BEAD_START_PULSE,
+                                      .amplitude = 1,
+                                      .width = 12};
     struct bead_message msg;
     (void)state;
     struct bead_motion *m = begin(&spec, "auto", 1e-8, 0, 60);

@@ -7,6 +7,6 @@ for header in include/beadreel/*.h; do
     name=${header#include/}
     printf '#include "%s"\n#include "%s"\nextern int not_empty;\n' "$name" "$name" >"$T/alone.c"
     # shellcheck disable=SC2086
-    ok "$name compiles alone" "${CC:-cc}" $flags "$T/alone.c"
+    ok "$name compiles alone" ${CC:-cc} $flags "$T/alone.c"
 done
 finish

@@ -43,7 +43,7 @@ static double error_of_soliton(struct bead_motion *motion, size_t points, double
 static double worst_error_of_soliton(double accuracy, double end)
 {
     double worst = 0;
-    size_t points = kdv->points(&one_soliton, accuracy);
+    size_t points = kdv->system.points(&one_soliton, accuracy);
     struct bead_motion *motion = start_motion(kdv, &one_soliton, accuracy, 0, end);
     for (int i = 0; i <= 97; i++) {
         double t = end * i / 97;
@@ -262,7 +262,7 @@ static void linear_waves_are_exact(void **state)
     spec.drift = 0.3;
     spec.mode = 3;
     struct bead_motion *motion = start_motion(kdv, &spec, 1e-6, 0, 5);
-    size_t points = kdv->points(&spec, 1e-6);
+    size_t points = kdv->system.points(&spec, 1e-6);
     move_until(kdv, motion, 5);
     double *u = field_at(kdv, motion, points, 5, BEAD_FIELD_DISPLACEMENT), k = 3 * M_PI;
     for (size_t i = 0; i < points; i++)

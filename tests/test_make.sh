@@ -60,7 +60,7 @@ compile_example() {
     flags=$(PKG_CONFIG_PATH="$root/lib/pkgconfig" PKG_CONFIG_SYSROOT_DIR='' pkg-config --define-variable=prefix="$root" \
         --define-variable=libdir="$root/lib" --cflags --libs beadsim) || return 1
     # shellcheck disable=SC2086
-    "${CC:-cc}" ${TEST_CFLAGS:-} -o "$T/minimal" "$top/tests/examples/minimal.c" $flags -Wl,-rpath,"$root/lib"
+    ${CC:-cc} ${TEST_CFLAGS:-} -o "$T/minimal" "$top/tests/examples/minimal.c" $flags -Wl,-rpath,"$root/lib"
 }
 sanitized() { nm "$BUILD/libbeadsim.a" 2>/dev/null | grep -q __asan_; }
 sanitized && TEST_CFLAGS=-fsanitize=address,undefined

@@ -182,8 +182,8 @@ static void smooth_waves_are_as_exact_as_asked(void **state)
 {
     (void)state;
     struct bead_equation_spec spec = simple_wave;
-    assert_below(error_of_wave(shock->points(&spec, 1e-4), 0, 5), 1e-4);
-    assert_below(error_of_wave(shock->points(&spec, 1e-6), 0, 5), 1e-6);
+    assert_below(error_of_wave(shock->system.points(&spec, 1e-4), 0, 5), 1e-4);
+    assert_below(error_of_wave(shock->system.points(&spec, 1e-6), 0, 5), 1e-6);
 }
 
 /* Without epsilon waves only move; the displacement is the integral of the strain, moved by the velocity. */

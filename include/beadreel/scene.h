@@ -70,9 +70,12 @@ struct bead_soliton {
     double speed, at; /* its centre at t = 0 */
 };
 
+struct bead_system;
+
 struct bead_equation_spec {
-    char *name;         /* "fput", "kdv", "shock"; NULL: a chain of beads */
-    size_t points;      /* fput: moving masses; kdv, shock: grid points, 0: chosen from the accuracy */
+    char *name;                       /* "fput", "kdv", "shock"; NULL: a chain of beads */
+    const struct bead_system *system; /* that of this name: a const row of a table inside of the library */
+    size_t points;                    /* fput: moving masses; kdv, shock: grid points, 0: chosen from the accuracy */
     double low, length; /* the domain: low <= x < low + length; fput: the left end's place, or the first mass's of a ring */
     enum bead_ends ends;
     double alpha, beta;                     /* fput: force of a spring stretched by r: r + alpha r^2 + beta r^3 */

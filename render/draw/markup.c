@@ -1,6 +1,8 @@
 #include "render/draw/markup.h"
 
+#include <glib.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,6 +12,42 @@ static const char italics[] = "<span face=\"STIX\"><i>", upright[] = "</i></span
 /* Pango's <sub> is too small to read in 8 pt. */
 static const char lower[] = "<span baseline_shift=\"subscript\" size=\"72%\">",
                   higher[] = "<span baseline_shift=\"superscript\" size=\"72%\">";
+
+static const char *escaped(const char *c)
+{
+    return *c == '&' ? "&amp;" : *c == '<' ? "&lt;" : *c == '>' ? "&gt;" : (unsigned char)*c < ' ' ? " " : NULL;
+}
+
+void bead_text_escape(const char *text, char *out, size_t size)
+{
+    size_t used = 0;
+    for (const char *next; *text && size > 0; text = next) {
+        gunichar c = g_utf8_get_char_validated(text, -1);
+        bool valid = c != (gunichar)-1 && c != (gunichar)-2;
+        next = valid ? g_utf8_next_char(text) : text + 1;
+        const char *replaced = valid ? escaped(text) : "?", *from = replaced ? replaced : text;
+        size_t length = replaced ? strlen(replaced) : (size_t)(next - text);
+        if (used + length >= size)
+            break;
+        memcpy(out + used, from, length);
+        used += length;
+    }
+    if (size > 0)
+        out[used] = '\0';
+}
+
+void bead_text_magnetism(double magnetism, char *out, size_t size)
+{
+    char number[32];
+    snprintf(number, sizeof number, "%.2f", magnetism);
+    for (char *end = number + strlen(number) - 1; strchr(number, '.') && (*end == '0' || *end == '.'); end--) {
+        bool point = *end == '.';
+        *end = '\0';
+        if (point)
+            break;
+    }
+    snprintf(out, size, BEAD_SYMBOL("M") " = %s", number);
+}
 
 struct writer {
     char *out;

@@ -7,6 +7,8 @@
 
 #include "render/draw/raster.h"
 
+const char *const bead_still_extensions[] = {"png", "pdf", "svg", NULL};
+
 static bool is_vector(const char *path)
 {
     const char *dot = strrchr(path, '.');

@@ -14,6 +14,14 @@ struct bead_page {
     bool paper, vector, length; /* length: the scene has its size in mm, not px */
 };
 
+/* How far axes, headings and bar reach out of the plots, px. */
+struct bead_insets {
+    double left, top, right, bottom;
+};
+
+/* Extensions of the files that a page can be written to, NULL-terminated. */
+extern const char *const bead_still_extensions[];
+
 /* Errors: SCENE (with the output's place). */
 BEAD_CHECK enum bead_error bead_page_find(const struct bead_output *output, const char *file, struct bead_page *page,
                                           struct bead_message *msg);

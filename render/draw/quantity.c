@@ -6,6 +6,8 @@
 #include "beadreel/look.h"
 #include "render/draw/quantity.h"
 
+#define THIN_SPACE "\u2009"
+
 static const struct prefix {
     int exponent;
     const char *sign;
@@ -103,4 +105,49 @@ void bead_quantity(double value, const char *si_unit, int digits, char *out, siz
     }
     bead_number(shown, decimals, number, sizeof number);
     snprintf(out, size, "%s%s%s%s", number, *si_unit ? "\u00a0" : "", bead_prefix_sign(exponent), si_unit);
+}
+
+/* "10⁹", "2.5·10⁶" */
+static void power_of_ten(double mantissa, int exponent, char *out, size_t size)
+{
+    static const char *const raised[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                         "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+    char digits[16], power[32] = "";
+    snprintf(digits, sizeof digits, "%d", abs(exponent));
+    for (const char *d = digits; *d; d++)
+        strcat(power, raised[*d - '0']);
+    if (mantissa != 1)
+        snprintf(out, size, "%.2g\u00b710%s%s", mantissa, exponent < 0 ? "\u207b" : "", power);
+    else
+        snprintf(out, size, "10%s%s", exponent < 0 ? "\u207b" : "", power);
+}
+
+void bead_round_number(double x, char *out, size_t size)
+{
+    int exponent = x > 0 && isfinite(x) ? (int)floor(log10(x)) : 0;
+    double mantissa = round(10 * x / pow(10, exponent)) / 10;
+    if (mantissa >= 10) {
+        mantissa /= 10;
+        exponent++;
+    }
+    if (exponent >= 5 || exponent <= -4) {
+        power_of_ten(mantissa, exponent, out, size);
+        return;
+    }
+    if (x < 10) {
+        snprintf(out, size, "%.2g", x);
+        return;
+    }
+    double unit = pow(10, floor(log10(x)) - 1);
+    char digits[40], *at = out;
+    snprintf(digits, sizeof digits, "%.0f", round(x / unit) * unit);
+    size_t length = strlen(digits);
+    for (size_t i = 0; i < length && at + 8 < out + size; i++) {
+        *at++ = digits[i];
+        if ((length - i) % 3 == 1 && i + 1 < length) {
+            memcpy(at, THIN_SPACE, sizeof THIN_SPACE - 1);
+            at += sizeof THIN_SPACE - 1;
+        }
+    }
+    *at = '\0';
 }

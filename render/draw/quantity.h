@@ -10,6 +10,8 @@ int bead_prefix_exponent(double value, const char *si_unit);
 const char *bead_prefix_sign(int exponent);
 /* A number with a proper minus sign and thin spaces between thousands from five digits on. */
 void bead_number(double number, int decimals, char *out, size_t size);
+/* "3 600" from 3571: two significant digits, thousands apart; powers of ten from 1e5 on, "2.5·10⁶". */
+void bead_round_number(double x, char *out, size_t size);
 /* 10^exponent; shown values are SI values divided by it, exactly rounded for negative exponents too. */
 double bead_power_of_ten(int exponent);
 

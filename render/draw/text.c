@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "beadreel/look.h"
-#include "render/draw/markup.h"
 
 /* Middle of digits and capitals above the baseline, in units of the font size (STIX 0.34, Lato 0.36). */
 static const double digit_middle = 0.35;
@@ -188,40 +187,4 @@ void bead_text_size_lines(cairo_t *cr, const struct bead_text_style *style, doub
     (void)layout_size(layout, width, height);
     g_object_unref(layout);
     cairo_destroy(used);
-}
-
-static const char *escaped(const char *c)
-{
-    return *c == '&' ? "&amp;" : *c == '<' ? "&lt;" : *c == '>' ? "&gt;" : (unsigned char)*c < ' ' ? " " : NULL;
-}
-
-void bead_text_escape(const char *text, char *out, size_t size)
-{
-    size_t used = 0;
-    for (const char *next; *text && size > 0; text = next) {
-        gunichar c = g_utf8_get_char_validated(text, -1);
-        bool valid = c != (gunichar)-1 && c != (gunichar)-2;
-        next = valid ? g_utf8_next_char(text) : text + 1;
-        const char *replaced = valid ? escaped(text) : "?", *from = replaced ? replaced : text;
-        size_t length = replaced ? strlen(replaced) : (size_t)(next - text);
-        if (used + length >= size)
-            break;
-        memcpy(out + used, from, length);
-        used += length;
-    }
-    if (size > 0)
-        out[used] = '\0';
-}
-
-void bead_text_magnetism(double magnetism, char *out, size_t size)
-{
-    char number[32];
-    snprintf(number, sizeof number, "%.2f", magnetism);
-    for (char *end = number + strlen(number) - 1; strchr(number, '.') && (*end == '0' || *end == '.'); end--) {
-        bool point = *end == '.';
-        *end = '\0';
-        if (point)
-            break;
-    }
-    snprintf(out, size, BEAD_SYMBOL("M") " = %s", number);
 }

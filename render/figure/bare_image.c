@@ -8,7 +8,7 @@
 #include "beadreel/colormap.h"
 #include "render/draw/colour_range.h"
 #include "render/draw/page.h"
-#include "render/figure/figure.h"
+#include "render/draw/picture_times.h"
 #include "render/view/area_colours.h"
 #include "sim/base/large.h"
 
@@ -89,7 +89,7 @@ static enum bead_error prepare(struct bead_bare *b, struct bead_message *msg)
         err = make_areas(b, time, msg);
     if (err)
         return err;
-    b->grid = bead_figure_grid(&b->stage, output, time, b->page.width);
+    b->grid = bead_picture_grid(&b->stage, output, time, b->page.width);
     snprintf(b->why, sizeof b->why, "%d x %d bare pixels", b->page.width, b->page.height);
     return BEAD_OK;
 }

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 
 #include "beadreel/render.h"
-#include "render/sinks.h"
 
 /* Samples for each row of pixels: between them values are linear in time. */
 enum { SAMPLES_A_PIXEL = 4 };

@@ -64,4 +64,6 @@ struct bead_rgb contact_sheet_spin_colour(const struct contact_sheet *sheet, int
 struct bead_rgb contact_sheet_mix(struct bead_rgb a, struct bead_rgb b, double part);
 void contact_sheet_fill(cairo_t *cr, struct bead_rgb colour, double x, double y, double width, double height);
 
+extern const struct bead_sweep_sink bead_contact_sheet_sink;
+
 #endif

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/draw/picture_times.h"
 #include "render/figure/figure_private.h"
 #include "render/view/magnify.h"
 
@@ -41,18 +42,6 @@ static enum bead_error find_span(const struct bead_figure *f, size_t chain, stru
     if (span->first > span->last)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: beads: begin at %zu, but the chain has %zu %s", f->stage.scene->file,
                          output->place.line, output->place.column, span->first, count, contacts ? "contacts" : "beads");
-    return BEAD_OK;
-}
-
-enum bead_error bead_figure_times(const struct bead_output *output, const struct bead_stage *stage, double time[2],
-                                  struct bead_message *msg)
-{
-    double end = stage->end;
-    time[0] = isnan(output->time[0]) ? 0 : output->time[0];
-    time[1] = isnan(output->time[1]) ? end : fmin(output->time[1], end);
-    if (!(time[1] > time[0]) || !isfinite(time[1]))
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: time: from %g to %g there is nothing to show; the run ends at %g",
-                         stage->scene->file, output->place.line, output->place.column, time[0], time[1], end);
     return BEAD_OK;
 }
 
@@ -148,27 +137,11 @@ static double time_pixels(const struct bead_figure *f)
     return 2000;
 }
 
-struct bead_grid bead_figure_grid(const struct bead_stage *stage, const struct bead_output *output, const double time[2],
-                                  double pixels)
-{
-    const struct bead_grid *native = &stage->native;
-    if (native->every > 0) { /* from the sample before the beginning to the one behind the end */
-        double first = fmax(0, floor((time[0] - native->start) / native->every + 1e-6));
-        double last = ceil((time[1] - native->start) / native->every - 1e-6);
-        return (struct bead_grid){native->start + first * native->every, native->every,
-                                  fmin(native->end, native->start + last * native->every)};
-    }
-    double pixel = (time[1] - time[0]) / pixels, resolution = stage->resolution;
-    double parts = resolution > 0 && isfinite(resolution) ? ceil(pixel / resolution) : 2;
-    double every = output->every > 0 ? output->every : pixel / fmax(2, parts);
-    return (struct bead_grid){time[0], every > 0 ? every : 1, time[1]};
-}
-
 static void choose_grid(struct bead_figure *f)
 {
     const double times[2] = {f->collects ? f->time[0] : f->at, f->collects ? fmax(f->time[1], f->stills ? f->at : 0) : f->at};
     double pixels = time_pixels(f) * (f->collects ? (times[1] - times[0]) / (f->time[1] - f->time[0]) : 1);
-    f->grid = bead_figure_grid(&f->stage, f->output, times, pixels);
+    f->grid = bead_picture_grid(&f->stage, f->output, times, pixels);
 }
 
 static void explain(struct bead_figure *f)
@@ -188,7 +161,7 @@ static enum bead_error prepare(struct bead_figure *f, const enum bead_view_kind 
     bool is_signed = bead_chain_signed(f->stage.chains[0], output->field);
     enum bead_error err = bead_colour_range_check(output, f->stage.scene->file, msg);
     if (!err)
-        err = bead_figure_times(output, &f->stage, f->time, msg);
+        err = bead_picture_times(output, &f->stage, f->time, msg);
     f->at = isnan(output->at) ? f->time[1] : output->at;
     if (!err && f->at > f->stage.end * (1 + 1e-9))
         err = bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: at: is %g; the run ends at %g", f->stage.scene->file,

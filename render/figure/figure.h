@@ -31,11 +31,6 @@ BEAD_CHECK enum bead_error bead_figure_write(struct bead_figure *figure, const c
  *   bead_figure_create_part -> bead_figure_put, repeated -> bead_figure_start -> needs, feed -> bead_figure_extremes ->
  *   bead_figure_set_range -> bead_figure_finish -> bead_figure_decorate and bead_figure_draw (or bead_figure_vector) */
 
-/* How far axes, headings and bar reach out of the plots, px. */
-struct bead_insets {
-    double left, top, right, bottom;
-};
-
 struct bead_part_settings {
     size_t chain;               /* the only one; SIZE_MAX: all */
     char letter[16];            /* "(a)"; "": none */
@@ -79,13 +74,6 @@ struct bead_axis_kind {
 };
 struct bead_axis_kind bead_figure_axis(const struct bead_figure *figure, bool upright);
 
-/* From when to when an output shows the run. Errors: SCENE (with the output's place). */
-BEAD_CHECK enum bead_error bead_figure_times(const struct bead_output *output, const struct bead_stage *stage, double time[2],
-                                             struct bead_message *msg);
-/* Times at which a picture with `pixels` along `time` wants samples: two or more a pixel, and every oscillation; those there are
- * where the stage has given ones. */
-struct bead_grid bead_figure_grid(const struct bead_stage *stage, const struct bead_output *output, const double time[2],
-                                  double pixels);
 void bead_figure_destroy(struct bead_figure *figure);
 
 #endif

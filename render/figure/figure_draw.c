@@ -6,7 +6,6 @@
 #include "render/draw/markup.h"
 #include "render/draw/quantity.h"
 #include "render/figure/figure_private.h"
-#include "render/movie/movie_words.h"
 #include "render/view/trust_words.h"
 
 static struct bead_text_style style_of(const struct bead_look *look, double size, struct bead_rgb colour)

@@ -6,9 +6,9 @@
 #include "render/figure/bare_image.h"
 #include "render/figure/figure.h"
 #include "render/figure/sheet.h"
+#include "render/figure/still.h"
 #include "render/plot/plot_data.h"
 #include "render/schematic/schematic.h"
-#include "render/sinks.h"
 
 struct bead_sink {
     const struct bead_output *output;
@@ -117,8 +117,6 @@ static void result(const struct bead_sink *sink, uint64_t *bytes, uint64_t *item
     *bytes = sink->bytes;
     *items = 1;
 }
-
-const char *const bead_still_extensions[] = {"png", "pdf", "svg", NULL};
 
 #define STILL(title, words, of)                                                                                          \
     {                                                                                                                    \

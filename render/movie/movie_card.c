@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "render/draw/markup.h"
+#include "render/draw/quantity.h"
 
 enum { MOST_WORDS = 3, LONGEST = 32 * 1024 + 1 };
 

@@ -15,8 +15,8 @@
 #include "render/movie/captions.h"
 #include "render/movie/composer.h"
 #include "render/movie/movie_poster.h"
+#include "render/movie/movie_sink.h"
 #include "render/movie/movie_times.h"
-#include "render/sinks.h"
 
 /* Frames between drawing and encoding; bytes of samples between the run and drawing. */
 enum { FRAME_SLOTS = 4, LEAST_SAMPLES = 2, MOST_SAMPLES = 256 };

@@ -31,8 +31,6 @@ struct bead_facts {
 };
 /* What all chains have in common: "large-steel:aluminium, striker 0.443 m/s"; "" where nothing. Text for bead_markup. */
 void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size);
-/* "3 600" from 3571: two significant digits, thousands apart; powers of ten from 1e5 on, "2.5·10⁶". */
-void bead_round_number(double x, char *out, size_t size);
 /* Right-aligned in `rect`; facts that have no room are left out from the end. */
 void bead_facts_draw(cairo_t *cr, const struct bead_look *look, const struct bead_facts *facts, struct bead_rect rect, bool left);
 /* A line of text, cut with an ellipsis. */

@@ -4,7 +4,7 @@
 #ifndef BEADREEL_RENDER_PLOT_GRAPH_PRIVATE_H
 #define BEADREEL_RENDER_PLOT_GRAPH_PRIVATE_H
 
-#include "render/figure/figure.h"
+#include "render/draw/page.h"
 #include "render/plot/graph.h"
 
 struct graph_box {

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "render/draw/markup.h"
-#include "render/figure/figure.h"
+#include "render/draw/picture_times.h"
 #include "render/plot/plot_private.h"
 #include "render/view/horizon.h"
 #include "render/view/trust_words.h"
@@ -69,7 +69,7 @@ static enum bead_error create(struct bead_plot_data *data, struct bead_message *
 {
     const struct bead_output *output = data->output;
     size_t most = 0;
-    enum bead_error err = bead_figure_times(output, &data->stage, data->time, msg);
+    enum bead_error err = bead_picture_times(output, &data->stage, data->time, msg);
     if (!err)
         err = plot_reserve(data, data->stage.chain_count, msg);
     for (size_t c = 0; !err && c < data->stage.chain_count; c++) {
@@ -92,7 +92,7 @@ static enum bead_error create(struct bead_plot_data *data, struct bead_message *
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of sensors");
     if (err)
         return err;
-    data->grid = bead_figure_grid(&data->stage, output, data->time, moments);
+    data->grid = bead_picture_grid(&data->stage, output, data->time, moments);
     name_axis(data);
     make_axes(data);
     snprintf(data->why, sizeof data->why, "curves of sensors");

@@ -6,8 +6,9 @@
 
 #include "beadreel/render.h"
 #include "beadreel/sweep.h"
+#include "render/draw/page.h"
 #include "render/plot/graph.h"
-#include "render/sinks.h"
+#include "render/plot/sweep_plot.h"
 
 /* Series of a place: all configurations, or up to MARKS of each magnetism with marks of their own; median, mean; of a magnetism
  * along the chain: its means, its exponential. */
@@ -334,10 +335,4 @@ static const char *why(const struct bead_output *output)
                                                   : "peak force against magnetism, with plateau and threshold";
 }
 
-static const struct bead_sweep_sink plot_sink = {"plot", BEAD_OUTPUT_PLOT, bead_still_extensions, why, write_plot, NULL};
-static const struct bead_sweep_sink *const sinks[] = {&plot_sink, &bead_contact_sheet_sink, NULL};
-
-const struct bead_sweep_sink *const *bead_sweep_render_sinks(void)
-{
-    return sinks;
-}
+const struct bead_sweep_sink bead_sweep_plot_sink = {"plot", BEAD_OUTPUT_PLOT, bead_still_extensions, why, write_plot, NULL};

@@ -7,7 +7,7 @@
 
 #include "sim/chain/chain_data.h"
 #include "sim/chain/spins.h"
-#include "sim/equation/equation.h"
+#include "sim/chain/system.h"
 
 static const double gravity = 9.80665; /* m/s^2, standard */
 /* How large masses of a string are drawn, in parts of their distance. */
@@ -177,11 +177,11 @@ static enum bead_error fill_points(struct bead_chain *chain, struct bead_message
 {
     const struct bead_equation_spec *spec = &chain->spec->equation;
     double first = 0, spacing = 1;
-    chain->beads = chain->equation->points(spec, chain->scene->simulate.accuracy);
+    chain->beads = chain->system->points(spec, chain->scene->simulate.accuracy);
     enum bead_error err = allocate(chain, msg);
     if (err)
         return err;
-    chain->equation->places(spec, chain->beads, &first, &spacing);
+    chain->system->places(spec, chain->beads, &first, &spacing);
     for (size_t i = 0; i < chain->beads; i++) {
         chain->mass[i] = chain->inverse_mass[i] = 1;
         chain->radius[i] = radius_of_points * spacing;
@@ -194,7 +194,7 @@ static enum bead_error fill_points(struct bead_chain *chain, struct bead_message
 static enum bead_error fill(struct bead_chain *chain, struct bead_message *msg)
 {
     const struct bead_chain_spec *spec = chain->spec;
-    if (chain->equation)
+    if (chain->system)
         return fill_points(chain, msg);
     chain->beads = count_beads(spec);
     if (chain->beads < 2)
@@ -222,7 +222,7 @@ enum bead_error bead_chain_create(const struct bead_scene *scene, size_t index, 
     made->scene = scene;
     made->spec = &scene->chains[index];
     made->law = bead_law_find(made->spec->law.kind);
-    made->equation = made->spec->equation.name ? bead_equation_find(made->spec->equation.name) : NULL;
+    made->system = made->spec->equation.system;
     enum bead_error err = fill(made, msg);
     if (err)
         bead_chain_destroy(made);

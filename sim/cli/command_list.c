@@ -58,7 +58,7 @@ enum bead_error command_list_equations(FILE *out, struct bead_message *msg)
     (void)msg;
     const struct bead_equation *equation;
     for (size_t i = 0; (equation = bead_equation_info(i)); i++)
-        fprintf(out, "%-10s  %s\n", equation->name, equation->help);
+        fprintf(out, "%-10s  %s\n", equation->system.name, equation->system.help);
     return BEAD_OK;
 }
 

@@ -13,7 +13,7 @@ const struct bead_equation *bead_equation_info(size_t index)
 const struct bead_equation *bead_equation_find(const char *name)
 {
     for (size_t i = 0; equations[i]; i++) {
-        if (strcmp(equations[i]->name, name) == 0)
+        if (strcmp(equations[i]->system.name, name) == 0)
             return equations[i];
     }
     return NULL;

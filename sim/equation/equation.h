@@ -10,11 +10,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "beadreel/chain.h"
 #include "beadreel/error.h"
 #include "beadreel/sample.h"
 #include "beadreel/scene.h"
 #include "beadreel/sink.h"
+#include "sim/chain/system.h"
 
 struct bead_motion; /* each equation's own state */
 
@@ -37,20 +37,10 @@ struct bead_pace {
 };
 
 struct bead_equation {
-    const char *name, *help;       /* as in scenes: "fput", "kdv", "shock"; with the source of the equation */
-    const char *const *methods;    /* that `simulate.method` may have beside auto, NULL-terminated; NULL: none */
-    const enum bead_field *fields; /* that its samples have, the one to show by default first; BEAD_FIELD_COUNT behind the last;
- NULL: spec->variable alone */
-    bool beads;                    /* masses at the points: the view of the beads can show them */
-    /* What a field means: name, unit "" and title ("strain"); asked for fields that it has. */
-    const struct bead_field_info *(*field)(const struct bead_equation_spec *spec, enum bead_field field);
+    struct bead_system system;  /* its name, points and fields */
+    const char *const *methods; /* that `simulate.method` may have beside auto, NULL-terminated; NULL: none */
     /* Everything that does not fit together in the settings, and the key it is about; NULL: nothing is wrong. */
     const char *(*check)(const struct bead_equation_spec *spec, const char **key);
-    /* Its formula with its numbers, in a line of plain text; NULL: the name says it. */
-    void (*describe)(const struct bead_equation_spec *spec, char *text, size_t size);
-    /* Number of points for this accuracy (the same for twin runs of another accuracy), and the first of them and their spacing. */
-    size_t (*points)(const struct bead_equation_spec *spec, double accuracy);
-    void (*places)(const struct bead_equation_spec *spec, size_t points, double *first, double *spacing);
     /* Errors: MEMORY, NUMBERS. On failure *motion is NULL. */
     enum bead_error (*create)(const struct bead_motion_settings *settings, struct bead_motion **motion, struct bead_message *msg);
     void (*destroy)(struct bead_motion *motion);
@@ -68,11 +58,6 @@ struct bead_equation {
     double (*energy)(const struct bead_motion *motion);
     /* Conserved integrals and what was found on the way (recurrence, breaking); returns how many there are, fills `room`. */
     size_t (*measures)(const struct bead_motion *motion, struct bead_measure *measures, size_t room);
-    /* Linear modes 1..count of a sample that has `mode_fields`: energy[k - 1] is that of mode k. NULL: it has none. */
-    unsigned mode_fields;
-    const char *mode_title; /* "energy of the mode" */
-    void (*modes)(const struct bead_equation_spec *spec, size_t points, const double *const field[BEAD_FIELD_COUNT], size_t count,
-                  double *energy);
 };
 
 /* For `measures`: one more, without a unit, where there is room; returns count + 1. */
@@ -84,9 +69,6 @@ extern const struct bead_equation bead_equation_shock;
 
 /* NULL: there is no such equation. */
 const struct bead_equation *bead_equation_find(const char *name);
-/* BEAD_FIELD_BITs of the fields that it has, and the one to show by default; of beads where spec->name is NULL. */
-unsigned bead_equation_fields(const struct bead_equation_spec *spec);
-enum bead_field bead_equation_shown(const struct bead_equation_spec *spec);
 /* Row `index`, NULL behind the last. */
 const struct bead_equation *bead_equation_info(size_t index);
 

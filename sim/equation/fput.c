@@ -416,16 +416,22 @@ static size_t measures(const struct bead_motion *m, struct bead_measure *to, siz
 }
 
 const struct bead_equation bead_equation_fput = {
-    .name = "fput",
-    .help = "springs of Fermi, Pasta, Ulam and Tsingou between unit masses (the thesis's Eq. 5)",
+    .system =
+        {
+            .name = "fput",
+            .help = "springs of Fermi, Pasta, Ulam and Tsingou between unit masses (the thesis's Eq. 5)",
+            .fields = fields,
+            .beads = true,
+            .field = field,
+            .describe = describe,
+            .points = points,
+            .places = places,
+            .mode_fields = BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY),
+            .mode_title = "energy of the mode",
+            .modes = modes,
+        },
     .methods = methods,
-    .fields = fields,
-    .beads = true,
-    .field = field,
     .check = check,
-    .describe = describe,
-    .points = points,
-    .places = places,
     .create = create,
     .destroy = destroy,
     .pace = pace,
@@ -436,7 +442,4 @@ const struct bead_equation bead_equation_fput = {
     .state = state,
     .energy = energy,
     .measures = measures,
-    .mode_fields = BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY),
-    .mode_title = "energy of the mode",
-    .modes = modes,
 };

@@ -186,14 +186,20 @@ static void modes(const struct bead_equation_spec *spec, size_t points, const do
 }
 
 const struct bead_equation bead_equation_kdv = {
-    .name = "kdv",
-    .help = "u_t + drift u_x + nonlinearity u u_x + dispersion u_xxx = 0, of Korteweg and de Vries, on a ring (the thesis's Eq. 1 "
-            "and 12)",
-    .field = field,
+    .system =
+        {
+            .name = "kdv",
+            .help = "u_t + drift u_x + nonlinearity u u_x + dispersion u_xxx = 0, of Korteweg and de Vries, on a ring (the "
+                    "thesis's Eq. 1 "
+                    "and 12)",
+            .field = field,
+            .describe = describe,
+            .points = bead_kdv_points,
+            .places = places,
+            .mode_title = "mean square of the mode",
+            .modes = modes,
+        },
     .check = check,
-    .describe = describe,
-    .points = bead_kdv_points,
-    .places = places,
     .create = create,
     .destroy = destroy,
     .pace = pace,
@@ -204,6 +210,4 @@ const struct bead_equation bead_equation_kdv = {
     .state = state,
     .energy = energy,
     .measures = measures,
-    .mode_title = "mean square of the mode",
-    .modes = modes,
 };

@@ -280,13 +280,16 @@ static size_t measures(const struct bead_motion *m, struct bead_measure *to, siz
 }
 
 const struct bead_equation bead_equation_shock = {
-    .name = "shock",
-    .help = "u_tt = speed^2 u_xx (1 + epsilon u_x) on a ring: waves that break (the thesis's Appendix 2)",
-    .fields = fields,
-    .field = field,
+    .system =
+        {
+            .name = "shock",
+            .help = "u_tt = speed^2 u_xx (1 + epsilon u_x) on a ring: waves that break (the thesis's Appendix 2)",
+            .fields = fields,
+            .field = field,
+            .points = points,
+            .places = places,
+        },
     .check = check,
-    .points = points,
-    .places = places,
     .create = create,
     .destroy = destroy,
     .pace = pace,

@@ -136,7 +136,7 @@ enum bead_error bead_order_clean(const struct bead_chain *chain, double *clean, 
 {
     size_t most = BEAD_PLACE_PERIOD;
     *clean = NAN;
-    if (chain->equation || chain->spec->segment_count == 0 || !(bead_chain_energy(chain) > 0))
+    if (chain->system || chain->spec->segment_count == 0 || !(bead_chain_energy(chain) > 0))
         return BEAD_OK;
     for (size_t s = 0; s < chain->spec->segment_count; s++)
         most = chain->spec->segments[s].cell_beads > most ? chain->spec->segments[s].cell_beads : most;

@@ -7,15 +7,15 @@
 #include <string.h>
 
 #include "sim/chain/chain_data.h"
-#include "sim/equation/equation.h"
+#include "sim/chain/system.h"
 
 bool bead_trajectory_wants(const struct bead_sink *sink, enum bead_series_id id)
 {
-    const struct bead_equation *equation = sink->stage.chains[0]->equation;
+    const struct bead_system *system = sink->stage.chains[0]->system;
     if (!(sink->fields & BEAD_FIELD_BIT(bead_series[id].field)))
         return false;
     if (id == BEAD_SERIES_POSITION) /* an unknown that is called displacement need not move anything along the chain */
-        return !equation || equation->beads;
+        return !system || system->beads;
     /* A net force needs both contacts; a trajectory that is drawn again may hold bead forces only. */
     if (id == BEAD_SERIES_NET_FORCE && sink->stage.native.every > 0)
         return (sink->fields & BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE)) != 0;

@@ -21,6 +21,11 @@ struct bead_run {
     size_t measure_count;
 };
 
+static const struct bead_equation *equation_of(const struct bead_chain *chain)
+{
+    return bead_equation_find(chain->spec->equation.name);
+}
+
 static struct bead_motion_settings settings_of(const struct bead_chain *chain, double looser)
 {
     const struct bead_simulate *asked = &chain->scene->simulate;
@@ -39,7 +44,7 @@ static enum bead_error create_motion(const struct bead_chain *chain, double loos
 {
     struct bead_motion_settings settings = settings_of(chain, looser);
     struct bead_message inner;
-    enum bead_error err = chain->equation->create(&settings, motion, &inner);
+    enum bead_error err = equation_of(chain)->create(&settings, motion, &inner);
     const char *name = bead_chain_name(chain);
     if (err == BEAD_ERROR_MEMORY)
         return bead_fail(msg, err, "%s", inner.text);
@@ -53,8 +58,8 @@ static enum bead_error pace(const struct bead_chain *chain, double looser, struc
     enum bead_error err = create_motion(chain, looser, &motion, msg);
     if (err)
         return err;
-    chain->equation->pace(motion, pace);
-    chain->equation->destroy(motion);
+    equation_of(chain)->pace(motion, pace);
+    equation_of(chain)->destroy(motion);
     return BEAD_OK;
 }
 
@@ -81,7 +86,7 @@ static enum bead_error create(const struct bead_run_settings *settings, struct b
     for (size_t f = 0; f < BEAD_FIELD_COUNT; f++)
         run->value[f] = run->memory + f * n;
     run->settings = *settings;
-    run->equation = settings->chain->equation;
+    run->equation = equation_of(settings->chain);
     enum bead_error err = create_motion(settings->chain, settings->looser, &run->motion, msg);
     if (err) {
         destroy(run);
@@ -143,7 +148,7 @@ static enum bead_error sample(struct bead_run *run, double t, unsigned fields, s
     if (!(t >= run->start && t <= time_of(run)))
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "a sample at %.9g lies outside the step from %.9g to %.9g", t, run->start,
                          time_of(run));
-    fields &= bead_equation_fields(&run->settings.chain->spec->equation);
+    fields &= bead_system_fields(&run->settings.chain->spec->equation);
     enum bead_error err = run->equation->sample(run->motion, t, fields, run->value, msg);
     sample->time = t;
     sample->active = run->settings.chain->beads;

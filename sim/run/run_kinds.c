@@ -33,12 +33,12 @@ static const struct bead_run_kind of_beads = {
 
 const struct bead_run_kind *bead_run_kind_of(const struct bead_chain *chain)
 {
-    return chain->equation ? &bead_run_of_equation : &of_beads;
+    return chain->system ? &bead_run_of_equation : &of_beads;
 }
 
 double bead_run_twin_of(const struct bead_chain *const *chains, size_t count)
 {
-    if (!chains[0]->equation)
+    if (!chains[0]->system)
         return bead_run_twin(chains, count);
     return chains[0]->scene->simulate.step > 0 ? 0.5 : 10;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "sim/base/suggest.h"
+#include "sim/chain/system.h"
 #include "sim/scene/scene_private.h"
 
 #define CHAIN(member) offsetof(struct bead_chain_spec, member)
@@ -205,6 +206,14 @@ enum bead_error bead_scene_read_chain(struct bead_reader *reader, const struct b
     if (chain->tilt > 0 && chain->wall == BEAD_WALL_NONE)
         return bead_wrong(reader, &tilt, "needs a wall that holds the lower end: give `wall`");
     return BEAD_OK;
+}
+
+unsigned bead_scene_fields(const struct bead_scene *scene)
+{
+    unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_COUNT) - 1;
+    for (size_t i = 0; i < scene->chain_count; i++)
+        fields &= bead_system_fields(&scene->chains[i].equation);
+    return fields;
 }
 
 bool bead_scene_has_sensors(const struct bead_scene *scene)

@@ -185,14 +185,16 @@ static enum bead_error read_name(struct bead_reader *reader, const struct bead_a
         return err;
     bead_suggest_begin(&search, text);
     for (size_t i = 0; bead_equation_info(i); i++) {
-        const char *name = bead_equation_info(i)->name;
+        const char *name = bead_equation_info(i)->system.name;
         size_t used = strlen(all);
         snprintf(all + used, sizeof all - used, "%s%s", used ? ", " : "", name);
         bead_suggest_try(&search, name);
     }
-    if (!bead_equation_find(text))
+    const struct bead_equation *equation = bead_equation_find(text);
+    if (!equation)
         return bead_wrong(reader, at, "is %s; must be one of %s%s", bead_node_show(at->node, shown, sizeof shown), all,
                           bead_suggest_text(&search, near, sizeof near));
+    spec->system = &equation->system;
     spec->name = strdup(text);
     return spec->name ? BEAD_OK : bead_no_memory(reader);
 }
@@ -371,5 +373,5 @@ size_t bead_scene_last_bead(const struct bead_scene *scene, size_t chain)
     const struct bead_chain_spec *spec = &scene->chains[chain];
     if (!spec->equation.name)
         return bead_scene_count_beads(spec);
-    return bead_equation_find(spec->equation.name)->points(&spec->equation, scene->simulate.accuracy) - 1;
+    return spec->equation.system->points(&spec->equation, scene->simulate.accuracy) - 1;
 }

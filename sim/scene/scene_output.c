@@ -114,7 +114,7 @@ static bool has_beads(const struct bead_scene *scene)
 {
     for (size_t i = 0; i < scene->chain_count; i++) {
         const char *name = scene->chains[i].equation.name;
-        if (name && !bead_equation_find(name)->beads)
+        if (name && !bead_equation_find(name)->system.beads)
             return false;
     }
     return true;
@@ -125,7 +125,7 @@ static void fit_equations(const struct bead_reader *reader, const struct bead_at
 {
     const struct bead_scene *scene = reader->scene;
     unsigned known = bead_scene_fields(scene);
-    enum bead_field shown = bead_equation_shown(&scene->chains[0].equation);
+    enum bead_field shown = bead_system_shown(&scene->chains[0].equation);
     if (!bead_scene_plain(scene))
         return;
     while (known && !(known & BEAD_FIELD_BIT(shown))) /* that all chains have */

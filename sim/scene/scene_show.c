@@ -63,7 +63,7 @@ static bool has_modes(const struct bead_scene *scene)
 {
     for (size_t i = 0; i < scene->chain_count; i++) {
         const char *name = scene->chains[i].equation.name;
-        if (!name || !bead_equation_find(name)->modes)
+        if (!name || !bead_equation_find(name)->system.modes)
             return false;
     }
     return true;

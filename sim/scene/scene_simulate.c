@@ -91,7 +91,7 @@ static enum bead_error check_equations(const struct bead_reader *reader, const s
         }
         if (!known)
             return bead_wrong(reader, &method, "`%s` does not solve the equation %s; must be %s%s", simulate->method,
-                              equation->name, equation->methods ? "one of " : "", all);
+                              equation->system.name, equation->methods ? "one of " : "", all);
     }
     return BEAD_OK;
 }
