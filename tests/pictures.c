@@ -103,15 +103,15 @@ void release_chain(struct built *built)
     bead_scene_free(built->scene);
 }
 
-struct bead_stage make_stage(const struct built *built)
+struct bead_run_context make_stage(const struct built *built)
 {
-    return (struct bead_stage){.scene = built->scene,
-                               .chains = (const struct bead_chain *const *)&built->chain,
-                               .chain_count = 1,
-                               .end = 1e-3,
-                               .resolution = 1e-6,
-                               .threads = 1,
-                               .directory = directory};
+    return (struct bead_run_context){.scene = built->scene,
+                                     .chains = (const struct bead_chain *const *)&built->chain,
+                                     .chain_count = 1,
+                                     .end = 1e-3,
+                                     .resolution = 1e-6,
+                                     .threads = 1,
+                                     .directory = directory};
 }
 
 static struct bead_sample *new_sample(const struct built *built, double time, made_up values)
@@ -165,11 +165,11 @@ void draw_output(const struct built *built, made_up values)
 {
     const struct bead_output *output = &built->scene->outputs[0];
     const struct bead_sink_type *type = sink_of(output);
-    struct bead_stage stage = make_stage(built);
+    struct bead_run_context context = make_stage(built);
     struct bead_message msg = {""};
     struct bead_sink *sink = NULL;
     struct bead_needs needs;
-    enum bead_error err = type->create(output, &stage, &sink, &msg);
+    enum bead_error err = type->create(output, &context, &sink, &msg);
     if (err)
         fail_msg("%s", msg.text);
     type->needs(sink, &needs);

@@ -20,7 +20,7 @@ struct built {
 struct built build_chain(const char *output);
 void release_chain(struct built *built);
 /* Known before a run, with samples every 1 us at least. */
-struct bead_stage make_stage(const struct built *built);
+struct bead_run_context make_stage(const struct built *built);
 
 /* A made-up sample of all fields, moving from bead to bead. */
 struct bead_sample *make_sample(const struct built *built, double time);

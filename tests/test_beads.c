@@ -364,15 +364,15 @@ static char *run_with_threads(const char *directory, int threads, struct bead_gr
     output.captions = captions;
     output.caption_count = 1;
     output.path = name; /* a codec for tests; scenes may not ask for it */
-    struct bead_stage stage = {.scene = w.scene,
-                               .chains = (const struct bead_chain *const *)w.chains,
-                               .chain_count = 2,
-                               .end = 0.8e-3,
-                               .native = native,
-                               .resolution = 5e-6,
-                               .threads = threads,
-                               .directory = directory};
-    require(bead_movie_sink.create(&output, &stage, &sink, &msg), &msg);
+    struct bead_run_context context = {.scene = w.scene,
+                                       .chains = (const struct bead_chain *const *)w.chains,
+                                       .chain_count = 2,
+                                       .end = 0.8e-3,
+                                       .native = native,
+                                       .resolution = 5e-6,
+                                       .threads = threads,
+                                       .directory = directory};
+    require(bead_movie_sink.create(&output, &context, &sink, &msg), &msg);
     bead_movie_sink.needs(sink, &needs);
     assert_true(needs.range && needs.range_field == BEAD_FIELD_FORCE);
     require(bead_movie_sink.begin(sink, (struct bead_range){0, 33}, &msg), &msg);

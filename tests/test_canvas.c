@@ -21,7 +21,7 @@
 
 enum { WIDTH = 160, HEIGHT = 96 };
 
-struct stage {
+struct context {
     struct bead_canvas *canvas;
     struct bead_frame background, frame;
     struct bead_backdrop *backdrop;
@@ -56,17 +56,17 @@ static struct bead_canvas *open_canvas(const char *backend, int width, int heigh
     return canvas;
 }
 
-static void keep_background(struct stage *s)
+static void keep_background(struct context *s)
 {
     struct bead_message msg = {""};
     bead_backdrop_destroy(s->canvas, s->backdrop);
     require(bead_backdrop_create(s->canvas, &s->background, whole, &s->backdrop, &msg), &msg);
 }
 
-static void open_stage(struct stage *s, const char *backend, bool noisy)
+static void open_stage(struct context *s, const char *backend, bool noisy)
 {
     struct bead_message msg = {""};
-    *s = (struct stage){.canvas = open_canvas(backend, WIDTH, HEIGHT)};
+    *s = (struct context){.canvas = open_canvas(backend, WIDTH, HEIGHT)};
     require(bead_frame_create(WIDTH, HEIGHT, &s->background, &msg), &msg);
     require(bead_frame_create(WIDTH, HEIGHT, &s->frame, &msg), &msg);
     if (noisy)
@@ -74,7 +74,7 @@ static void open_stage(struct stage *s, const char *backend, bool noisy)
     keep_background(s);
 }
 
-static void close_stage(struct stage *s)
+static void close_stage(struct context *s)
 {
     bead_backdrop_destroy(s->canvas, s->backdrop);
     bead_canvas_destroy(s->canvas);
@@ -82,7 +82,7 @@ static void close_stage(struct stage *s)
     bead_frame_free(&s->frame);
 }
 
-static void draw(struct stage *s, struct bead_rect rect, const struct bead_ball *balls, size_t ball_count,
+static void draw(struct context *s, struct bead_rect rect, const struct bead_ball *balls, size_t ball_count,
                  const struct bead_mark *marks, size_t mark_count)
 {
     struct bead_message msg = {""};
@@ -99,7 +99,7 @@ static const uint8_t *pixel(const struct bead_frame *frame, int x, int y)
 
 static void test_backdrop_comes_back(void **state)
 {
-    struct stage s;
+    struct context s;
     open_stage(&s, *state, true);
     draw(&s, whole, NULL, 0, NULL, 0);
     for (int y = 0; y < HEIGHT; y++) {
@@ -114,7 +114,7 @@ static void test_backdrop_comes_back(void **state)
 static void test_a_part_of_the_frame_only(void **state)
 {
     static const struct bead_rect place = {21, 9, 97, 70}, part = {20, 10, 30, 40};
-    struct stage s;
+    struct context s;
     struct bead_message msg = {""};
     open_stage(&s, *state, true);
     bead_backdrop_destroy(s.canvas, s.backdrop);
@@ -152,7 +152,7 @@ static void test_what_lies_outside_is_refused(void **state)
 {
     static const struct bead_rect wrong[] = {
         {-1, 0, 5, 5}, {0, -1, 5, 5}, {WIDTH - 10, 0, 30, 40}, {0, 1, 5, HEIGHT}, {2, 2, INT_MAX, 1}};
-    struct stage s, other;
+    struct context s, other;
     struct bead_message msg = {""};
     struct bead_backdrop *backdrop;
     struct bead_frame small;
@@ -164,7 +164,7 @@ static void test_what_lies_outside_is_refused(void **state)
     }
     require(bead_frame_create(WIDTH, HEIGHT - 1, &small, &msg), &msg);
     assert_int_equal(bead_paint_begin(s.canvas, s.backdrop, &small, (struct bead_rect){0, 0, 5, 5}, &msg), BEAD_ERROR_GRAPHICS);
-    other = (struct stage){.canvas = open_canvas(*state, 20, 20)};
+    other = (struct context){.canvas = open_canvas(*state, 20, 20)};
     require(bead_backdrop_create(other.canvas, &s.background, whole, &other.backdrop, &msg), &msg);
     assert_int_equal(bead_paint_begin(other.canvas, other.backdrop, &s.frame, (struct bead_rect){0, 0, 21, 5}, &msg),
                      BEAD_ERROR_GRAPHICS);
@@ -175,7 +175,7 @@ static void test_what_lies_outside_is_refused(void **state)
 }
 
 /* Coverage of a ring as wide as its radius: a flat white disc. */
-static void measure_disc(struct stage *s, double x, double y, double r, double *area, double *cx, double *cy)
+static void measure_disc(struct context *s, double x, double y, double r, double *area, double *cx, double *cy)
 {
     struct bead_mark disc = {.box = {(float)(x - r - 1), (float)(y - r - 1), (float)(x + r + 1), (float)(y + r + 1)},
                              .shape = {(float)(0.5 * r), (float)r},
@@ -197,7 +197,7 @@ static void measure_disc(struct stage *s, double x, double y, double r, double *
 }
 
 /* Drawn over white and over black, a ball's coverage is what they differ by. */
-static void measure_ball(struct stage *white, struct stage *black, const struct bead_ball *ball, double *area, double *cx,
+static void measure_ball(struct context *white, struct context *black, const struct bead_ball *ball, double *area, double *cx,
                          double *cy)
 {
     draw(white, whole, ball, 1, NULL, 0);
@@ -218,7 +218,7 @@ static void measure_ball(struct stage *white, struct stage *black, const struct 
 
 static void test_area_and_place_of_balls(void **state)
 {
-    struct stage white, black;
+    struct context white, black;
     open_stage(&black, *state, false);
     open_stage(&white, *state, false);
     memset(white.background.pixels, 255, white.background.stride * HEIGHT);
@@ -257,7 +257,7 @@ static size_t make_balls(struct bead_ball *balls, struct bead_mark *marks)
 /* The same bits whether drawn at once, in stripes, or again over what was there. */
 static void test_parts_are_as_the_whole(void **state)
 {
-    struct stage s;
+    struct context s;
     struct bead_ball balls[9];
     struct bead_mark marks[9];
     struct bead_frame once;
@@ -283,7 +283,7 @@ static void test_opengl_has_the_same_pixels_everywhere(void **state)
 {
     static const char *const names[2] = {"osmesa", "egl"};
     (void)state;
-    struct stage stages[2];
+    struct context stages[2];
     struct bead_ball balls[9];
     struct bead_mark marks[9];
     uint64_t first[2] = {0, 0};
@@ -379,7 +379,7 @@ static void test_says_what_it_is(void **state)
 static void test_plain_needs_no_opengl(void **state)
 {
     static const char *const variables[] = {"LP_NUM_THREADS", "LIBGL_ALWAYS_SOFTWARE"};
-    struct stage s;
+    struct context s;
     (void)state;
     for (int i = 0; i < 2; i++)
         unsetenv(variables[i]);

@@ -162,7 +162,7 @@ static void pictures_have_no_units(void **state)
     assert_string_equal(bead_chain_time_unit(chain), "");
     assert_string_equal(bead_chain_field(chain, BEAD_FIELD_DISPLACEMENT)->unit, "");
     assert_null(bead_chain_field(chain, BEAD_FIELD_FORCE));
-    struct bead_along along = bead_chain_along(chain, false);
+    struct bead_chain_axis along = bead_chain_axis(chain, false);
     assert_string_equal(along.title, "x");
     assert_near(along.first, -10, 0);
     assert_near(along.spacing, 20. / 128, 0);

@@ -156,7 +156,7 @@ enum { CONTACTS = 10 };
 static struct png_file draw_peaks(const char *output, const double values[CONTACTS], size_t open)
 {
     struct built built = build_chain(output);
-    struct bead_stage stage = make_stage(&built);
+    struct bead_run_context context = make_stage(&built);
     struct bead_peak peaks[CONTACTS];
     struct bead_outcome outcome = {.contact_peaks = peaks};
     struct bead_sink *sink;
@@ -166,7 +166,7 @@ static struct png_file draw_peaks(const char *output, const double values[CONTAC
     assert_int_equal(bead_chain_contacts(built.chain), CONTACTS);
     for (size_t i = 0; i < CONTACTS; i++)
         peaks[i] = (struct bead_peak){values[i], values[i] > 0 ? 1e-4 * (double)i : NAN, i == open};
-    assert_int_equal(bead_plot_sink.create(&built.scene->outputs[0], &stage, &sink, &msg), BEAD_OK);
+    assert_int_equal(bead_plot_sink.create(&built.scene->outputs[0], &context, &sink, &msg), BEAD_OK);
     bead_plot_sink.needs(sink, &needs);
     assert_true(needs.contact_peaks && needs.fields == 0);
     if (bead_plot_sink.end(sink, &outcome, &msg))

@@ -112,7 +112,7 @@ static void make_marks(struct drawing *d, enum bead_mark_kind kind, uint32_t see
     }
 }
 
-struct stage {
+struct context {
     struct bead_canvas *canvas;
     struct bead_backdrop *backdrop;
     struct bead_frame background, frame;
@@ -126,24 +126,24 @@ static void fill(struct bead_frame *frame, int level)
         frame->pixels[i] = level < 0 ? (uint8_t)random_bits(&seed) : (uint8_t)level;
 }
 
-static void open_stage(struct stage *s, struct bead_canvas *canvas, int level)
+static void open_stage(struct context *s, struct bead_canvas *canvas, int level)
 {
     struct bead_message msg = {""};
-    *s = (struct stage){.canvas = canvas};
+    *s = (struct context){.canvas = canvas};
     require(bead_frame_create(WIDTH, HEIGHT, &s->background, &msg), &msg);
     require(bead_frame_create(WIDTH, HEIGHT, &s->frame, &msg), &msg);
     fill(&s->background, level);
     require(bead_backdrop_create(s->canvas, &s->background, place, &s->backdrop, &msg), &msg);
 }
 
-static void close_stage(struct stage *s)
+static void close_stage(struct context *s)
 {
     bead_backdrop_destroy(s->canvas, s->backdrop);
     bead_frame_free(&s->background);
     bead_frame_free(&s->frame);
 }
 
-static void draw(struct stage *s, const struct drawing *d)
+static void draw(struct context *s, const struct drawing *d)
 {
     struct bead_message msg = {""};
     const struct bead_rect all = {0, 0, place.width, place.height};
@@ -219,7 +219,7 @@ static void test_as_opengl(void **state)
         const struct drawing d = make_drawing(number);
         struct difference diff = {0};
         for (int l = 0; l < LEVELS; l++) {
-            struct stage a, b;
+            struct context a, b;
             open_stage(&a, own, levels[l]);
             open_stage(&b, gl, levels[l]);
             draw(&a, &d);

@@ -331,18 +331,18 @@ static void test_needs_are_no_more_than_shown(void **state)
 {
     (void)state;
     struct built built = build_chain("image: part.png, beads: [2, 6], time: [0.1 ms, 0.5 ms]");
-    struct bead_stage stage = make_stage(&built);
+    struct bead_run_context context = make_stage(&built);
     struct bead_sink *sink;
     struct bead_needs needs;
-    assert_int_equal(bead_image_sink.create(&built.scene->outputs[0], &stage, &sink, NULL), BEAD_OK);
+    assert_int_equal(bead_image_sink.create(&built.scene->outputs[0], &context, &sink, NULL), BEAD_OK);
     bead_image_sink.needs(sink, &needs);
     assert_int_equal(needs.fields, BEAD_FIELD_BIT(BEAD_FIELD_FORCE));
     assert_true(needs.beads.first == 2 && needs.beads.last == 6);
     assert_true(needs.until == 0.5e-3 && needs.grid.start == 0.1e-3 && needs.grid.end == 0.5e-3 && !needs.range);
-    assert_true(needs.grid.every > 0 && needs.grid.every <= stage.resolution);
+    assert_true(needs.grid.every > 0 && needs.grid.every <= context.resolution);
     bead_image_sink.destroy(sink);
-    stage.native = (struct bead_grid){0, 7e-6, 1e-3}; /* those of a file: from the one before to the one behind */
-    assert_int_equal(bead_image_sink.create(&built.scene->outputs[0], &stage, &sink, NULL), BEAD_OK);
+    context.native = (struct bead_grid){0, 7e-6, 1e-3}; /* those of a file: from the one before to the one behind */
+    assert_int_equal(bead_image_sink.create(&built.scene->outputs[0], &context, &sink, NULL), BEAD_OK);
     bead_image_sink.needs(sink, &needs);
     assert_true(needs.grid.every == 7e-6 && fabs(needs.grid.start - 98e-6) < 1e-12 && fabs(needs.grid.end - 504e-6) < 1e-12);
     bead_image_sink.destroy(sink);

@@ -21,16 +21,16 @@ static const double amplitudes[CHAINS][SENSORS] = {{10, 4}, {8, 20}}; /* N */
 struct run {
     struct bead_scene *scene;
     struct bead_chain *chains[CHAINS];
-    struct bead_stage stage;
+    struct bead_run_context context;
     struct bead_plot_data *data;
     const struct bead_panel *panels;
     size_t count;
 };
 
-/* A force that begins at the sensors' own times; its twin leaves it at 0.5 ms. */
-static double force(size_t chain, size_t sensor, double time, bool twin)
+/* A force that begins at the sensors' own times; its comparison run leaves it at 0.5 ms. */
+static double force(size_t chain, size_t sensor, double time, bool comparison)
 {
-    double off = twin && time > 0.5e-3 ? 0.5 : 0;
+    double off = comparison && time > 0.5e-3 ? 0.5 : 0;
     return amplitudes[chain][sensor] * fabs(sin(2e4 * (time + 1e-5 * (double)sensor))) + off;
 }
 
@@ -49,10 +49,10 @@ static struct run plot(const char *settings)
         fail_msg("%s", msg.text);
     for (size_t c = 0; c < CHAINS; c++)
         assert_int_equal(bead_chain_create(run.scene, c, &run.chains[c], &msg), BEAD_OK);
-    run.stage =
-        (struct bead_stage){.scene = run.scene, .chain_count = CHAINS, .end = 1e-3, .resolution = 1e-6, .twin = 10, .threads = 1};
-    run.stage.chains = (const struct bead_chain *const *)run.chains;
-    assert_int_equal(bead_plot_data_create(&run.scene->outputs[0], &run.stage, SIZE_MAX, &run.data, &msg), BEAD_OK);
+    run.context = (struct bead_run_context){
+        .scene = run.scene, .chain_count = CHAINS, .end = 1e-3, .resolution = 1e-6, .tolerance_factor = 10, .threads = 1};
+    run.context.chains = (const struct bead_chain *const *)run.chains;
+    assert_int_equal(bead_plot_data_create(&run.scene->outputs[0], &run.context, SIZE_MAX, &run.data, &msg), BEAD_OK);
     for (size_t i = 0; i < SAMPLES * CHAINS; i++) {
         double values[2][8] = {{0}};
         struct bead_sample sample = {.time = 1e-3 * (double)(i / CHAINS) / (SAMPLES - 1), .chain = i % CHAINS, .index = i / CHAINS};
@@ -61,7 +61,7 @@ static struct run plot(const char *settings)
             values[1][sensor_beads[k]] = force(sample.chain, k, sample.time, true);
         }
         sample.field[BEAD_FIELD_FORCE] = values[0];
-        sample.twin[BEAD_FIELD_FORCE] = values[1];
+        sample.comparison[BEAD_FIELD_FORCE] = values[1];
         assert_int_equal(bead_plot_data_feed(run.data, &sample, &msg), BEAD_OK);
     }
     assert_int_equal(bead_plot_data_finish(run.data, NULL, &msg), BEAD_OK);

@@ -58,27 +58,27 @@ static enum bead_error work(void *context, void *slot, int last, struct bead_mes
 }
 
 /* Push `count` slots; returns how many were taken. */
-static uint64_t push(struct bead_pipe *pipe, uint64_t count)
+static uint64_t push(struct bead_ring_buffer *pipe, uint64_t count)
 {
     for (uint64_t i = 0; i < count; i++) {
-        struct slot *slot = bead_pipe_slot(pipe);
+        struct slot *slot = bead_ring_buffer_slot(pipe);
         if (!slot)
             return i;
         assert_int_equal((uintptr_t)slot % 64, 0);
-        assert_ptr_equal(slot, bead_pipe_slot(pipe)); /* asking again gives the same one */
+        assert_ptr_equal(slot, bead_ring_buffer_slot(pipe)); /* asking again gives the same one */
         slot->index = i;
         slot->value = i * i + 7;
-        bead_pipe_submit(pipe);
-        bead_pipe_submit(pipe); /* nothing is held: nothing happens */
+        bead_ring_buffer_submit(pipe);
+        bead_ring_buffer_submit(pipe); /* nothing is held: nothing happens */
     }
     return count;
 }
 
-static struct bead_pipe *create(struct worker *worker, size_t slots, int threads)
+static struct bead_ring_buffer *create(struct worker *worker, size_t slots, int threads)
 {
-    struct bead_pipe *pipe;
+    struct bead_ring_buffer *pipe;
     *worker = (struct worker){.fail_at = worker->fail_at, .fail_end = worker->fail_end, .slow = worker->slow, .in_order = true};
-    assert_int_equal(bead_pipe_create(slots, sizeof(struct slot), threads, work, worker, &pipe, NULL), BEAD_OK);
+    assert_int_equal(bead_ring_buffer_create(slots, sizeof(struct slot), threads, work, worker, &pipe, NULL), BEAD_OK);
     return pipe;
 }
 
@@ -89,10 +89,10 @@ static void same_result_for_any_thread_and_slot_count(void **state)
     for (int threads = 0; threads <= 2; threads++) {
         for (size_t slots = 1; slots <= 5; slots += 2) {
             struct worker w = {.fail_at = NEVER};
-            struct bead_pipe *pipe = create(&w, slots, threads);
+            struct bead_ring_buffer *pipe = create(&w, slots, threads);
             assert_int_equal(push(pipe, 1000), 1000);
-            assert_int_equal(bead_pipe_finish(pipe, NULL), BEAD_OK);
-            bead_pipe_destroy(pipe);
+            assert_int_equal(bead_ring_buffer_finish(pipe, NULL), BEAD_OK);
+            bead_ring_buffer_destroy(pipe);
             assert_true(w.in_order && w.same_thread);
             assert_true(pthread_equal(w.thread, pthread_self()) == (threads == 1));
             assert_int_equal(w.starts, 1);
@@ -109,10 +109,10 @@ static void producer_waits_for_a_slow_worker(void **state)
 {
     (void)state;
     struct worker w = {.fail_at = NEVER, .slow = true};
-    struct bead_pipe *pipe = create(&w, 2, 2);
+    struct bead_ring_buffer *pipe = create(&w, 2, 2);
     assert_int_equal(push(pipe, 100), 100);
-    assert_int_equal(bead_pipe_finish(pipe, NULL), BEAD_OK);
-    bead_pipe_destroy(pipe);
+    assert_int_equal(bead_ring_buffer_finish(pipe, NULL), BEAD_OK);
+    bead_ring_buffer_destroy(pipe);
     assert_int_equal(w.works, 100);
     assert_true(w.in_order);
 }
@@ -126,14 +126,14 @@ static void failures_reach_the_producer(void **state)
         for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
             for (int fail_end = 0; fail_end <= 1; fail_end++) {
                 struct worker w = {.fail_at = at[i], .fail_end = fail_end};
-                struct bead_pipe *pipe = create(&w, 3, threads);
+                struct bead_ring_buffer *pipe = create(&w, 3, threads);
                 uint64_t taken = push(pipe, 100);
                 struct bead_message msg = {""};
-                assert_int_equal(bead_pipe_finish(pipe, &msg), at[i] == STARTED ? BEAD_ERROR_GRAPHICS : BEAD_ERROR_CODEC);
+                assert_int_equal(bead_ring_buffer_finish(pipe, &msg), at[i] == STARTED ? BEAD_ERROR_GRAPHICS : BEAD_ERROR_CODEC);
                 char text[32];
                 snprintf(text, sizeof text, "slot %ld", at[i]);
                 assert_string_equal(msg.text, at[i] == STARTED ? "no start" : text);
-                bead_pipe_destroy(pipe);
+                bead_ring_buffer_destroy(pipe);
                 assert_int_equal(w.works, at[i] + 1);
                 assert_true(taken <= (uint64_t)(at[i] + 1 + 3));
                 assert_int_equal(w.ends, 1);
@@ -148,13 +148,13 @@ static void an_error_at_the_end_is_told(void **state)
     (void)state;
     for (int threads = 1; threads <= 2; threads++) {
         struct worker w = {.fail_at = NEVER, .fail_end = true};
-        struct bead_pipe *pipe = create(&w, 3, threads);
+        struct bead_ring_buffer *pipe = create(&w, 3, threads);
         assert_int_equal(push(pipe, 10), 10);
         struct bead_message msg = {""};
-        assert_int_equal(bead_pipe_finish(pipe, &msg), BEAD_ERROR_IO);
+        assert_int_equal(bead_ring_buffer_finish(pipe, &msg), BEAD_ERROR_IO);
         assert_string_equal(msg.text, "no end");
-        assert_null(bead_pipe_slot(pipe));
-        bead_pipe_destroy(pipe);
+        assert_null(bead_ring_buffer_slot(pipe));
+        bead_ring_buffer_destroy(pipe);
         assert_int_equal(w.last, BEAD_PIPE_DONE);
     }
 }
@@ -165,44 +165,44 @@ static void destroy_throws_the_rest_away(void **state)
     for (int threads = 1; threads <= 2; threads++) {
         for (uint64_t count = 0; count < 4; count++) {
             struct worker w = {.fail_at = NEVER, .slow = true};
-            struct bead_pipe *pipe = create(&w, 4, threads);
+            struct bead_ring_buffer *pipe = create(&w, 4, threads);
             assert_int_equal(push(pipe, count), count);
             if (count & 1)
-                assert_non_null(bead_pipe_slot(pipe)); /* taken, never submitted */
-            bead_pipe_destroy(pipe);
+                assert_non_null(bead_ring_buffer_slot(pipe)); /* taken, never submitted */
+            bead_ring_buffer_destroy(pipe);
             assert_true(w.works <= count);
             assert_int_equal(w.ends, 1);
             assert_int_equal(w.last, BEAD_PIPE_ABANDONED);
         }
     }
-    bead_pipe_destroy(NULL);
+    bead_ring_buffer_destroy(NULL);
 }
 
 static void slots_are_zeroed_and_come_back_as_left(void **state)
 {
     (void)state;
     struct worker w = {.fail_at = NEVER};
-    struct bead_pipe *pipe = create(&w, 2, 1);
+    struct bead_ring_buffer *pipe = create(&w, 2, 1);
     for (uint64_t i = 0; i < 6; i++) {
-        struct slot *slot = bead_pipe_slot(pipe);
+        struct slot *slot = bead_ring_buffer_slot(pipe);
         assert_int_equal(slot->seen, i / 2);
         slot->index = i;
-        bead_pipe_submit(pipe);
+        bead_ring_buffer_submit(pipe);
     }
-    assert_int_equal(bead_pipe_finish(pipe, NULL), BEAD_OK);
-    bead_pipe_destroy(pipe);
+    assert_int_equal(bead_ring_buffer_finish(pipe, NULL), BEAD_OK);
+    bead_ring_buffer_destroy(pipe);
 }
 
 static void absurd_sizes_are_refused(void **state)
 {
     (void)state;
     struct worker w = {.fail_at = NEVER};
-    struct bead_pipe *pipe = (struct bead_pipe *)&w;
+    struct bead_ring_buffer *pipe = (struct bead_ring_buffer *)&w;
     struct bead_message msg = {""};
-    assert_int_equal(bead_pipe_create(SIZE_MAX / 2, 1024, 2, work, &w, &pipe, &msg), BEAD_ERROR_MEMORY);
+    assert_int_equal(bead_ring_buffer_create(SIZE_MAX / 2, 1024, 2, work, &w, &pipe, &msg), BEAD_ERROR_MEMORY);
     assert_null(pipe);
     assert_true(msg.text[0] != '\0');
-    assert_int_equal(bead_pipe_create(2, SIZE_MAX, 2, work, &w, &pipe, &msg), BEAD_ERROR_MEMORY);
+    assert_int_equal(bead_ring_buffer_create(2, SIZE_MAX, 2, work, &w, &pipe, &msg), BEAD_ERROR_MEMORY);
     assert_int_equal(w.starts, 0);
 }
 

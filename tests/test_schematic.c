@@ -22,7 +22,7 @@
 struct staged {
     struct bead_scene *scene;
     struct bead_chain *chains[64];
-    struct bead_stage stage;
+    struct bead_run_context context;
 };
 
 static struct staged *set_stage(const char *text)
@@ -35,10 +35,10 @@ static struct staged *set_stage(const char *text)
         if (bead_chain_create(s->scene, i, &s->chains[i], &msg))
             fail_msg("%s", msg.text);
     }
-    s->stage = (struct bead_stage){.scene = s->scene,
-                                   .chains = (const struct bead_chain *const *)s->chains,
-                                   .chain_count = s->scene->chain_count,
-                                   .directory = "."};
+    s->context = (struct bead_run_context){.scene = s->scene,
+                                           .chains = (const struct bead_chain *const *)s->chains,
+                                           .chain_count = s->scene->chain_count,
+                                           .directory = "."};
     return s;
 }
 
@@ -99,7 +99,7 @@ static enum bead_error draw(const struct staged *s, size_t index, struct seen *s
     assert_true(bead_text_watch(surface, &watch));
     cairo_t *cr = cairo_create(surface);
     struct bead_sketch sketch = {.cr = cr, .look = &look};
-    enum bead_error err = bead_schematic_draw(output, &s->stage, &sketch, page.width, page.height, &msg);
+    enum bead_error err = bead_schematic_draw(output, &s->context, &sketch, page.width, page.height, &msg);
     if (err)
         assert_non_null(strstr(msg.text, "leave no room"));
     else
@@ -238,7 +238,7 @@ static void too_small_is_an_error(void **state)
         struct bead_message msg = {""};
         snprintf(text, sizeof text, "%soutputs: [{plot: a.png, show: %s, size: [90, 60]}]\n", EXPERIMENT, shows[i]);
         struct staged *s = set_stage(text);
-        assert_int_equal(bead_schematic_check(&s->scene->outputs[0], &s->stage, &msg), BEAD_ERROR_SCENE);
+        assert_int_equal(bead_schematic_check(&s->scene->outputs[0], &s->context, &msg), BEAD_ERROR_SCENE);
         assert_non_null(strstr(msg.text, "test:2:11: size: 90 x 60 pixels leave no room"));
         clear_stage(s);
     }

@@ -23,8 +23,8 @@ static struct bead_sheet *make_sheet(struct built *built, const char *settings)
     struct bead_sheet *sheet;
     snprintf(output, sizeof output, "image: a.png, %s", settings);
     *built = build_chain(output);
-    struct bead_stage stage = make_stage(built);
-    if (bead_sheet_create(&built->scene->outputs[0], &stage, &sheet, &msg))
+    struct bead_run_context context = make_stage(built);
+    if (bead_sheet_create(&built->scene->outputs[0], &context, &sheet, &msg))
         fail_msg("%s", msg.text);
     return sheet;
 }
@@ -256,9 +256,9 @@ static void test_modes_are_panels(void **state)
     assert_int_equal(bead_scene_parse("test", scene, sizeof scene - 1, NULL, 0, &parsed, &msg), BEAD_OK);
     assert_int_equal(bead_chain_create(parsed, 0, &chain, &msg), BEAD_OK);
     const struct bead_chain *const chains[] = {chain};
-    struct bead_stage stage = {
+    struct bead_run_context context = {
         .scene = parsed, .chains = chains, .chain_count = 1, .end = 10, .resolution = 0.25, .directory = "."};
-    assert_int_equal(bead_plot_data_create(&parsed->outputs[0].panels[0], &stage, SIZE_MAX, &data, &msg), BEAD_OK);
+    assert_int_equal(bead_plot_data_create(&parsed->outputs[0].panels[0], &context, SIZE_MAX, &data, &msg), BEAD_OK);
     for (size_t i = 0; i <= 40; i++) {
         double u[9], v[9] = {0}, time = 0.25 * (double)i;
         struct bead_sample sample = {.time = time, .index = i, .active = 7};

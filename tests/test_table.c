@@ -116,8 +116,8 @@ static void failures_leave_no_file(void **state)
     struct bead_message msg = {""};
     assert_int_equal(try_set_up(&s, ONE_CHAIN, "table: t.csv, show: peaks", 1e-3, &msg), BEAD_OK);
     s.type->destroy(s.sink);
-    s.stage.directory = "/nonexistent";
-    assert_int_equal(s.type->create(&s.scene->outputs[0], &s.stage, &s.sink, &msg), BEAD_OK);
+    s.context.directory = "/nonexistent";
+    assert_int_equal(s.type->create(&s.scene->outputs[0], &s.context, &s.sink, &msg), BEAD_OK);
     assert_int_equal(s.type->begin(s.sink, (struct bead_range){0, 0}, &msg), BEAD_ERROR_IO);
     assert_non_null(strstr(msg.text, "/nonexistent/t.csv"));
     tear_down(&s, 0);

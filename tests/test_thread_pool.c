@@ -25,7 +25,7 @@ static void every_job_is_done_once(void **state)
     for (size_t t = 0; t < COUNTS; t++) {
         atomic_int done[JOBS] = {0};
         struct bead_message msg = {""};
-        assert_int_equal(bead_crew_run(JOBS, threads[t], count_job, done, &msg), BEAD_OK);
+        assert_int_equal(bead_thread_pool_run(JOBS, threads[t], count_job, done, &msg), BEAD_OK);
         for (size_t i = 0; i < JOBS; i++)
             assert_int_equal(done[i], 1);
     }
@@ -48,7 +48,7 @@ static void the_error_is_that_of_the_lowest(void **state)
     (void)state;
     for (size_t t = 0; t < COUNTS; t++) {
         struct bead_message msg = {""};
-        assert_int_equal(bead_crew_run(JOBS, threads[t], fail_job, NULL, &msg), BEAD_ERROR_NUMBERS);
+        assert_int_equal(bead_thread_pool_run(JOBS, threads[t], fail_job, NULL, &msg), BEAD_ERROR_NUMBERS);
         assert_string_equal(msg.text, "job 7");
     }
 }
@@ -57,7 +57,7 @@ static void nothing_to_do(void **state)
 {
     (void)state;
     struct bead_message msg = {""};
-    assert_int_equal(bead_crew_run(0, 4, fail_job, NULL, &msg), BEAD_OK);
+    assert_int_equal(bead_thread_pool_run(0, 4, fail_job, NULL, &msg), BEAD_OK);
 }
 
 #define CHAIN(seed) \

@@ -385,10 +385,10 @@ static void places_that_cannot_be_written(void **state)
     struct bead_message msg = {""};
     static const char *const wrong[] = {"/nonexistent/directory", "/dev/null", "/proc"};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        struct bead_stage stage = b->s.stage;
+        struct bead_run_context context = b->s.context;
         struct bead_sink *sink;
-        stage.directory = wrong[i];
-        assert_int_equal(b->s.type->create(&b->s.scene->outputs[0], &stage, &sink, &msg), BEAD_OK);
+        context.directory = wrong[i];
+        assert_int_equal(b->s.type->create(&b->s.scene->outputs[0], &context, &sink, &msg), BEAD_OK);
         assert_int_equal(b->s.type->begin(sink, (struct bead_range){0, 0}, &msg), BEAD_ERROR_IO);
         assert_non_null(strstr(msg.text, wrong[i]));
         b->s.type->destroy(sink);
@@ -426,8 +426,8 @@ static void one_run_at_a_time(void **state)
     struct bad *b = *state;
     struct bead_message msg = {""};
     struct bead_sink *first, *second;
-    assert_int_equal(b->s.type->create(&b->s.scene->outputs[0], &b->s.stage, &first, &msg), BEAD_OK);
-    assert_int_equal(b->s.type->create(&b->s.scene->outputs[0], &b->s.stage, &second, &msg), BEAD_OK);
+    assert_int_equal(b->s.type->create(&b->s.scene->outputs[0], &b->s.context, &first, &msg), BEAD_OK);
+    assert_int_equal(b->s.type->create(&b->s.scene->outputs[0], &b->s.context, &second, &msg), BEAD_OK);
     assert_int_equal(b->s.type->begin(first, (struct bead_range){0, 0}, &msg), BEAD_OK);
     assert_int_equal(b->s.type->begin(second, (struct bead_range){0, 0}, &msg), BEAD_ERROR_IO);
     assert_non_null(strstr(msg.text, "another run"));
@@ -444,7 +444,7 @@ static void a_failed_run_keeps_the_file_before(void **state)
     struct bead_message msg = {""};
     struct bead_sink *sink;
     uint64_t size = bead_file_bytes(b->s.path);
-    assert_int_equal(b->s.type->create(&b->s.scene->outputs[0], &b->s.stage, &sink, &msg), BEAD_OK);
+    assert_int_equal(b->s.type->create(&b->s.scene->outputs[0], &b->s.context, &sink, &msg), BEAD_OK);
     assert_int_equal(b->s.type->begin(sink, (struct bead_range){0, 0}, &msg), BEAD_OK);
     assert_int_equal(access(b->s.part, F_OK), 0);
     b->s.type->destroy(sink);

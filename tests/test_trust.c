@@ -1,5 +1,5 @@
-/* Predictability horizon: a twin run leaves the first one as it is; disordered chains have a horizon and ordered ones none; the
- * picture is the same but for the line. */
+/* Predictability horizon: a comparison run leaves the first one as it is; disordered chains have a horizon and ordered ones none;
+ * the picture is the same but for the line. */
 #include "support.h"
 
 #include "scratch.h"
@@ -12,12 +12,13 @@
 
 /* ---- two runs ---- */
 
-/* First time at which velocities of two runs to `accuracy` and `looser` times that differ by more than `part` of their range. */
-static double find_horizon(const char *chain, const char *simulate, double looser, double part, double until)
+/* First time at which velocities of two runs to `accuracy` and `tolerance_factor` times that differ by more than `part` of their
+ * range. */
+static double find_horizon(const char *chain, const char *simulate, double tolerance_factor, double part, double until)
 {
     struct built built = build(chain, simulate);
     struct bead_run *runs[2] = {start_run(&built, (struct bead_run_settings){.end = until}),
-                                start_run(&built, (struct bead_run_settings){.end = until, .looser = looser})};
+                                start_run(&built, (struct bead_run_settings){.end = until, .tolerance_factor = tolerance_factor})};
     struct bead_message msg = {""};
     struct bead_area_setup setup = {{0, built.chain->beads - 1}, {0, until}, 1000, 1000, BEAD_SAMPLING_AREA};
     struct bead_horizon *horizon;
@@ -72,13 +73,13 @@ static void smaller_differences_come_first(void **state)
     assert_true(isfinite(last));
 }
 
-/* A twin that is the same run would agree always. */
-static void twins_differ(void **state)
+/* A comparison run that is the same run would agree always. */
+static void runs_differ(void **state)
 {
     (void)state;
     static const struct {
         const char *simulate;
-        double looser;
+        double tolerance_factor;
     } cases[] = {{"until: 1 ms", 10},
                  {"until: 1 ms, accuracy: 1e-10", 10},
                  {"until: 1 ms, accuracy: 3e-4", 0.1}, /* no longer steps than those */
@@ -87,13 +88,13 @@ static void twins_differ(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct built built = build(P3_CHAIN, cases[i].simulate);
         const struct bead_chain *chain = built.chain;
-        struct bead_stepping first, twin;
+        struct bead_stepping first, comparison;
         struct bead_message msg = {""};
-        double looser = bead_run_twin(&chain, 1);
-        assert_near(looser, cases[i].looser, 0);
+        double tolerance_factor = bead_run_tolerance_factor(&chain, 1);
+        assert_near(tolerance_factor, cases[i].tolerance_factor, 0);
         assert_int_equal(bead_run_stepping(chain, &first, &msg), BEAD_OK);
-        assert_int_equal(bead_run_twin_stepping(chain, looser, &twin, &msg), BEAD_OK);
-        assert_true(fabs(log(twin.step / first.step)) > 0.1);
+        assert_int_equal(bead_run_comparison_stepping(chain, tolerance_factor, &comparison, &msg), BEAD_OK);
+        assert_true(fabs(log(comparison.step / first.step)) > 0.1);
         release(&built);
     }
 }
@@ -142,8 +143,8 @@ static void the_first_run_keeps_its_bits(void **state)
     assert_true(alone.state_hash == two.state_hash);
     assert_true(alone.steps == two.steps);
     assert_true(alone.evaluations == two.evaluations);
-    assert_true(alone.twin_steps == 0);
-    assert_true(two.twin_steps > 0 && two.twin_steps < two.steps);
+    assert_true(alone.comparison_steps == 0);
+    assert_true(two.comparison_steps > 0 && two.comparison_steps < two.steps);
 }
 
 static void scenes_that_cannot_show_it(void **state)
@@ -159,7 +160,7 @@ static void scenes_that_cannot_show_it(void **state)
     }
 }
 
-static void a_trajectory_has_no_twin(void **state)
+static void a_trajectory_has_no_comparison_run(void **state)
 {
     (void)state;
     struct bead_counts counts;
@@ -182,7 +183,7 @@ static double made_up(size_t bead, double time)
     return sin(0.7 * (double)bead + 3e4 * time);
 }
 
-/* When bead j of the twin goes its own way, s. */
+/* When bead j of the comparison run goes its own way, s. */
 static double parting(size_t bead)
 {
     return 0.4e-3 + 2e-6 * (double)((bead * 37) % 50);
@@ -198,7 +199,7 @@ static struct bead_frame draw_view(const struct bead_chain *chain, bool trust, b
     struct bead_changes changes = {0};
     struct bead_view *view;
     const struct bead_view_type *type = bead_view_find(BEAD_VIEW_SPACETIME);
-    double values[200], twin[200];
+    double values[200], comparison[200];
     assert_int_equal(bead_colormap_load("viridis", &map, &msg), BEAD_OK);
     bead_look_screen(&look, WIDTH, HEIGHT, true);
     struct bead_view_setup setup = {.chain = chain,
@@ -218,11 +219,11 @@ static struct bead_frame draw_view(const struct bead_chain *chain, bool trust, b
         double t = 1e-6 * i;
         for (size_t j = 0; j <= setup.beads.last; j++) {
             values[j] = made_up(j, t);
-            twin[j] = values[j] + (t > parting(j) ? 0.5 : 0);
+            comparison[j] = values[j] + (t > parting(j) ? 0.5 : 0);
         }
-        struct bead_sample sample = {.time = t, .active = setup.beads.last + 1, .twin_active = setup.beads.last + 1};
+        struct bead_sample sample = {.time = t, .active = setup.beads.last + 1, .comparison_active = setup.beads.last + 1};
         sample.field[BEAD_FIELD_FORCE] = values;
-        sample.twin[BEAD_FIELD_FORCE] = trust ? twin : NULL;
+        sample.comparison[BEAD_FIELD_FORCE] = trust ? comparison : NULL;
         assert_int_equal(type->feed(view, &sample, &msg), BEAD_OK);
         if (i == 1000 || (parts > 0 && i % parts == 0))
             assert_int_equal(type->draw(view, t, &frame, &background, &changes, &msg), BEAD_OK);
@@ -282,10 +283,10 @@ int main(void)
         cmocka_unit_test(disorder_has_a_horizon),
         cmocka_unit_test(order_has_none_in_the_first_passage),
         cmocka_unit_test(smaller_differences_come_first),
-        cmocka_unit_test(twins_differ),
+        cmocka_unit_test(runs_differ),
         cmocka_unit_test(the_first_run_keeps_its_bits),
         cmocka_unit_test(scenes_that_cannot_show_it),
-        cmocka_unit_test(a_trajectory_has_no_twin),
+        cmocka_unit_test(a_trajectory_has_no_comparison_run),
         cmocka_unit_test(pixels_are_the_same_but_for_the_line),
         cmocka_unit_test(movies_draw_the_same_line_in_any_parts),
     };

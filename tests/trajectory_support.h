@@ -23,7 +23,7 @@
 struct stand {
     struct bead_scene *scene;
     struct bead_chain *chains[4];
-    struct bead_stage stage;
+    struct bead_run_context context;
     const struct bead_sink_type *type;
     struct bead_sink *sink;
     struct bead_needs needs;
@@ -77,13 +77,13 @@ static inline enum bead_error try_set_up(struct stand *s, const char *chains, co
         if (bead_chain_create(s->scene, c, &s->chains[c], msg))
             fail_msg("%s", msg->text);
     make_directory(s->directory, sizeof s->directory);
-    s->stage = (struct bead_stage){.scene = s->scene,
-                                   .chains = (const struct bead_chain *const *)s->chains,
-                                   .chain_count = s->scene->chain_count,
-                                   .end = end,
-                                   .resolution = 2.7e-6,
-                                   .threads = 1,
-                                   .directory = s->directory};
+    s->context = (struct bead_run_context){.scene = s->scene,
+                                           .chains = (const struct bead_chain *const *)s->chains,
+                                           .chain_count = s->scene->chain_count,
+                                           .end = end,
+                                           .resolution = 2.7e-6,
+                                           .threads = 1,
+                                           .directory = s->directory};
     snprintf(s->path, sizeof s->path, "%s/%s", s->directory, s->scene->outputs[0].path);
     snprintf(s->part, sizeof s->part, "%s.part", s->path);
     for (const struct bead_sink_type *const *t = bead_data_sinks(); *t; t++)
@@ -95,7 +95,7 @@ static inline enum bead_error try_set_up(struct stand *s, const char *chains, co
             s->values[c][f] = calloc(bead_chain_beads(s->chains[c]), sizeof(double));
             assert_non_null(s->values[c][f]);
         }
-    enum bead_error error = s->type->create(&s->scene->outputs[0], &s->stage, &s->sink, msg);
+    enum bead_error error = s->type->create(&s->scene->outputs[0], &s->context, &s->sink, msg);
     if (!error)
         s->type->needs(s->sink, &s->needs);
     return error;

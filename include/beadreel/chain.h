@@ -68,12 +68,12 @@ BEAD_API void bead_chain_mode_energies(const struct bead_chain *chain, const dou
                                        double *energy);
 
 /* The axis along a chain: value i of a field stands at first + i * spacing. */
-struct bead_along {
+struct bead_chain_axis {
     const char *title; /* "bead", "contact", or "x" */
     const char *unit;  /* as graphs and axes take it: "1" of numbers of beads, "" of coordinates */
     double first, spacing;
 };
-BEAD_API struct bead_along bead_chain_along(const struct bead_chain *chain, bool of_contacts);
+BEAD_API struct bead_chain_axis bead_chain_axis(const struct bead_chain *chain, bool of_contacts);
 
 /* Upper bound of the frequency of small vibrations about any state that energy allows, rad/s:
  * every compression d_k is bounded by A_k d^{5/2} 2/5 <= E, every stiffness by that, omega by

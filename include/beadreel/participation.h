@@ -1,8 +1,8 @@
 /* Order of a wave: how clean it still is when its front reaches the end of the chain.
  *
- *   err = bead_order_clean(chain, &clean, &msg);          runs the clean wave
- *   p = bead_order_participation(chain, u, v);             of the state at the front's arrival
- *   index = bead_order_index(bead_chain_beads(chain), p, clean);
+ *   err = bead_participation_clean(chain, &clean, &msg);          runs the clean wave
+ *   p = bead_chain_participation(chain, u, v);             of the state at the front's arrival
+ *   index = bead_clean_index(bead_chain_beads(chain), p, clean);
  *
  * The participation of energies P = (sum e)^2 / sum e^2 says how many beads share the energy. The index is the step from equal
  * shares to the clean wave on the scale of 1/P, the part of the energy that an average unit of energy has in its bead:
@@ -37,10 +37,11 @@ enum { BEAD_ORDER_BEADS = 512 };
 
 /* Participation of the clean wave of the chain's cells; NaN where there is none (the front does not get through, or does not end).
  * It is run to an accuracy of 1e-6. Errors: MEMORY. */
-BEAD_API BEAD_CHECK enum bead_error bead_order_clean(const struct bead_chain *chain, double *clean, struct bead_message *msg);
+BEAD_API BEAD_CHECK enum bead_error bead_participation_clean(const struct bead_chain *chain, double *clean,
+                                                             struct bead_message *msg);
 /* Of displacements, m, and velocities, m/s, [beads]; NaN where there is no energy. */
-BEAD_API double bead_order_participation(const struct bead_chain *chain, const double *displacement, const double *velocity);
+BEAD_API double bead_chain_participation(const struct bead_chain *chain, const double *displacement, const double *velocity);
 /* The index of n beads; NaN where `clean` or `participation` are, or n <= clean. */
-BEAD_API double bead_order_index(size_t beads, double participation, double clean);
+BEAD_API double bead_clean_index(size_t beads, double participation, double clean);
 
 #endif

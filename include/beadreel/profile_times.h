@@ -5,24 +5,25 @@
 
 #include "beadreel/sink.h"
 
-struct bead_moments;
+struct bead_profile_times;
 
 /* For output->field at output->moments. The stage is copied, what it points to must outlive the moments. Errors: MEMORY; SCENE
  * where the run ends before the last moment. */
-BEAD_API BEAD_CHECK enum bead_error bead_moments_create(const struct bead_output *output, const struct bead_stage *stage,
-                                                        struct bead_moments **moments, struct bead_message *msg);
-BEAD_API void bead_moments_destroy(struct bead_moments *moments);
+BEAD_API BEAD_CHECK enum bead_error bead_profile_times_create(const struct bead_output *output,
+                                                              const struct bead_run_context *context,
+                                                              struct bead_profile_times **moments, struct bead_message *msg);
+BEAD_API void bead_profile_times_destroy(struct bead_profile_times *moments);
 
 /* The samples they are taken from: at the moments themselves where these have a common spacing, else so close that straight lines
  * between them do. */
-BEAD_API struct bead_needs bead_moments_needs(const struct bead_moments *moments);
+BEAD_API struct bead_needs bead_profile_times_needs(const struct bead_profile_times *moments);
 /* Errors: UNSUPPORTED where the samples lack the field. */
-BEAD_API BEAD_CHECK enum bead_error bead_moments_feed(struct bead_moments *moments, const struct bead_sample *sample,
-                                                      struct bead_message *msg);
+BEAD_API BEAD_CHECK enum bead_error bead_profile_times_feed(struct bead_profile_times *moments, const struct bead_sample *sample,
+                                                            struct bead_message *msg);
 
 /* Values of a chain (beads, contacts or points), where they are along it, and their values at a moment, SI; borrowed. */
-BEAD_API size_t bead_moments_values(const struct bead_moments *moments, size_t chain);
-BEAD_API const double *bead_moments_places(const struct bead_moments *moments, size_t chain);
-BEAD_API const double *bead_moments_profile(const struct bead_moments *moments, size_t chain, size_t moment);
+BEAD_API size_t bead_profile_times_values(const struct bead_profile_times *moments, size_t chain);
+BEAD_API const double *bead_profile_times_places(const struct bead_profile_times *moments, size_t chain);
+BEAD_API const double *bead_profile_times_profile(const struct bead_profile_times *moments, size_t chain, size_t moment);
 
 #endif

@@ -59,10 +59,10 @@ struct bead_sample {
     double time;   /* s */
     size_t active; /* beads >= active are exactly at rest, all their values 0 (or static) */
     const double *field[BEAD_FIELD_COUNT];
-    /* The same of the twin: the same chain run a second time with another accuracy, at the same time. Its beads >= twin_active
-     * are at rest. NULL where nobody asked. */
-    const double *twin[BEAD_FIELD_COUNT];
-    size_t twin_active;
+    /* The same of the comparison run: the same chain run a second time with another accuracy, at the same time. Its beads >=
+     * comparison_active are at rest. NULL where nobody asked. */
+    const double *comparison[BEAD_FIELD_COUNT];
+    size_t comparison_active;
 };
 
 #endif

@@ -173,7 +173,7 @@ enum bead_show {
     BEAD_SHOW_CHAIN,
     BEAD_SHOW_COUNT
 };
-enum { BEAD_CONTACT_AUTO = 1000000000, BEAD_MODES = 64, BEAD_MOMENTS = 12 };
+enum { BEAD_CONTACT_AUTO = 1000000000, BEAD_MODES = 64, BEAD_PROFILE_TIMES = 12 };
 /* What plots and tables of sweeps show: force against magnetism, forces of every configuration, peaks along the chain. */
 enum bead_sweep_show {
     BEAD_SWEEP_MEDIAN,
@@ -262,13 +262,13 @@ struct bead_output {
     struct bead_caption *captions; /* by rising times: movie */
     size_t caption_count;
     struct bead_card card;
-    enum bead_follow follow;      /* what beads and profile show of a movie: all beads, or a window that moves with the front */
-    size_t window;                /* beads in it */
-    char *poster;                 /* a PNG file of one frame, relative to the output directory; "": none */
-    double poster_at;             /* s of the motion; NaN: where there is most to see */
-    size_t modes;                 /* how many, `show: modes` and view modes */
-    double moments[BEAD_MOMENTS]; /* s, rising: `show: profiles` */
-    size_t moment_count;
+    enum bead_follow follow; /* what beads and profile show of a movie: all beads, or a window that moves with the front */
+    size_t window;           /* beads in it */
+    char *poster;            /* a PNG file of one frame, relative to the output directory; "": none */
+    double poster_at;        /* s of the motion; NaN: where there is most to see */
+    size_t modes;            /* how many, `show: modes` and view modes */
+    double moments[BEAD_PROFILE_TIMES]; /* s, rising: `show: profiles` */
+    size_t profile_time_count;
     struct bead_place place;
 };
 

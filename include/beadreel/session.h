@@ -81,12 +81,12 @@ BEAD_API const char *bead_session_skipped(const struct bead_session *session, si
 struct bead_counts {
     uint64_t evaluations; /* of one contact's force, in steps */
     uint64_t steps;
-    uint64_t samples;                      /* sample times computed, of all chains */
-    uint64_t sample_values;                /* bead values interpolated for samples */
-    uint64_t twin_evaluations, twin_steps; /* of twin runs, which are counted nowhere else */
-    uint64_t chains;                       /* of a sweep, computed now */
-    uint64_t passes;                       /* times the chains were simulated: 1, or more with scouting */
-    uint64_t state_hash;                   /* FNV-1a over displacement and velocity bits of all chains after every step */
+    uint64_t samples;                                  /* sample times computed, of all chains */
+    uint64_t sample_values;                            /* bead values interpolated for samples */
+    uint64_t comparison_evaluations, comparison_steps; /* of comparison runs, which are counted nowhere else */
+    uint64_t chains;                                   /* of a sweep, computed now */
+    uint64_t passes;                                   /* times the chains were simulated: 1, or more with scouting */
+    uint64_t state_hash; /* FNV-1a over displacement and velocity bits of all chains after every step */
 };
 BEAD_API const struct bead_counts *bead_session_counts(const struct bead_session *session);
 /* Unit of the session's times: "s", or "" (bead_chain_time_unit). */

@@ -2,7 +2,7 @@
  * `struct bead_sink_type`, found by the kind of output and the extension of its file name.
  *
  * Life of a sink, for outputs in the order of the scene:
- *   create   learns the output's settings and the stage (what is known before the run), decides what it needs,
+ *   create   learns the output's settings and the run context (what is known before the run), decides what it needs,
  *            takes no time and touches no file that a failed run would leave behind;
  *   begin    once, when the run starts: ranges found by a scouting pass are known now; opens `name.part`;
  *   sample   once for each time on its grid and each chain, chains in order within a time;
@@ -28,20 +28,20 @@ struct bead_needs {
     bool contact_peaks, bead_peaks; /* maxima of every contact's / bead's force: in the outcome */
     bool range;                     /* wants the range of `range_field` over beads and times before begin (a scouting pass) */
     enum bead_field range_field;
-    unsigned twin;   /* BEAD_FIELD_BITs, of `fields`, that samples are to have of the twin run as well: see bead_sample */
-    double until;    /* s: nothing after this time is needed (tables of peaks: INFINITY = whole run) */
-    const char *why; /* a few words for --plan: "600 frames of 1920 x 1080, every 5 us" (owned by the sink) */
+    unsigned comparison; /* BEAD_FIELD_BITs, of `fields`, that samples are to have of the comparison run as well: see bead_sample */
+    double until;        /* s: nothing after this time is needed (tables of peaks: INFINITY = whole run) */
+    const char *why;     /* a few words for --plan: "600 frames of 1920 x 1080, every 5 us" (owned by the sink) */
 };
 
 /* What is known before the first sample. */
-struct bead_stage {
+struct bead_run_context {
     const struct bead_scene *scene;
     const struct bead_chain *const *chains;
     size_t chain_count;
     double end;              /* s: the end of the run */
     struct bead_grid native; /* every > 0: use these samples (those of the trajectory); 0: choose */
     double resolution;       /* s: samples this close show every oscillation */
-    double twin;             /* accuracy of a twin run, or where the scene gives steps their length, in units of the first's */
+    double tolerance_factor; /* of a comparison run: its accuracy, or its step where the scene gives one, in units of the first's */
     int threads;             /* 1: do everything in the calling thread */
     const char *canvas;      /* back end for what is drawn with GL; NULL: the first that works */
     const char *directory;   /* where relative paths of outputs go */
@@ -93,7 +93,7 @@ struct bead_sink_type {
     const char *help; /* one line */
     enum bead_output_kind kind;
     const char *const *extensions; /* NULL-terminated, without the dot; NULL: any */
-    enum bead_error (*create)(const struct bead_output *output, const struct bead_stage *stage, struct bead_sink **sink,
+    enum bead_error (*create)(const struct bead_output *output, const struct bead_run_context *context, struct bead_sink **sink,
                               struct bead_message *msg);
     void (*needs)(const struct bead_sink *sink, struct bead_needs *needs);
     enum bead_error (*begin)(struct bead_sink *sink, struct bead_range range, struct bead_message *msg);

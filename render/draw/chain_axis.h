@@ -6,7 +6,7 @@
 #include "beadreel/look.h"
 
 /* Of values first..last, which have a width of one each; returns its title. */
-const char *bead_along_axis(struct bead_axis *axis, const struct bead_chain *chain, bool of_contacts, size_t first, size_t last,
-                            double length, double em, bool horizontal);
+const char *bead_axis_along_chain(struct bead_axis *axis, const struct bead_chain *chain, bool of_contacts, size_t first,
+                                  size_t last, double length, double em, bool horizontal);
 
 #endif

@@ -3,29 +3,29 @@
 
 #include <math.h>
 
-enum bead_error bead_picture_times(const struct bead_output *output, const struct bead_stage *stage, double time[2],
+enum bead_error bead_picture_times(const struct bead_output *output, const struct bead_run_context *context, double time[2],
                                    struct bead_message *msg)
 {
-    double end = stage->end;
+    double end = context->end;
     time[0] = isnan(output->time[0]) ? 0 : output->time[0];
     time[1] = isnan(output->time[1]) ? end : fmin(output->time[1], end);
     if (!(time[1] > time[0]) || !isfinite(time[1]))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: time: from %g to %g there is nothing to show; the run ends at %g",
-                         stage->scene->file, output->place.line, output->place.column, time[0], time[1], end);
+                         context->scene->file, output->place.line, output->place.column, time[0], time[1], end);
     return BEAD_OK;
 }
 
-struct bead_grid bead_picture_grid(const struct bead_stage *stage, const struct bead_output *output, const double time[2],
+struct bead_grid bead_picture_grid(const struct bead_run_context *context, const struct bead_output *output, const double time[2],
                                    double pixels)
 {
-    const struct bead_grid *native = &stage->native;
+    const struct bead_grid *native = &context->native;
     if (native->every > 0) { /* from the sample before the beginning to the one behind the end */
         double first = fmax(0, floor((time[0] - native->start) / native->every + 1e-6));
         double last = ceil((time[1] - native->start) / native->every - 1e-6);
         return (struct bead_grid){native->start + first * native->every, native->every,
                                   fmin(native->end, native->start + last * native->every)};
     }
-    double pixel = (time[1] - time[0]) / pixels, resolution = stage->resolution;
+    double pixel = (time[1] - time[0]) / pixels, resolution = context->resolution;
     double parts = resolution > 0 && isfinite(resolution) ? ceil(pixel / resolution) : 2;
     double every = output->every > 0 ? output->every : pixel / fmax(2, parts);
     return (struct bead_grid){time[0], every > 0 ? every : 1, time[1]};

@@ -5,11 +5,11 @@
 #include "beadreel/sink.h"
 
 /* From when to when an output shows the run. Errors: SCENE (with the output's place). */
-BEAD_CHECK enum bead_error bead_picture_times(const struct bead_output *output, const struct bead_stage *stage, double time[2],
-                                              struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_picture_times(const struct bead_output *output, const struct bead_run_context *context,
+                                              double time[2], struct bead_message *msg);
 /* Times at which a picture with `pixels` along `time` wants samples: two or more a pixel, and every oscillation; those there are
- * where the stage has given ones. */
-struct bead_grid bead_picture_grid(const struct bead_stage *stage, const struct bead_output *output, const double time[2],
+ * where the run context has given ones. */
+struct bead_grid bead_picture_grid(const struct bead_run_context *context, const struct bead_output *output, const double time[2],
                                    double pixels);
 
 #endif

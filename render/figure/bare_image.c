@@ -12,9 +12,9 @@
 #include "render/view/area_colours.h"
 #include "sim/base/large.h"
 
-struct bead_bare {
+struct bead_bare_image {
     const struct bead_output *output;
-    struct bead_stage stage;
+    struct bead_run_context context;
     struct bead_page page;
     struct bead_colormap map;
     struct bead_area **areas; /* [chains] */
@@ -24,32 +24,32 @@ struct bead_bare {
     char why[96];
 };
 
-void bead_bare_destroy(struct bead_bare *b)
+void bead_bare_image_destroy(struct bead_bare_image *b)
 {
     if (!b)
         return;
-    for (size_t c = 0; b->areas && c < b->stage.chain_count; c++)
+    for (size_t c = 0; b->areas && c < b->context.chain_count; c++)
         bead_area_destroy(b->areas[c]);
     free(b->areas);
     free(b->tops);
     free(b);
 }
 
-static enum bead_error scene_error(const struct bead_bare *b, const char *text, struct bead_message *msg)
+static enum bead_error scene_error(const struct bead_bare_image *b, const char *text, struct bead_message *msg)
 {
-    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s", b->stage.scene->file, b->output->place.line, b->output->place.column,
-                     text);
+    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s", b->context.scene->file, b->output->place.line,
+                     b->output->place.column, text);
 }
 
-static size_t count_of(const struct bead_bare *b, size_t chain)
+static size_t count_of(const struct bead_bare_image *b, size_t chain)
 {
-    const struct bead_chain *c = b->stage.chains[chain];
+    const struct bead_chain *c = b->context.chains[chain];
     return bead_field_info(b->output->field)->of_contacts ? bead_chain_contacts(c) : bead_chain_beads(c);
 }
 
-static enum bead_error make_areas(struct bead_bare *b, const double time[2], struct bead_message *msg)
+static enum bead_error make_areas(struct bead_bare_image *b, const double time[2], struct bead_message *msg)
 {
-    size_t chains = b->stage.chain_count;
+    size_t chains = b->context.chain_count;
     b->areas = calloc(chains, sizeof(struct bead_area *));
     b->tops = calloc(chains + 1, sizeof *b->tops);
     if (!b->areas || !b->tops)
@@ -72,48 +72,48 @@ static enum bead_error make_areas(struct bead_bare *b, const double time[2], str
     return err;
 }
 
-static enum bead_error prepare(struct bead_bare *b, struct bead_message *msg)
+static enum bead_error prepare(struct bead_bare_image *b, struct bead_message *msg)
 {
     const struct bead_output *output = b->output;
-    double end = b->stage.end;
+    double end = b->context.end;
     const double time[2] = {isnan(output->time[0]) ? 0 : output->time[0],
                             isnan(output->time[1]) ? end : fmin(output->time[1], end)};
-    enum bead_error err = bead_page_find(output, b->stage.scene->file, &b->page, msg);
+    enum bead_error err = bead_page_find(output, b->context.scene->file, &b->page, msg);
     if (!err && (!(time[1] > time[0]) || !isfinite(time[1])))
         err = scene_error(b, "time: there is nothing to show; the run ends before", msg);
     if (!err)
-        err = bead_colour_range_check(output, b->stage.scene->file, msg);
+        err = bead_colour_range_check(output, b->context.scene->file, msg);
     if (!err)
-        err = bead_colour_range_map(output, b->stage.chains[0], "viridis", &b->map, msg);
+        err = bead_colour_range_map(output, b->context.chains[0], "viridis", &b->map, msg);
     if (!err)
         err = make_areas(b, time, msg);
     if (err)
         return err;
-    b->grid = bead_picture_grid(&b->stage, output, time, b->page.width);
+    b->grid = bead_picture_grid(&b->context, output, time, b->page.width);
     snprintf(b->why, sizeof b->why, "%d x %d bare pixels", b->page.width, b->page.height);
     return BEAD_OK;
 }
 
-static struct bead_colour_range find_range(const struct bead_bare *b)
+static struct bead_colour_range find_range(const struct bead_bare_image *b)
 {
     double low = INFINITY, high = -INFINITY;
-    for (size_t c = 0; c < b->stage.chain_count; c++) {
+    for (size_t c = 0; c < b->context.chain_count; c++) {
         double one[2];
         bead_area_extremes(b->areas[c], &one[0], &one[1]);
         low = fmin(low, one[0]);
         high = fmax(high, one[1]);
     }
-    return bead_colour_range_find(b->output, b->stage.chains[0], low, high);
+    return bead_colour_range_find(b->output, b->context.chains[0], low, high);
 }
 
-static enum bead_error fill_indices(const struct bead_bare *b, uint8_t *indices, struct bead_message *msg)
+static enum bead_error fill_indices(const struct bead_bare_image *b, uint8_t *indices, struct bead_message *msg)
 {
     struct bead_colour_range range = find_range(b);
     struct bead_colours colours = {&b->map, b->output->scale, range.low, range.high};
     struct bead_colour_table table;
     enum bead_error err = BEAD_OK;
     bead_colour_table_make(&colours, &table);
-    for (size_t c = 0; c < b->stage.chain_count; c++) {
+    for (size_t c = 0; c < b->context.chain_count; c++) {
         struct bead_area_image image = {indices + (size_t)b->tops[c] * (size_t)b->page.width, 1, b->page.width};
         for (int x = 0, done; !err && x < b->page.width; x = done + 1) /* past a column that no sample touched */
             err = bead_area_colour(b->areas[c], &table, x, b->page.width, &image, &done, msg);
@@ -152,7 +152,7 @@ static enum bead_error draw_pixels(void *context, cairo_t *cr, struct bead_messa
     return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "image: %s", cairo_status_to_string(status)) : BEAD_OK;
 }
 
-enum bead_error bead_bare_write(const struct bead_bare *b, const char *path, uint64_t *bytes, struct bead_message *msg)
+enum bead_error bead_bare_image_write(const struct bead_bare_image *b, const char *path, uint64_t *bytes, struct bead_message *msg)
 {
     struct bead_picture_notes notes;
     char description[512];
@@ -161,7 +161,7 @@ enum bead_error bead_bare_write(const struct bead_bare *b, const char *path, uin
     if (!indices)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for an image", path);
     memset(indices, 0, count);
-    bead_page_notes(&b->page, b->output, b->stage.scene, description, sizeof description, &notes);
+    bead_page_notes(&b->page, b->output, b->context.scene, description, sizeof description, &notes);
     enum bead_error err = fill_indices(b, indices, msg);
     struct pixels pixels = {&b->page, indices, &b->map};
     if (!err && b->page.vector)
@@ -172,29 +172,29 @@ enum bead_error bead_bare_write(const struct bead_bare *b, const char *path, uin
     return err;
 }
 
-enum bead_error bead_bare_create(const struct bead_output *output, const struct bead_stage *stage, struct bead_bare **bare,
-                                 struct bead_message *msg)
+enum bead_error bead_bare_image_create(const struct bead_output *output, const struct bead_run_context *context,
+                                       struct bead_bare_image **bare, struct bead_message *msg)
 {
-    struct bead_bare *b = *bare = calloc(1, sizeof *b);
+    struct bead_bare_image *b = *bare = calloc(1, sizeof *b);
     if (!b)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image");
     b->output = output;
-    b->stage = *stage;
+    b->context = *context;
     enum bead_error err = prepare(b, msg);
     if (err) {
-        bead_bare_destroy(b);
+        bead_bare_image_destroy(b);
         *bare = NULL;
     }
     return err;
 }
 
-void bead_bare_needs(const struct bead_bare *b, struct bead_needs *needs)
+void bead_bare_image_needs(const struct bead_bare_image *b, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){
         .fields = BEAD_FIELD_BIT(b->output->field), .beads = b->beads, .grid = b->grid, .until = b->grid.end, .why = b->why};
 }
 
-enum bead_error bead_bare_feed(struct bead_bare *b, const struct bead_sample *sample, struct bead_message *msg)
+enum bead_error bead_bare_image_feed(struct bead_bare_image *b, const struct bead_sample *sample, struct bead_message *msg)
 {
     const double *values = sample->field[b->output->field];
     if (!values)

@@ -5,16 +5,17 @@
 
 #include "beadreel/sink.h"
 
-struct bead_bare;
+struct bead_bare_image;
 
 /* `output` is borrowed. Errors: SCENE (with its place), MEMORY, IO and FORMAT of colour maps. */
-BEAD_CHECK enum bead_error bead_bare_create(const struct bead_output *output, const struct bead_stage *stage,
-                                            struct bead_bare **bare, struct bead_message *msg);
-void bead_bare_needs(const struct bead_bare *bare, struct bead_needs *needs);
-BEAD_CHECK enum bead_error bead_bare_feed(struct bead_bare *bare, const struct bead_sample *sample, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_bare_image_create(const struct bead_output *output, const struct bead_run_context *context,
+                                                  struct bead_bare_image **bare, struct bead_message *msg);
+void bead_bare_image_needs(const struct bead_bare_image *bare, struct bead_needs *needs);
+BEAD_CHECK enum bead_error bead_bare_image_feed(struct bead_bare_image *bare, const struct bead_sample *sample,
+                                                struct bead_message *msg);
 /* To a .png, .pdf or .svg. Errors: IO, MEMORY, GRAPHICS. */
-BEAD_CHECK enum bead_error bead_bare_write(const struct bead_bare *bare, const char *path, uint64_t *bytes,
-                                           struct bead_message *msg);
-void bead_bare_destroy(struct bead_bare *bare);
+BEAD_CHECK enum bead_error bead_bare_image_write(const struct bead_bare_image *bare, const char *path, uint64_t *bytes,
+                                                 struct bead_message *msg);
+void bead_bare_image_destroy(struct bead_bare_image *bare);
 
 #endif

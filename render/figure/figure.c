@@ -36,11 +36,11 @@ static enum bead_error find_span(const struct bead_figure *f, size_t chain, stru
 {
     const struct bead_output *output = f->output;
     bool contacts = bead_field_info(output->field)->of_contacts;
-    size_t count = contacts ? bead_chain_contacts(f->stage.chains[chain]) : bead_chain_beads(f->stage.chains[chain]);
+    size_t count = contacts ? bead_chain_contacts(f->context.chains[chain]) : bead_chain_beads(f->context.chains[chain]);
     *span = output->beads;
     span->last = span->last < count ? span->last : count - 1;
     if (span->first > span->last)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: beads: begin at %zu, but the chain has %zu %s", f->stage.scene->file,
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: beads: begin at %zu, but the chain has %zu %s", f->context.scene->file,
                          output->place.line, output->place.column, span->first, count, contacts ? "contacts" : "beads");
     return BEAD_OK;
 }
@@ -51,7 +51,7 @@ static bool is_shown(const struct bead_figure *f, size_t chain, const enum bead_
     size_t sensors;
     if (f->set.chain != SIZE_MAX && f->set.chain != chain)
         return false;
-    (void)bead_chain_sensors(f->stage.chains[chain], &sensors);
+    (void)bead_chain_sensors(f->context.chains[chain], &sensors);
     return sensors > 0 || view_count != 1 || views[0] != BEAD_VIEW_SENSORS;
 }
 
@@ -67,7 +67,7 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
         panel->type = bead_view_find(views[v]);
         if (!panel->type)
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "this build has no view of kind %d", (int)views[v]);
-        panel->setup = (struct bead_view_setup){.chain = f->stage.chains[cell->chain],
+        panel->setup = (struct bead_view_setup){.chain = f->context.chains[cell->chain],
                                                 .chain_index = cell->chain,
                                                 .field = f->output->field,
                                                 .time = {f->time[0], f->time[1]},
@@ -91,12 +91,12 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
 
 static enum bead_error make_cells(struct bead_figure *f, const enum bead_view_kind *views, struct bead_message *msg)
 {
-    f->cells = calloc(f->stage.chain_count, sizeof *f->cells);
+    f->cells = calloc(f->context.chain_count, sizeof *f->cells);
     if (!f->cells)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
-    double magnify = f->output->magnify > 0 ? f->output->magnify : bead_magnify_auto(f->stage.chains, f->stage.chain_count);
+    double magnify = f->output->magnify > 0 ? f->output->magnify : bead_magnify_auto(f->context.chains, f->context.chain_count);
     enum bead_error err = BEAD_OK;
-    for (size_t c = 0; !err && c < f->stage.chain_count; c++) {
+    for (size_t c = 0; !err && c < f->context.chain_count; c++) {
         if (!is_shown(f, c, views, f->view_count))
             continue;
         struct bead_cell *cell = &f->cells[f->cell_count++];
@@ -106,7 +106,7 @@ static enum bead_error make_cells(struct bead_figure *f, const enum bead_view_ki
     if (!err && f->cell_count == 0)
         err = bead_fail(msg, BEAD_ERROR_SCENE,
                         "%s:%zu:%zu: there is no sensor to show; give a bead one: {bead: steel, sensor: first}",
-                        f->stage.scene->file, f->output->place.line, f->output->place.column);
+                        f->context.scene->file, f->output->place.line, f->output->place.column);
     return err;
 }
 
@@ -141,13 +141,13 @@ static void choose_grid(struct bead_figure *f)
 {
     const double times[2] = {f->collects ? f->time[0] : f->at, f->collects ? fmax(f->time[1], f->stills ? f->at : 0) : f->at};
     double pixels = time_pixels(f) * (f->collects ? (times[1] - times[0]) / (f->time[1] - f->time[0]) : 1);
-    f->grid = bead_picture_grid(&f->stage, f->output, times, pixels);
+    f->grid = bead_picture_grid(&f->context, f->output, times, pixels);
 }
 
 static void explain(struct bead_figure *f)
 {
     char pixel[64];
-    bead_quantity((f->time[1] - f->time[0]) / time_pixels(f), bead_chain_time_unit(f->stage.chains[0]), 3, pixel, sizeof pixel);
+    bead_quantity((f->time[1] - f->time[0]) / time_pixels(f), bead_chain_time_unit(f->context.chains[0]), 3, pixel, sizeof pixel);
     if (f->collects)
         snprintf(f->why, sizeof f->why, "%d x %d pixels, %s each along time", f->page.width, f->page.height, pixel);
     else
@@ -158,26 +158,26 @@ static void explain(struct bead_figure *f)
 static enum bead_error prepare(struct bead_figure *f, const enum bead_view_kind *views, struct bead_message *msg)
 {
     const struct bead_output *output = f->output;
-    bool is_signed = bead_chain_signed(f->stage.chains[0], output->field);
-    enum bead_error err = bead_colour_range_check(output, f->stage.scene->file, msg);
+    bool is_signed = bead_chain_signed(f->context.chains[0], output->field);
+    enum bead_error err = bead_colour_range_check(output, f->context.scene->file, msg);
     if (!err)
-        err = bead_picture_times(output, &f->stage, f->time, msg);
+        err = bead_picture_times(output, &f->context, f->time, msg);
     f->at = isnan(output->at) ? f->time[1] : output->at;
-    if (!err && f->at > f->stage.end * (1 + 1e-9))
-        err = bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: at: is %g; the run ends at %g", f->stage.scene->file,
-                        output->place.line, output->place.column, f->at, f->stage.end);
-    f->at = fmin(f->at, f->stage.end);
+    if (!err && f->at > f->context.end * (1 + 1e-9))
+        err = bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: at: is %g; the run ends at %g", f->context.scene->file,
+                        output->place.line, output->place.column, f->at, f->context.end);
+    f->at = fmin(f->at, f->context.end);
     if (!err)
-        err = bead_colour_range_map(output, f->stage.chains[0], "viridis", &f->map, msg);
+        err = bead_colour_range_map(output, f->context.chains[0], "viridis", &f->map, msg);
     if (err)
         return err;
     /* as wide as labels get; found at the end */
-    f->range = bead_colour_range_find(output, f->stage.chains[0], is_signed ? -888 : 0, 888);
+    f->range = bead_colour_range_find(output, f->context.chains[0], is_signed ? -888 : 0, 888);
     f->colours = (struct bead_colours){&f->map, output->scale, f->range.low, f->range.high};
     return make_cells(f, views, msg);
 }
 
-static enum bead_error new_figure(const struct bead_output *output, const struct bead_stage *stage, size_t view_count,
+static enum bead_error new_figure(const struct bead_output *output, const struct bead_run_context *context, size_t view_count,
                                   struct bead_figure **figure, struct bead_message *msg)
 {
     *figure = NULL;
@@ -187,7 +187,7 @@ static enum bead_error new_figure(const struct bead_output *output, const struct
     if (!f)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
     f->output = output;
-    f->stage = *stage;
+    f->context = *context;
     f->view_count = view_count;
     f->set.chain = SIZE_MAX;
     return BEAD_OK;
@@ -210,14 +210,14 @@ enum bead_error bead_figure_start(struct bead_figure *f, struct bead_message *ms
     return err;
 }
 
-enum bead_error bead_figure_create(const struct bead_output *output, const struct bead_stage *stage,
+enum bead_error bead_figure_create(const struct bead_output *output, const struct bead_run_context *context,
                                    const enum bead_view_kind *views, size_t view_count, struct bead_figure **figure,
                                    struct bead_message *msg)
 {
-    enum bead_error err = new_figure(output, stage, view_count, figure, msg);
+    enum bead_error err = new_figure(output, context, view_count, figure, msg);
     struct bead_figure *f = *figure;
     if (!err)
-        err = bead_page_find(output, stage->scene->file, &f->page, msg);
+        err = bead_page_find(output, context->scene->file, &f->page, msg);
     if (!err) {
         bead_page_look(&f->page, output, &f->look);
         f->area = (struct bead_rect){0, 0, f->page.width, f->page.height};
@@ -231,12 +231,12 @@ enum bead_error bead_figure_create(const struct bead_output *output, const struc
     return keep_or_destroy(figure, err);
 }
 
-enum bead_error bead_figure_create_part(const struct bead_output *output, const struct bead_stage *stage,
+enum bead_error bead_figure_create_part(const struct bead_output *output, const struct bead_run_context *context,
                                         const struct bead_page *page, const struct bead_look *look,
                                         const struct bead_part_settings *settings, struct bead_figure **figure,
                                         struct bead_message *msg)
 {
-    enum bead_error err = new_figure(output, stage, output->view_count, figure, msg);
+    enum bead_error err = new_figure(output, context, output->view_count, figure, msg);
     struct bead_figure *f = *figure;
     if (err)
         return err;
@@ -299,7 +299,7 @@ void bead_figure_needs(const struct bead_figure *f, struct bead_needs *needs)
     *needs = (struct bead_needs){.fields = fields_of(f, true) | fields_of(f, false),
                                  .beads = all_beads(f),
                                  .grid = f->grid,
-                                 .twin = f->output->trust ? fields_of(f, true) : 0,
+                                 .comparison = f->output->trust ? fields_of(f, true) : 0,
                                  .until = f->grid.end,
                                  .why = f->why};
 }
@@ -314,7 +314,7 @@ static enum bead_error keep_moment(struct bead_figure *f, struct bead_cell *cell
         return BEAD_OK;
     struct bead_sample spare = cell->moment[0];
     cell->moment[0] = cell->moment[1];
-    const struct bead_chain *chain = f->stage.chains[cell->chain];
+    const struct bead_chain *chain = f->context.chains[cell->chain];
     unsigned fields = fields_of(f, false);
     struct bead_span span = all_beads(f);
     for (size_t i = 0; i < BEAD_FIELD_COUNT; i++) {

@@ -17,7 +17,7 @@
 struct bead_figure;
 
 /* `views` from top to bottom. Errors: SCENE (with the output's place), MEMORY, IO and FORMAT of colour maps. */
-BEAD_CHECK enum bead_error bead_figure_create(const struct bead_output *output, const struct bead_stage *stage,
+BEAD_CHECK enum bead_error bead_figure_create(const struct bead_output *output, const struct bead_run_context *context,
                                               const enum bead_view_kind *views, size_t view_count, struct bead_figure **figure,
                                               struct bead_message *msg);
 void bead_figure_needs(const struct bead_figure *figure, struct bead_needs *needs);
@@ -40,7 +40,7 @@ struct bead_part_settings {
 };
 
 /* On the sheet's page with its look. Errors: as create. */
-BEAD_CHECK enum bead_error bead_figure_create_part(const struct bead_output *output, const struct bead_stage *stage,
+BEAD_CHECK enum bead_error bead_figure_create_part(const struct bead_output *output, const struct bead_run_context *context,
                                                    const struct bead_page *page, const struct bead_look *look,
                                                    const struct bead_part_settings *settings, struct bead_figure **figure,
                                                    struct bead_message *msg);

@@ -83,13 +83,13 @@ static void part_words(const struct bead_figure *f, struct words *words)
              !alone && f->set.title ? f->set.title : "");
     if (!f->stills)
         return;
-    time_words(f->at, bead_chain_time_unit(f->stage.chains[0]), time, sizeof time);
+    time_words(f->at, bead_chain_time_unit(f->context.chains[0]), time, sizeof time);
     snprintf(words->moment, sizeof words->moment, BEAD_SYMBOL("t") " = %s", time);
 }
 
 static bool words_of(const struct bead_figure *f, const struct bead_cell *cell, struct words *words)
 {
-    const struct bead_chain *chain = f->stage.chains[cell->chain];
+    const struct bead_chain *chain = f->context.chains[cell->chain];
     size_t index = (size_t)(cell - f->cells);
     *words = (struct words){.name = bead_chain_name(chain), .label = bead_chain_spec(chain)->label};
     if (f->part && index == 0)
@@ -208,7 +208,7 @@ static void moment_words(const struct bead_figure *f, char *markup, size_t size)
     markup[0] = '\0';
     if (!f->stills)
         return;
-    time_words(f->at, bead_chain_time_unit(f->stage.chains[0]), time, sizeof time);
+    time_words(f->at, bead_chain_time_unit(f->context.chains[0]), time, sizeof time);
     snprintf(markup, size, BEAD_SYMBOL("t") " = %s", time);
     for (size_t v = 0; v < f->view_count; v++) {
         const struct bead_tile *panel = &f->cells[0].panel[v];
@@ -225,7 +225,7 @@ bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
 {
     const struct bead_look *look = &f->look;
     const int least = 240; /* px of height where a title is worth its room */
-    const char *title = !f->page.paper && f->page.height >= least ? f->stage.scene->title : "";
+    const char *title = !f->page.paper && f->page.height >= least ? f->context.scene->title : "";
     if (f->part || !f->output->axes || (!*title && !f->stills))
         return false;
     if (!cr)
@@ -246,7 +246,7 @@ bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
 /* Up to when the two runs of a cell's chain agree. */
 static void draw_trust(const struct bead_figure *f, const struct bead_cell *cell, cairo_t *cr)
 {
-    struct bead_trust trust = bead_trust_make(f->stage.chains[0], f->stage.twin);
+    struct bead_trust trust = bead_trust_make(f->context.chains[0], f->context.tolerance_factor);
     trust.from = f->time[0];
     trust.until = cell->horizon;
     trust.bold = !f->page.paper;
@@ -255,7 +255,7 @@ static void draw_trust(const struct bead_figure *f, const struct bead_cell *cell
 
 void bead_figure_bar_title(const struct bead_figure *f, char *title, size_t size)
 {
-    const char *name = bead_chain_field(f->stage.chains[0], f->output->field)->title;
+    const char *name = bead_chain_field(f->context.chains[0], f->output->field)->title;
     bool largest = false;
     for (size_t v = 0; v < f->view_count; v++)
         largest = largest || f->cells[0].panel[v].type->kind == BEAD_VIEW_SPACETIME;
@@ -268,7 +268,7 @@ static void draw_bar(const struct bead_figure *f, cairo_t *cr)
 {
     struct bead_rect bar = f->bar;
     int point = (int)ceil(0.9 * bar.width);
-    const struct bead_field_info *field = bead_chain_field(f->stage.chains[0], f->output->field);
+    const struct bead_field_info *field = bead_chain_field(f->context.chains[0], f->output->field);
     bar.y += f->range.over ? point : 0;
     bar.height -= (f->range.over + f->range.under) * point;
     char title[64];

@@ -126,7 +126,7 @@ static enum bead_error make_plan(const struct bead_figure *f, const struct bead_
 static double bar_labels(const struct bead_figure *f, int height)
 {
     struct bead_rect bar = {0, 0, (int)(bar_width * f->look.label), height};
-    const struct bead_field_info *field = bead_chain_field(f->stage.chains[0], f->output->field);
+    const struct bead_field_info *field = bead_chain_field(f->context.chains[0], f->output->field);
     struct bead_colours colours = f->colours;
     double widest = 0;
     char title[64];
@@ -174,7 +174,7 @@ static enum bead_error too_small(const struct bead_figure *f, struct bead_messag
     return bead_fail(msg, BEAD_ERROR_SCENE,
                      "%s:%zu:%zu: size: %s leave no room for %zu plots and their labels; a larger picture, fewer views or "
                      "`axes: false` do",
-                     f->stage.scene->file, output->place.line, output->place.column, bead_page_size(&f->page, size),
+                     f->context.scene->file, output->place.line, output->place.column, bead_page_size(&f->page, size),
                      f->cell_count * f->view_count);
 }
 

@@ -35,7 +35,7 @@ struct bead_cell {
 
 struct bead_figure {
     const struct bead_output *output;
-    struct bead_stage stage;
+    struct bead_run_context context;
     struct bead_page page;
     struct bead_look look;
     bool part;                     /* of a sheet, which has title, letters and caption */

@@ -42,7 +42,7 @@ void bead_figure_extremes(const struct bead_figure *f, double colours[2], double
 
 void bead_figure_set_range(struct bead_figure *f, const double colours[2], const double sensors[2])
 {
-    f->range = bead_colour_range_find(f->output, f->stage.chains[0], colours[0], colours[1]);
+    f->range = bead_colour_range_find(f->output, f->context.chains[0], colours[0], colours[1]);
     f->colours.low = f->range.low;
     f->colours.high = f->range.high;
     for (size_t c = 0; c < f->cell_count; c++) {
@@ -193,11 +193,11 @@ enum bead_error bead_figure_write(struct bead_figure *f, const char *path, uint6
     bead_figure_extremes(f, colours, sensors);
     bead_figure_set_range(f, colours, sensors);
     enum bead_error err =
-        bead_figure_needs_canvas(f) ? bead_canvas_create(f->stage.canvas, f->page.width, f->page.height, &canvas, msg) : BEAD_OK;
+        bead_figure_needs_canvas(f) ? bead_canvas_create(f->context.canvas, f->page.width, f->page.height, &canvas, msg) : BEAD_OK;
     if (!err)
         err = bead_figure_finish(f, canvas, msg);
     if (!err)
-        err = bead_page_write(&f->page, f->output, f->stage.scene, &drawing, path, bytes, msg);
+        err = bead_page_write(&f->page, f->output, f->context.scene, &drawing, path, bytes, msg);
     bead_figure_release_canvas(f);
     bead_canvas_destroy(canvas);
     return err;

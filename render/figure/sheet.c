@@ -31,7 +31,7 @@ void bead_sheet_destroy(struct bead_sheet *sheet)
 static enum bead_error make_words(struct bead_sheet *s, struct bead_message *msg)
 {
     const int least = 240; /* px of height where a title is worth its room */
-    const char *title = s->stage.scene->title, *caption = s->output->caption;
+    const char *title = s->context.scene->title, *caption = s->output->caption;
     if (!s->page.paper && s->page.height >= least && *title) {
         size_t size = 6 * strlen(title) + 1;
         s->title = malloc(size);
@@ -70,8 +70,8 @@ static enum bead_error make_panel(struct bead_sheet *s, size_t index, struct bea
     if (panel->output->panel_title)
         snprintf(panel->title, sizeof panel->title, "%s", panel->output->panel_title);
     if (panel->output->kind == BEAD_OUTPUT_PLOT)
-        return bead_plot_data_create(panel->output, &s->stage, panel->set.chain, &panel->plot, msg);
-    return bead_figure_create_part(panel->output, &s->stage, &s->page, &s->look, &panel->set, &panel->figure, msg);
+        return bead_plot_data_create(panel->output, &s->context, panel->set.chain, &panel->plot, msg);
+    return bead_figure_create_part(panel->output, &s->context, &s->page, &s->look, &panel->set, &panel->figure, msg);
 }
 
 /* One grid for all: as close as the finest, from the first to the last time that anything shows. Profiles lie between its times, on
@@ -91,8 +91,8 @@ static void join_grids(struct bead_sheet *s)
         grids++;
         profiles = profiles || (s->panels[p].plot && s->panels[p].output->show == BEAD_SHOW_PROFILES);
     }
-    if (profiles && grids > 1 && s->stage.resolution > 0 && !(s->stage.native.every > 0))
-        all.every = fmin(all.every, s->stage.resolution / 8);
+    if (profiles && grids > 1 && s->context.resolution > 0 && !(s->context.native.every > 0))
+        all.every = fmin(all.every, s->context.resolution / 8);
     s->grid = all.end >= all.start ? all : (struct bead_grid){0, 0, 0};
     for (size_t p = 0; p < s->count; p++) {
         if (s->panels[p].figure)
@@ -100,8 +100,8 @@ static void join_grids(struct bead_sheet *s)
     }
 }
 
-enum bead_error bead_sheet_create(const struct bead_output *output, const struct bead_stage *stage, struct bead_sheet **sheet,
-                                  struct bead_message *msg)
+enum bead_error bead_sheet_create(const struct bead_output *output, const struct bead_run_context *context,
+                                  struct bead_sheet **sheet, struct bead_message *msg)
 {
     struct bead_sheet *s = *sheet = calloc(1, sizeof *s);
     size_t count = output->panel_count > 0 ? output->panel_count : 1;
@@ -113,9 +113,9 @@ enum bead_error bead_sheet_create(const struct bead_output *output, const struct
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
     }
     s->output = output;
-    s->stage = *stage;
+    s->context = *context;
     s->count = count;
-    enum bead_error err = bead_page_find(output, stage->scene->file, &s->page, msg);
+    enum bead_error err = bead_page_find(output, context->scene->file, &s->page, msg);
     if (!err) {
         bead_page_look(&s->page, output, &s->look);
         err = make_words(s, msg);
@@ -149,7 +149,7 @@ void bead_sheet_needs(const struct bead_sheet *sheet, struct bead_needs *needs)
     for (size_t p = 0; p < sheet->count; p++) {
         const struct bead_needs *more = &sheet->panels[p].needs;
         needs->fields |= more->fields;
-        needs->twin |= more->twin;
+        needs->comparison |= more->comparison;
         needs->contact_peaks = needs->contact_peaks || more->contact_peaks;
         needs->until = fmax(needs->until, more->until);
         if (!more->fields)

@@ -10,7 +10,7 @@ struct bead_sheet;
 /* Is this output one? Else it is a figure or a plot alone. */
 bool bead_sheet_wanted(const struct bead_output *output);
 /* `output` is borrowed. Errors: SCENE (with the place of the output or panel), MEMORY, IO and FORMAT of colour maps. */
-BEAD_CHECK enum bead_error bead_sheet_create(const struct bead_output *output, const struct bead_stage *stage,
+BEAD_CHECK enum bead_error bead_sheet_create(const struct bead_output *output, const struct bead_run_context *context,
                                              struct bead_sheet **sheet, struct bead_message *msg);
 void bead_sheet_needs(const struct bead_sheet *sheet, struct bead_needs *needs);
 BEAD_CHECK enum bead_error bead_sheet_feed(struct bead_sheet *sheet, const struct bead_sample *sample, struct bead_message *msg);

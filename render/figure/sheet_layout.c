@@ -137,7 +137,7 @@ static enum bead_error put_plot(struct bead_sheet *s, struct sheet_panel *panel,
     }
     enum bead_error err = graph_layout_make(&graph, &s->look, panel->area.width, panel->area.height, &frame, &layout, &why);
     if (err)
-        return bead_fail(msg, err, "%s:%zu:%zu: %.600s", s->stage.scene->file, panel->output->place.line,
+        return bead_fail(msg, err, "%s:%zu:%zu: %.600s", s->context.scene->file, panel->output->place.line,
                          panel->output->place.column, why.text);
     double right = 0, bottom = 0;
     for (size_t i = 0; i < graph.panel_count; i++) {
@@ -232,8 +232,8 @@ static enum bead_error divide(struct bead_sheet *s, struct bead_message *msg)
         char words[BEAD_SIZE_WORDS];
         if (width < smallest || height < smallest)
             return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: size: %s leave no room for %zu panels and their labels",
-                             s->stage.scene->file, s->output->place.line, s->output->place.column, bead_page_size(&s->page, words),
-                             s->count);
+                             s->context.scene->file, s->output->place.line, s->output->place.column,
+                             bead_page_size(&s->page, words), s->count);
         for (size_t c = 0; c < columns; c++) {
             struct sheet_panel *panel = sheet_at(s, r, c);
             const struct bead_insets *in = &panel->insets;

@@ -22,7 +22,7 @@ struct sheet_panel {
 
 struct bead_sheet {
     const struct bead_output *output;
-    struct bead_stage stage;
+    struct bead_run_context context;
     struct bead_page page;
     struct bead_look look;
     struct sheet_panel *panels;

@@ -100,7 +100,7 @@ static enum bead_error finish(struct bead_sheet *s, const struct bead_outcome *o
     for (size_t p = 0; !err && p < s->count; p++) {
         struct sheet_panel *panel = &s->panels[p];
         if (panel->figure && bead_figure_needs_canvas(panel->figure) && !*canvas)
-            err = bead_canvas_create(s->stage.canvas, s->page.width, s->page.height, canvas, msg);
+            err = bead_canvas_create(s->context.canvas, s->page.width, s->page.height, canvas, msg);
         if (!err)
             err =
                 panel->figure ? bead_figure_finish(panel->figure, *canvas, msg) : bead_plot_data_finish(panel->plot, outcomes, msg);
@@ -115,7 +115,7 @@ enum bead_error bead_sheet_write(struct bead_sheet *s, const struct bead_outcome
     const struct bead_drawing drawing = {draw_vector, draw_frame, s};
     enum bead_error err = finish(s, outcomes, &canvas, msg);
     if (!err)
-        err = bead_page_write(&s->page, s->output, s->stage.scene, &drawing, path, bytes, msg);
+        err = bead_page_write(&s->page, s->output, s->context.scene, &drawing, path, bytes, msg);
     for (size_t p = 0; p < s->count; p++) {
         if (s->panels[p].figure)
             bead_figure_release_canvas(s->panels[p].figure);

@@ -12,10 +12,10 @@
 
 struct bead_sink {
     const struct bead_output *output;
-    struct bead_stage stage;
+    struct bead_run_context context;
     struct bead_page page;
     /* One of these, or none: a drawing */
-    struct bead_bare *bare;
+    struct bead_bare_image *bare;
     struct bead_figure *figure;
     struct bead_plot_data *plot;
     struct bead_sheet *sheet;
@@ -27,7 +27,7 @@ static void destroy(struct bead_sink *sink)
 {
     if (!sink)
         return;
-    bead_bare_destroy(sink->bare);
+    bead_bare_image_destroy(sink->bare);
     bead_figure_destroy(sink->figure);
     bead_plot_data_destroy(sink->plot);
     bead_sheet_destroy(sink->sheet);
@@ -40,27 +40,27 @@ static enum bead_error create_content(struct bead_sink *s, struct bead_message *
     const struct bead_output *output = s->output;
     bool bare = !output->axes && output->view_count == 1 && output->views[0] == BEAD_VIEW_SPACETIME;
     if (bead_sheet_wanted(output))
-        return bead_sheet_create(output, &s->stage, &s->sheet, msg);
+        return bead_sheet_create(output, &s->context, &s->sheet, msg);
     if (output->kind == BEAD_OUTPUT_PLOT && bead_schematic_is(output->show))
-        return bead_schematic_check(output, &s->stage, msg);
+        return bead_schematic_check(output, &s->context, msg);
     if (output->kind == BEAD_OUTPUT_PLOT)
-        return bead_plot_data_create(output, &s->stage, SIZE_MAX, &s->plot, msg);
+        return bead_plot_data_create(output, &s->context, SIZE_MAX, &s->plot, msg);
     if (bare)
-        return bead_bare_create(output, &s->stage, &s->bare, msg);
-    return bead_figure_create(output, &s->stage, output->views, output->view_count, &s->figure, msg);
+        return bead_bare_image_create(output, &s->context, &s->bare, msg);
+    return bead_figure_create(output, &s->context, output->views, output->view_count, &s->figure, msg);
 }
 
-static enum bead_error create(const struct bead_output *output, const struct bead_stage *stage, struct bead_sink **sink,
+static enum bead_error create(const struct bead_output *output, const struct bead_run_context *context, struct bead_sink **sink,
                               struct bead_message *msg)
 {
     struct bead_sink *s = *sink = calloc(1, sizeof *s);
     if (!s)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a picture");
     s->output = output;
-    s->stage = *stage;
-    enum bead_error err = bead_file_join(stage->directory, output->path, &s->path, msg);
+    s->context = *context;
+    enum bead_error err = bead_file_join(context->directory, output->path, &s->path, msg);
     if (!err)
-        err = bead_page_find(output, stage->scene->file, &s->page, msg);
+        err = bead_page_find(output, context->scene->file, &s->page, msg);
     if (!err)
         err = create_content(s, msg);
     if (err) {
@@ -80,7 +80,7 @@ static void needs(const struct bead_sink *sink, struct bead_needs *needs)
     else if (sink->figure)
         bead_figure_needs(sink->figure, needs);
     else if (sink->bare)
-        bead_bare_needs(sink->bare, needs);
+        bead_bare_image_needs(sink->bare, needs);
 }
 
 static enum bead_error begin(struct bead_sink *sink, struct bead_range range, struct bead_message *msg)
@@ -97,7 +97,7 @@ static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *
         return bead_plot_data_feed(sink->plot, sample, msg);
     if (sink->figure)
         return bead_figure_feed(sink->figure, sample, msg);
-    return sink->bare ? bead_bare_feed(sink->bare, sample, msg) : BEAD_OK;
+    return sink->bare ? bead_bare_image_feed(sink->bare, sample, msg) : BEAD_OK;
 }
 
 static enum bead_error end(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
@@ -108,8 +108,8 @@ static enum bead_error end(struct bead_sink *sink, const struct bead_outcome *ou
         return bead_plot_data_write(sink->plot, outcomes, &sink->page, sink->path, &sink->bytes, msg);
     if (sink->figure)
         return bead_figure_write(sink->figure, sink->path, &sink->bytes, msg);
-    return sink->bare ? bead_bare_write(sink->bare, sink->path, &sink->bytes, msg)
-                      : bead_schematic_write(sink->output, &sink->stage, sink->path, &sink->bytes, msg);
+    return sink->bare ? bead_bare_image_write(sink->bare, sink->path, &sink->bytes, msg)
+                      : bead_schematic_write(sink->output, &sink->context, sink->path, &sink->bytes, msg);
 }
 
 static void result(const struct bead_sink *sink, uint64_t *bytes, uint64_t *items)

@@ -23,7 +23,7 @@ unsigned bead_composer_fields(const struct bead_output *output, const struct bea
     return fields | (output->follow == BEAD_FOLLOW_FRONT ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0);
 }
 
-unsigned bead_composer_twin(const struct bead_output *output)
+unsigned bead_composer_comparison(const struct bead_output *output)
 {
     unsigned fields = 0;
     for (size_t i = 0; output->trust && i < output->view_count; i++) {
@@ -73,7 +73,7 @@ static double reach_along(const struct bead_composer *c, size_t chain, size_t la
     struct bead_axis axis;
     struct bead_rect plot = {0, 0, (int)length, (int)length};
     const struct bead_chain *own = c->setup.chains[chain];
-    const char *title = bead_along_axis(&axis, own, false, 0, last, length, c->look.tick, side == BEAD_SIDE_BOTTOM);
+    const char *title = bead_axis_along_chain(&axis, own, false, 0, last, length, c->look.tick, side == BEAD_SIDE_BOTTOM);
     return bead_axis_draw(NULL, &c->look, &axis, plot, side, false, true, title);
 }
 

@@ -23,14 +23,14 @@ struct bead_composer_setup {
     double time[2], step; /* s: first and last frame, and from one to the next */
     double range[2];      /* of the colours; not empty */
     const struct bead_scene *scene;
-    const char *canvas; /* back end; NULL: the first that works */
-    double twin;        /* what the twin run of outputs with trust is like: see bead_stage */
+    const char *canvas;      /* back end; NULL: the first that works */
+    double tolerance_factor; /* of the comparison run of outputs with trust: see bead_run_context */
 };
 
 /* BEAD_FIELD_BITs that the views of an output need. */
 unsigned bead_composer_fields(const struct bead_output *output, const struct bead_chain *chain);
-/* Those that it needs of the twin as well: 0 without trust. */
-unsigned bead_composer_twin(const struct bead_output *output);
+/* Those that it needs of the comparison run as well: 0 without trust. */
+unsigned bead_composer_comparison(const struct bead_output *output);
 /* Does an output want samples closer than its frames? */
 bool bead_composer_averages(const struct bead_output *output);
 

@@ -64,7 +64,7 @@ void bead_overlay_time(struct bead_composer *c, double time, struct bead_changes
 /* Whose horizon is the earliest, of what has been drawn. */
 static struct bead_trust find_trust(const struct bead_composer *c)
 {
-    struct bead_trust trust = bead_trust_make(c->setup.chains[0], c->setup.twin);
+    struct bead_trust trust = bead_trust_make(c->setup.chains[0], c->setup.tolerance_factor);
     trust.from = c->setup.time[0];
     trust.bold = true;
     for (size_t i = 0; i < c->wants.chain_count * c->wants.view_count; i++) {

@@ -24,7 +24,7 @@ static const size_t sample_bytes = 32u << 20;
 
 /* A sample on its way to the drawing thread; its numbers follow behind it, field by field. */
 struct snapshot {
-    size_t chain, index, active, twin_active;
+    size_t chain, index, active, comparison_active;
     double time;
     size_t filled; /* values from here on are those at rest; 0: never used */
     size_t owner;  /* chain of the numbers in here, + 1 */
@@ -38,19 +38,19 @@ struct parcel {
 
 struct bead_sink {
     const struct bead_output *output;
-    struct bead_stage stage;
+    struct bead_run_context context;
     char *path, *poster_path; /* NULL: none */
     uint64_t poster_bytes;
     char why[192];
     int width, height;
     struct bead_movie_times times;
-    unsigned fields, twin;
+    unsigned fields, comparison;
     size_t last_bead; /* of the longest chain, as far as asked for */
 
     struct bead_composer *composer;
     struct bead_movie *movie;
     struct bead_poster *poster; /* NULL: none */
-    struct bead_pipe *drawing, *encoding;
+    struct bead_ring_buffer *drawing, *encoding;
     bool ahead; /* frames go to the encoder as it wants them; else as they are, through buffers */
     struct bead_frame buffer[FRAME_SLOTS];
     struct bead_changes missing[FRAME_SLOTS]; /* what each of them lacks */
@@ -65,8 +65,8 @@ struct bead_sink {
 
 static enum bead_error wrong(const struct bead_sink *s, const char *what, struct bead_message *msg)
 {
-    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s", s->stage.scene->file, s->output->place.line, s->output->place.column,
-                     what);
+    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s", s->context.scene->file, s->output->place.line,
+                     s->output->place.column, what);
 }
 
 static struct bead_movie_settings settings_of(const struct bead_sink *s)
@@ -75,7 +75,7 @@ static struct bead_movie_settings settings_of(const struct bead_sink *s)
                                         .height = s->height,
                                         .fps = s->output->fps,
                                         .quality = s->output->quality,
-                                        .title = s->stage.scene->title[0] ? s->stage.scene->title : NULL,
+                                        .title = s->context.scene->title[0] ? s->context.scene->title : NULL,
                                         .cover = s->output->poster && s->output->poster[0]};
 }
 
@@ -98,7 +98,7 @@ static enum bead_error choose_size(struct bead_sink *s, struct bead_message *msg
 static void describe(struct bead_sink *s)
 {
     char every[48], drawn[48] = "";
-    bead_quantity(s->times.step, bead_chain_time_unit(s->stage.chains[0]), 3, every, sizeof every);
+    bead_quantity(s->times.step, bead_chain_time_unit(s->context.chains[0]), 3, every, sizeof every);
     if (s->times.group > 1)
         snprintf(drawn, sizeof drawn, " (%zu of them drawn)", bead_movie_pictures(&s->times));
     snprintf(s->why, sizeof s->why, "%zu frames%s of %d x %d pixels, every %s", s->times.frames, drawn, s->width, s->height, every);
@@ -108,8 +108,8 @@ static void movie_destroy(struct bead_sink *s)
 {
     if (!s)
         return;
-    bead_pipe_destroy(s->drawing);
-    bead_pipe_destroy(s->encoding);
+    bead_ring_buffer_destroy(s->drawing);
+    bead_ring_buffer_destroy(s->encoding);
     bead_movie_abort(s->movie);
     bead_poster_destroy(s->poster);
     bead_composer_destroy(s->composer);
@@ -123,25 +123,25 @@ static void movie_destroy(struct bead_sink *s)
 static enum bead_error prepare(struct bead_sink *s, struct bead_message *msg)
 {
     struct bead_movie_settings settings;
-    enum bead_error err = bead_colour_range_check(s->output, s->stage.scene->file, msg);
+    enum bead_error err = bead_colour_range_check(s->output, s->context.scene->file, msg);
     if (!err)
         err = choose_size(s, msg);
     if (!err)
-        err = bead_movie_times_choose(s->output, &s->stage, &s->times, msg);
+        err = bead_movie_times_choose(s->output, &s->context, &s->times, msg);
     if (!err)
-        err = bead_captions_check(s->output, s->stage.scene, s->times.time[1], bead_chain_time_unit(s->stage.chains[0]), msg);
+        err = bead_captions_check(s->output, s->context.scene, s->times.time[1], bead_chain_time_unit(s->context.chains[0]), msg);
     if (!err && s->output->poster && s->output->poster[0])
-        err = bead_file_join(s->stage.directory, s->output->poster, &s->poster_path, msg);
+        err = bead_file_join(s->context.directory, s->output->poster, &s->poster_path, msg);
     if (!err)
-        err = bead_file_join(s->stage.directory, s->output->path, &s->path, msg);
+        err = bead_file_join(s->context.directory, s->output->path, &s->path, msg);
     if (err)
         return err;
     settings = settings_of(s);
     err = bead_movie_check(s->output->path, &settings, msg);
-    s->fields = bead_composer_fields(s->output, s->stage.chains[0]);
-    s->twin = bead_composer_twin(s->output);
-    for (size_t c = 0; c < s->stage.chain_count; c++) {
-        size_t last = bead_chain_beads(s->stage.chains[c]) - 1;
+    s->fields = bead_composer_fields(s->output, s->context.chains[0]);
+    s->comparison = bead_composer_comparison(s->output);
+    for (size_t c = 0; c < s->context.chain_count; c++) {
+        size_t last = bead_chain_beads(s->context.chains[c]) - 1;
         s->last_bead = last > s->last_bead ? last : s->last_bead;
     }
     s->last_bead = s->output->beads.last < s->last_bead ? s->output->beads.last : s->last_bead;
@@ -151,15 +151,15 @@ static enum bead_error prepare(struct bead_sink *s, struct bead_message *msg)
     return err;
 }
 
-static enum bead_error movie_create(const struct bead_output *output, const struct bead_stage *stage, struct bead_sink **sink,
-                                    struct bead_message *msg)
+static enum bead_error movie_create(const struct bead_output *output, const struct bead_run_context *context,
+                                    struct bead_sink **sink, struct bead_message *msg)
 {
     *sink = NULL;
     struct bead_sink *s = calloc(1, sizeof *s);
     if (!s)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
     s->output = output;
-    s->stage = *stage;
+    s->context = *context;
     enum bead_error err = prepare(s, msg);
     if (err)
         movie_destroy(s);
@@ -175,7 +175,7 @@ static void movie_needs(const struct bead_sink *s, struct bead_needs *needs)
                                  .grid = s->times.grid,
                                  .range = isnan(s->output->range[0]) || isnan(s->output->range[1]),
                                  .range_field = s->output->field,
-                                 .twin = s->twin,
+                                 .comparison = s->comparison,
                                  .until = s->times.time[1],
                                  .why = s->why};
 }
@@ -214,7 +214,7 @@ static enum bead_error encode(void *context, void *slot, int last, struct bead_m
 /* Drawing thread: bring a free buffer up to date and send it. */
 static enum bead_error send_frame(struct bead_sink *s, const struct bead_changes *changes, struct bead_message *msg)
 {
-    struct parcel *parcel = bead_pipe_slot(s->encoding);
+    struct parcel *parcel = bead_ring_buffer_slot(s->encoding);
     const struct bead_frame *frame = bead_composer_frame(s->composer);
     enum bead_error err = BEAD_OK;
     if (!parcel) /* the encoder tells why when it is finished */
@@ -222,7 +222,7 @@ static enum bead_error send_frame(struct bead_sink *s, const struct bead_changes
     parcel->changes = *changes;
     if (changes->count == 0 && s->filled > 0) { /* what the encoder has already */
         parcel->buffer = (s->filled - 1) % FRAME_SLOTS;
-        bead_pipe_submit(s->encoding);
+        bead_ring_buffer_submit(s->encoding);
         return BEAD_OK;
     }
     parcel->buffer = s->filled++ % FRAME_SLOTS;
@@ -237,7 +237,7 @@ static enum bead_error send_frame(struct bead_sink *s, const struct bead_changes
         bead_frame_copy(&s->buffer[parcel->buffer], frame, missing->rect[i]);
     missing->count = 0;
     if (!err)
-        bead_pipe_submit(s->encoding);
+        bead_ring_buffer_submit(s->encoding);
     return err;
 }
 
@@ -271,7 +271,7 @@ static enum bead_error take_snapshot(struct bead_sink *s, struct snapshot *snaps
                                  .index = snapshot->index,
                                  .time = snapshot->time,
                                  .active = snapshot->active,
-                                 .twin_active = snapshot->twin_active};
+                                 .comparison_active = snapshot->comparison_active};
     const double *data = numbers(snapshot);
     for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++) {
         if (!(s->fields & BEAD_FIELD_BIT(f)))
@@ -280,13 +280,13 @@ static enum bead_error take_snapshot(struct bead_sink *s, struct snapshot *snaps
         data += field_room(s);
     }
     for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++) {
-        if (!(s->twin & BEAD_FIELD_BIT(f)))
+        if (!(s->comparison & BEAD_FIELD_BIT(f)))
             continue;
-        sample.twin[f] = data;
+        sample.comparison[f] = data;
         data += field_room(s);
     }
     enum bead_error err = bead_composer_feed(s->composer, &sample, msg);
-    if (err || snapshot->chain + 1 < s->stage.chain_count)
+    if (err || snapshot->chain + 1 < s->context.chain_count)
         return err;
     s->seen = snapshot->time;
     s->seen_any = true;
@@ -311,42 +311,43 @@ static enum bead_error draw(void *context, void *slot, int last, struct bead_mes
 
 static enum bead_error create_pipes(struct bead_sink *s, struct bead_message *msg)
 {
-    size_t numbers_bytes = (field_count(s->fields) + field_count(s->twin)) * field_room(s) * sizeof(double);
-    size_t bytes = sizeof(struct snapshot) + numbers_bytes, chains = s->stage.chain_count;
+    size_t numbers_bytes = (field_count(s->fields) + field_count(s->comparison)) * field_room(s) * sizeof(double);
+    size_t bytes = sizeof(struct snapshot) + numbers_bytes, chains = s->context.chain_count;
     size_t slots = sample_bytes / bytes;
     slots = slots < LEAST_SAMPLES ? LEAST_SAMPLES : slots > MOST_SAMPLES ? MOST_SAMPLES : slots;
     slots = (slots + chains - 1) / chains * chains; /* a slot meets the same chain again: less to copy */
-    enum bead_error err = bead_pipe_create(FRAME_SLOTS, sizeof(struct parcel), s->stage.threads, encode, s, &s->encoding, msg);
-    return err ? err : bead_pipe_create(slots, bytes, s->stage.threads, draw, s, &s->drawing, msg);
+    enum bead_error err =
+        bead_ring_buffer_create(FRAME_SLOTS, sizeof(struct parcel), s->context.threads, encode, s, &s->encoding, msg);
+    return err ? err : bead_ring_buffer_create(slots, bytes, s->context.threads, draw, s, &s->drawing, msg);
 }
 
 static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range, struct bead_message *msg)
 {
     struct bead_composer_setup setup = {.output = s->output,
-                                        .chains = s->stage.chains,
-                                        .chain_count = s->stage.chain_count,
-                                        .title = s->stage.scene->title,
+                                        .chains = s->context.chains,
+                                        .chain_count = s->context.chain_count,
+                                        .title = s->context.scene->title,
                                         .width = s->width,
                                         .height = s->height,
                                         .time = {s->times.time[0], s->times.time[1]},
                                         .step = s->times.step,
-                                        .scene = s->stage.scene,
-                                        .twin = s->stage.twin,
-                                        .canvas = s->stage.canvas};
-    struct bead_colour_range colours = bead_colour_range_find(s->output, s->stage.chains[0], range.low, range.high);
+                                        .scene = s->context.scene,
+                                        .tolerance_factor = s->context.tolerance_factor,
+                                        .canvas = s->context.canvas};
+    struct bead_colour_range colours = bead_colour_range_find(s->output, s->context.chains[0], range.low, range.high);
     setup.range[0] = colours.low;
     setup.range[1] = colours.high;
     enum bead_error err = bead_composer_create(&setup, &s->composer, msg);
     struct bead_movie_settings settings = settings_of(s);
     if (!err && s->poster_path)
-        err = bead_poster_create(s->output, s->stage.scene, s->poster_path, s->times.step, &s->poster, msg);
+        err = bead_poster_create(s->output, s->context.scene, s->poster_path, s->times.step, &s->poster, msg);
     if (!err)
         err = bead_movie_open(s->path, &settings, &s->movie, msg);
     if (!err)
         err = bead_movie_reserve(s->movie, FRAME_SLOTS, &s->ahead, msg);
     for (int i = 0; !err && !s->ahead && i < FRAME_SLOTS; i++)
         err = bead_frame_create(s->width, s->height, &s->buffer[i], msg);
-    bead_canvas_prepare(s->stage.canvas); /* while no thread of ours is running */
+    bead_canvas_prepare(s->context.canvas); /* while no thread of ours is running */
     return err ? err : create_pipes(s, msg);
 }
 
@@ -355,15 +356,15 @@ static void fill(const struct bead_sink *s, const struct bead_sample *sample, st
 {
     size_t first = s->output->beads.first, room = field_room(s);
     bool fresh = snapshot->owner != sample->chain + 1;
-    size_t last = s->twin && sample->twin_active > sample->active ? sample->twin_active : sample->active;
+    size_t last = s->comparison && sample->comparison_active > sample->active ? sample->comparison_active : sample->active;
     size_t moving = last + 1, filled = fresh ? SIZE_MAX : snapshot->filled;
     double *data = numbers(snapshot);
     for (unsigned i = 0; i < 2 * BEAD_FIELD_COUNT; i++) {
         unsigned f = i % BEAD_FIELD_COUNT;
-        const double *values = i < BEAD_FIELD_COUNT ? sample->field[f] : sample->twin[f];
-        if (!((i < BEAD_FIELD_COUNT ? s->fields : s->twin) & BEAD_FIELD_BIT(f)))
+        const double *values = i < BEAD_FIELD_COUNT ? sample->field[f] : sample->comparison[f];
+        if (!((i < BEAD_FIELD_COUNT ? s->fields : s->comparison) & BEAD_FIELD_BIT(f)))
             continue;
-        const struct bead_chain *chain = s->stage.chains[sample->chain];
+        const struct bead_chain *chain = s->context.chains[sample->chain];
         size_t count = bead_field_info((enum bead_field)f)->of_contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain);
         size_t end = moving > filled ? moving : filled;
         end = end < count ? end : count;
@@ -375,7 +376,7 @@ static void fill(const struct bead_sink *s, const struct bead_sample *sample, st
     *snapshot = (struct snapshot){.chain = sample->chain,
                                   .index = sample->index,
                                   .active = sample->active,
-                                  .twin_active = sample->twin_active,
+                                  .comparison_active = sample->comparison_active,
                                   .time = sample->time,
                                   .filled = moving,
                                   .owner = sample->chain + 1};
@@ -385,7 +386,8 @@ static void fill(const struct bead_sink *s, const struct bead_sample *sample, st
 static enum bead_error finish_pipes(struct bead_sink *s, struct bead_message *msg)
 {
     struct bead_message drawing = {""}, encoding = {""};
-    enum bead_error drawn = bead_pipe_finish(s->drawing, &drawing), encoded = bead_pipe_finish(s->encoding, &encoding);
+    enum bead_error drawn = bead_ring_buffer_finish(s->drawing, &drawing),
+                    encoded = bead_ring_buffer_finish(s->encoding, &encoding);
     if (encoded)
         return bead_fail(msg, encoded, "%s", encoding.text);
     return drawn ? bead_fail(msg, drawn, "%s", drawing.text) : BEAD_OK;
@@ -393,11 +395,11 @@ static enum bead_error finish_pipes(struct bead_sink *s, struct bead_message *ms
 
 static enum bead_error movie_sample(struct bead_sink *s, const struct bead_sample *sample, struct bead_message *msg)
 {
-    struct snapshot *snapshot = bead_pipe_slot(s->drawing);
+    struct snapshot *snapshot = bead_ring_buffer_slot(s->drawing);
     if (!snapshot)
         return finish_pipes(s, msg);
     fill(s, sample, snapshot);
-    bead_pipe_submit(s->drawing);
+    bead_ring_buffer_submit(s->drawing);
     return BEAD_OK;
 }
 

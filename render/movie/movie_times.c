@@ -8,22 +8,22 @@ static const double most_frames = 1e7, most_samples = 1e9;
 /* 1/s: enough to judge a motion by. Half of a movie of 60 frames a second is half of its cost. */
 static const double draft_pictures = 30;
 
-static enum bead_error wrong(const struct bead_output *o, const struct bead_stage *stage, const char *what,
+static enum bead_error wrong(const struct bead_output *o, const struct bead_run_context *context, const char *what,
                              struct bead_message *msg)
 {
-    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s", stage->scene->file, o->place.line, o->place.column, what);
+    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s", context->scene->file, o->place.line, o->place.column, what);
 }
 
-static enum bead_error choose_frames(const struct bead_output *o, const struct bead_stage *stage, struct bead_movie_times *t,
-                                     struct bead_message *msg)
+static enum bead_error choose_frames(const struct bead_output *o, const struct bead_run_context *context,
+                                     struct bead_movie_times *t, struct bead_message *msg)
 {
-    t->time[0] = isnan(o->time[0]) ? fmax(0, stage->native.every > 0 ? stage->native.start : 0) : o->time[0];
-    t->time[1] = isnan(o->time[1]) ? stage->end : fmin(o->time[1], stage->end);
+    t->time[0] = isnan(o->time[0]) ? fmax(0, context->native.every > 0 ? context->native.start : 0) : o->time[0];
+    t->time[1] = isnan(o->time[1]) ? context->end : fmin(o->time[1], context->end);
     double frames = round(o->duration * o->fps);
     if (!(t->time[1] > t->time[0]) || !isfinite(t->time[1]))
-        return wrong(o, stage, "time: a movie needs some time to show, within the run", msg);
+        return wrong(o, context, "time: a movie needs some time to show, within the run", msg);
     if (!(frames >= 2 && frames <= most_frames))
-        return wrong(o, stage, "duration: a movie has 2 to 10 million frames (duration times fps)", msg);
+        return wrong(o, context, "duration: a movie has 2 to 10 million frames (duration times fps)", msg);
     t->card = o->card.lasting > 0 ? (size_t)fmax(1, round(o->card.lasting * o->fps)) : 0;
     t->frames = t->card + (size_t)frames;
     t->step = (t->time[1] - t->time[0]) / (frames - 1);
@@ -33,30 +33,30 @@ static enum bead_error choose_frames(const struct bead_output *o, const struct b
 
 /* Samples at the frames, or k times as often where views average over time; or those that there are, and frames in between blend
  * two. */
-static enum bead_error choose_grid(const struct bead_output *o, const struct bead_stage *stage, struct bead_movie_times *t,
+static enum bead_error choose_grid(const struct bead_output *o, const struct bead_run_context *context, struct bead_movie_times *t,
                                    struct bead_message *msg)
 {
-    const struct bead_grid *native = &stage->native;
+    const struct bead_grid *native = &context->native;
     if (native->every > 0) {
         double first = fmax(0, floor((t->time[0] - native->start) / native->every + 1e-6));
         double beyond = ceil((t->time[1] - native->start) / native->every - 1e-6);
         t->grid = (struct bead_grid){native->start + first * native->every, native->every,
                                      fmin(native->end, native->start + beyond * native->every)};
     } else {
-        double finer = bead_composer_averages(o) && stage->resolution > 0 ? ceil(t->step / stage->resolution - 1e-9) : 1;
+        double finer = bead_composer_averages(o) && context->resolution > 0 ? ceil(t->step / context->resolution - 1e-9) : 1;
         t->grid = (struct bead_grid){t->time[0], t->step / fmax(1, finer), t->time[1]};
     }
     double samples = (t->grid.end - t->grid.start) / t->grid.every;
     if (!(samples <= most_samples))
-        return wrong(o, stage, "duration: a movie of so much motion needs too many samples; show less time", msg);
-    return bead_grid_count(&t->grid) > 0 ? BEAD_OK : wrong(o, stage, "time: there are no samples from then", msg);
+        return wrong(o, context, "duration: a movie of so much motion needs too many samples; show less time", msg);
+    return bead_grid_count(&t->grid) > 0 ? BEAD_OK : wrong(o, context, "time: there are no samples from then", msg);
 }
 
-enum bead_error bead_movie_times_choose(const struct bead_output *output, const struct bead_stage *stage,
+enum bead_error bead_movie_times_choose(const struct bead_output *output, const struct bead_run_context *context,
                                         struct bead_movie_times *times, struct bead_message *msg)
 {
-    enum bead_error err = choose_frames(output, stage, times, msg);
-    return err ? err : choose_grid(output, stage, times, msg);
+    enum bead_error err = choose_frames(output, context, times, msg);
+    return err ? err : choose_grid(output, context, times, msg);
 }
 
 double bead_movie_time(const struct bead_movie_times *t, size_t index)

@@ -12,7 +12,7 @@ struct bead_movie_times {
 };
 
 /* Errors: SCENE (nothing to show, or too much). */
-BEAD_CHECK enum bead_error bead_movie_times_choose(const struct bead_output *output, const struct bead_stage *stage,
+BEAD_CHECK enum bead_error bead_movie_times_choose(const struct bead_output *output, const struct bead_run_context *context,
                                                    struct bead_movie_times *times, struct bead_message *msg);
 /* s: what frame `index` shows, or would without groups. */
 double bead_movie_time(const struct bead_movie_times *times, size_t index);

@@ -50,8 +50,8 @@ enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct 
 
 enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, struct bead_message *msg)
 {
-    enum bead_error err = plot_reserve(data, data->stage.chain_count, msg);
-    for (size_t c = 0; !err && c < data->stage.chain_count; c++) {
+    enum bead_error err = plot_reserve(data, data->context.chain_count, msg);
+    for (size_t c = 0; !err && c < data->context.chain_count; c++) {
         if (!plot_shows(data, c))
             continue;
         struct plot_panel *part = &data->parts[data->count];
@@ -61,7 +61,7 @@ enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, 
         part->labels = calloc(series + 1, sizeof *part->labels);
         if (!part->series || !part->labels)
             err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot");
-        bead_markup_quote(bead_chain_name(data->stage.chains[c]), part->title, sizeof part->title);
+        bead_markup_quote(bead_chain_name(data->context.chains[c]), part->title, sizeof part->title);
         panel->title = *part->title ? part->title : NULL;
         panel->series = part->series;
         panel->series_count = series;
@@ -69,14 +69,14 @@ enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, 
     return err;
 }
 
-enum bead_error bead_plot_data_create(const struct bead_output *output, const struct bead_stage *stage, size_t chain,
+enum bead_error bead_plot_data_create(const struct bead_output *output, const struct bead_run_context *context, size_t chain,
                                       struct bead_plot_data **data, struct bead_message *msg)
 {
     struct bead_plot_data *d = *data = calloc(1, sizeof *d);
     if (!d)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot");
     d->output = output;
-    d->stage = *stage;
+    d->context = *context;
     d->chain = chain;
     enum bead_error err = kind_of(d)->create(d, msg);
     if (err) {
@@ -100,7 +100,7 @@ void bead_plot_data_destroy(struct bead_plot_data *data)
     free(data->parts);
     free(data->panels);
     free(data->sample);
-    bead_moments_destroy(data->moments);
+    bead_profile_times_destroy(data->moments);
     free(data);
 }
 
@@ -139,5 +139,5 @@ enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct b
                                .letters = kind->headed || page->paper,
                                .share_x = kind->share_x,
                                .share_y = true};
-    return bead_graph_write(&graph, titled, data->output, data->stage.scene, path, bytes, msg);
+    return bead_graph_write(&graph, titled, data->output, data->context.scene, path, bytes, msg);
 }

@@ -9,17 +9,17 @@
 static const double most_times = 4000;
 
 /* As often as asked, or as can be seen; of samples at given times, those. */
-static struct bead_grid choose_grid(const struct bead_output *output, const struct bead_stage *stage)
+static struct bead_grid choose_grid(const struct bead_output *output, const struct bead_run_context *context)
 {
-    const struct bead_grid *native = &stage->native;
+    const struct bead_grid *native = &context->native;
     double from = isnan(output->time[0]) ? 0 : output->time[0];
-    double to = isnan(output->time[1]) ? stage->end : fmin(output->time[1], stage->end);
+    double to = isnan(output->time[1]) ? context->end : fmin(output->time[1], context->end);
     if (native->every > 0) {
         double first = fmax(0, ceil((from - native->start) / native->every - 1e-6));
         double stride = output->every > 0 ? fmax(1, round(output->every / native->every)) : 1;
         return (struct bead_grid){native->start + first * native->every, stride * native->every, fmin(to, native->end)};
     }
-    double every = output->every > 0 ? output->every : fmax(stage->resolution, (to - from) / most_times);
+    double every = output->every > 0 ? output->every : fmax(context->resolution, (to - from) / most_times);
     return (struct bead_grid){from, every, to};
 }
 
@@ -27,7 +27,7 @@ static void make_axes(struct bead_plot_data *data, double low)
 {
     const struct bead_output *output = data->output;
     for (size_t p = 0; p < data->count; p++) {
-        const struct bead_chain *chain = data->stage.chains[data->parts[p].chain];
+        const struct bead_chain *chain = data->context.chains[data->parts[p].chain];
         data->panels[p].x = (struct bead_graph_axis){"time",         bead_chain_time_unit(chain), data->grid.start,
                                                      data->grid.end, BEAD_SCALE_LINEAR,           false};
         data->panels[p].y = (struct bead_graph_axis){bead_chain_mode_title(chain), "", low, output->range[1], output->scale, true};
@@ -38,11 +38,11 @@ static void make_axes(struct bead_plot_data *data, double low)
 static enum bead_error create(struct bead_plot_data *data, struct bead_message *msg)
 {
     const struct bead_output *output = data->output;
-    data->grid = choose_grid(output, &data->stage);
+    data->grid = choose_grid(output, &data->context);
     size_t times = bead_grid_count(&data->grid);
     if (times < 2 || times > (size_t)1 << 22)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: every: %g gives %zu times; a plot shows from 2 to 4194304",
-                         data->stage.scene->file, output->place.line, output->place.column, data->grid.every, times);
+                         data->context.scene->file, output->place.line, output->place.column, data->grid.every, times);
     enum bead_error err = plot_reserve_chains(data, output->modes, msg);
     if (err)
         return err;
@@ -61,7 +61,7 @@ static void needs(const struct bead_plot_data *data, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){.beads = {0, SIZE_MAX}, .grid = data->grid, .until = data->grid.end, .why = data->why};
     for (size_t p = 0; p < data->count; p++)
-        needs->fields |= bead_chain_mode_fields(data->stage.chains[data->parts[p].chain]);
+        needs->fields |= bead_chain_mode_fields(data->context.chains[data->parts[p].chain]);
 }
 
 /* Samples may be closer than those asked for, where other panels of a figure want that. */
@@ -76,7 +76,7 @@ static enum bead_error feed(struct bead_plot_data *data, const struct bead_sampl
             continue;
         if (part->taken >= times)
             return BEAD_OK;
-        bead_chain_mode_energies(data->stage.chains[part->chain], sample->field, modes, energy);
+        bead_chain_mode_energies(data->context.chains[part->chain], sample->field, modes, energy);
         for (size_t k = 0; k < modes; k++)
             part->values[k * times + part->taken] = energy[k];
         data->sample[part->taken++] = sample->time;

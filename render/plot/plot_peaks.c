@@ -10,13 +10,13 @@ static const double log_span = 1e-4, log_room = 1.35;
 
 static size_t contacts_of(const struct bead_plot_data *data, size_t chain)
 {
-    return plot_shows(data, chain) ? bead_chain_contacts(data->stage.chains[chain]) : 0;
+    return plot_shows(data, chain) ? bead_chain_contacts(data->context.chains[chain]) : 0;
 }
 
 /* One chain alone is named above the panel, several are in the legend (SIZE_MAX). */
 static size_t only_chain(const struct bead_plot_data *data)
 {
-    return data->stage.chain_count == 1 ? 0 : data->chain;
+    return data->context.chain_count == 1 ? 0 : data->chain;
 }
 
 static enum bead_error create(struct bead_plot_data *data, struct bead_message *msg)
@@ -25,9 +25,9 @@ static enum bead_error create(struct bead_plot_data *data, struct bead_message *
     if (err)
         return err;
     size_t most = 1;
-    const struct bead_field_info *own = bead_chain_field(data->stage.chains[0], BEAD_FIELD_CONTACT_FORCE);
+    const struct bead_field_info *own = bead_chain_field(data->context.chains[0], BEAD_FIELD_CONTACT_FORCE);
     const char *unit = own ? own->unit : bead_field_info(BEAD_FIELD_CONTACT_FORCE)->unit;
-    for (size_t c = 0; c < data->stage.chain_count; c++)
+    for (size_t c = 0; c < data->context.chain_count; c++)
         most = contacts_of(data, c) > most ? contacts_of(data, c) : most;
     data->count = 1;
     data->panels[0] =
@@ -35,7 +35,7 @@ static enum bead_error create(struct bead_plot_data *data, struct bead_message *
                             .y = {"peak force", unit, data->output->range[0], data->output->range[1], data->output->scale, true}};
     size_t only = only_chain(data);
     if (only != SIZE_MAX)
-        plot_heading(data->stage.chains[only], data->parts[0].title, sizeof data->parts[0].title);
+        plot_heading(data->context.chains[only], data->parts[0].title, sizeof data->parts[0].title);
     snprintf(data->why, sizeof data->why, "peaks of contacts");
     return BEAD_OK;
 }
@@ -61,7 +61,7 @@ static bool has_peak(const struct bead_peak *peak)
 static void find_range(const struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_graph_axis *axis)
 {
     double least = INFINITY, largest = 0;
-    for (size_t c = 0; c < data->stage.chain_count; c++) {
+    for (size_t c = 0; c < data->context.chain_count; c++) {
         for (size_t i = 0; i < contacts_of(data, c); i++) {
             const struct bead_peak *peak = &outcomes[c].contact_peaks[i];
             largest = fmax(largest, has_peak(peak) ? peak->value : 0);
@@ -106,7 +106,7 @@ static enum bead_error finish(struct bead_plot_data *data, const struct bead_out
 {
     static const char hollow_words[] = "hollow: still rising at the end";
     struct plot_panel *part = &data->parts[0];
-    size_t chains = data->stage.chain_count, all = 0, hollow = 0, used = 0, series = 0;
+    size_t chains = data->context.chain_count, all = 0, hollow = 0, used = 0, series = 0;
     for (size_t c = 0; c < chains; c++) {
         if (contacts_of(data, c) > 0 && (!outcomes || !outcomes[c].contact_peaks))
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: peaks are known only at the end of a run", data->output->path);
@@ -122,7 +122,7 @@ static enum bead_error finish(struct bead_plot_data *data, const struct bead_out
             continue;
         hollow += fill(data, &outcomes[c], c, part->values + used, part->series + series);
         used += 3 * contacts_of(data, c);
-        plot_heading(data->stage.chains[c], part->labels[c], sizeof part->labels[c]);
+        plot_heading(data->context.chains[c], part->labels[c], sizeof part->labels[c]);
         if (only_chain(data) == SIZE_MAX && *part->labels[c])
             part->series[series].label = part->labels[c];
         series += 2;

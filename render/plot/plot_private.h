@@ -8,7 +8,7 @@
 /* One panel and what it points to. */
 struct plot_panel {
     size_t chain;
-    struct bead_curves curves, differences; /* of sensors; from the twin's where asked for */
+    struct bead_curves curves, differences; /* of sensors; from the comparison run's where asked for */
     struct bead_series *series;
     double *values;
     char (*labels)[256];
@@ -19,12 +19,12 @@ struct plot_panel {
 
 struct bead_plot_data {
     const struct bead_output *output;
-    struct bead_stage stage;
+    struct bead_run_context context;
     size_t chain; /* SIZE_MAX: all */
     double time[2];
     struct bead_grid grid;
-    double *sample;               /* of one time, [sensors]; of modes: their times */
-    struct bead_moments *moments; /* of profiles */
+    double *sample;                     /* of one time, [sensors]; of modes: their times */
+    struct bead_profile_times *moments; /* of profiles */
     struct plot_panel *parts;
     struct bead_panel *panels;
     size_t count;

@@ -16,16 +16,16 @@ static const double moments = 2000;
 /* Of the first chain shown: its scene's chains are of one kind. */
 static const struct bead_field_info *force_of(const struct bead_plot_data *data)
 {
-    const struct bead_field_info *own = bead_chain_field(data->stage.chains[data->parts[0].chain], BEAD_FIELD_FORCE);
+    const struct bead_field_info *own = bead_chain_field(data->context.chains[data->parts[0].chain], BEAD_FIELD_FORCE);
     return own ? own : bead_field_info(BEAD_FIELD_FORCE);
 }
 
 static const char *first_name(const struct bead_plot_data *data)
 {
     size_t sensors;
-    const struct bead_sensor *first = bead_chain_sensors(data->stage.chains[data->parts[0].chain], &sensors);
+    const struct bead_sensor *first = bead_chain_sensors(data->context.chains[data->parts[0].chain], &sensors);
     for (size_t p = 1; p < data->count; p++) {
-        const struct bead_sensor *other = bead_chain_sensors(data->stage.chains[data->parts[p].chain], &sensors);
+        const struct bead_sensor *other = bead_chain_sensors(data->context.chains[data->parts[p].chain], &sensors);
         if (strcmp(first->name, other->name) != 0)
             return NULL;
     }
@@ -56,11 +56,11 @@ static void make_axes(struct bead_plot_data *data)
     const struct bead_output *output = data->output;
     bool plain = output->normalise == BEAD_NORMALISE_NONE;
     for (size_t p = 0; p < data->count; p++) {
-        data->panels[p] = (struct bead_panel){.x = {"time", bead_chain_time_unit(data->stage.chains[data->parts[p].chain]),
+        data->panels[p] = (struct bead_panel){.x = {"time", bead_chain_time_unit(data->context.chains[data->parts[p].chain]),
                                                     data->time[0], data->time[1], BEAD_SCALE_LINEAR, false},
                                               .y = {data->axis_title, plain ? force_of(data)->unit : "", output->range[0],
                                                     output->range[1], BEAD_SCALE_LINEAR, true}};
-        plot_heading(data->stage.chains[data->parts[p].chain], data->parts[p].title, sizeof data->parts[p].title);
+        plot_heading(data->context.chains[data->parts[p].chain], data->parts[p].title, sizeof data->parts[p].title);
         data->panels[p].title = *data->parts[p].title ? data->parts[p].title : NULL;
     }
 }
@@ -69,12 +69,12 @@ static enum bead_error create(struct bead_plot_data *data, struct bead_message *
 {
     const struct bead_output *output = data->output;
     size_t most = 0;
-    enum bead_error err = bead_picture_times(output, &data->stage, data->time, msg);
+    enum bead_error err = bead_picture_times(output, &data->context, data->time, msg);
     if (!err)
-        err = plot_reserve(data, data->stage.chain_count, msg);
-    for (size_t c = 0; !err && c < data->stage.chain_count; c++) {
+        err = plot_reserve(data, data->context.chain_count, msg);
+    for (size_t c = 0; !err && c < data->context.chain_count; c++) {
         size_t sensors;
-        (void)bead_chain_sensors(data->stage.chains[c], &sensors);
+        (void)bead_chain_sensors(data->context.chains[c], &sensors);
         if (sensors == 0 || !plot_shows(data, c))
             continue;
         struct plot_panel *part = &data->parts[data->count++];
@@ -86,13 +86,13 @@ static enum bead_error create(struct bead_plot_data *data, struct bead_message *
     if (!err && data->count == 0)
         return bead_fail(msg, BEAD_ERROR_SCENE,
                          "%s:%zu:%zu: there is no sensor to show; give a bead one: {bead: steel, sensor: first}",
-                         data->stage.scene->file, output->place.line, output->place.column);
+                         data->context.scene->file, output->place.line, output->place.column);
     data->sample = err ? NULL : calloc(most, sizeof *data->sample);
     if (!err && !data->sample)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of sensors");
     if (err)
         return err;
-    data->grid = bead_picture_grid(&data->stage, output, data->time, moments);
+    data->grid = bead_picture_grid(&data->context, output, data->time, moments);
     name_axis(data);
     make_axes(data);
     snprintf(data->why, sizeof data->why, "curves of sensors");
@@ -105,7 +105,7 @@ static void needs(const struct bead_plot_data *data, struct bead_needs *needs)
     struct bead_span beads = {SIZE_MAX, 0};
     for (size_t p = 0; p < data->count; p++) {
         size_t count;
-        const struct bead_sensor *sensors = bead_chain_sensors(data->stage.chains[data->parts[p].chain], &count);
+        const struct bead_sensor *sensors = bead_chain_sensors(data->context.chains[data->parts[p].chain], &count);
         for (size_t k = 0; k < count; k++) {
             beads.first = sensors[k].bead < beads.first ? sensors[k].bead : beads.first;
             beads.last = sensors[k].bead > beads.last ? sensors[k].bead : beads.last;
@@ -114,7 +114,7 @@ static void needs(const struct bead_plot_data *data, struct bead_needs *needs)
     *needs = (struct bead_needs){.fields = force,
                                  .beads = beads,
                                  .grid = data->grid,
-                                 .twin = data->output->trust ? force : 0,
+                                 .comparison = data->output->trust ? force : 0,
                                  .until = data->grid.end,
                                  .why = data->why};
 }
@@ -122,16 +122,16 @@ static void needs(const struct bead_plot_data *data, struct bead_needs *needs)
 static enum bead_error add(struct bead_plot_data *data, struct plot_panel *part, const struct bead_sample *sample, bool difference,
                            struct bead_message *msg)
 {
-    const double *force = sample->field[BEAD_FIELD_FORCE], *twin = sample->twin[BEAD_FIELD_FORCE];
+    const double *force = sample->field[BEAD_FIELD_FORCE], *comparison = sample->comparison[BEAD_FIELD_FORCE];
     struct bead_curves *curves = difference ? &part->differences : &part->curves;
     size_t count;
-    const struct bead_sensor *sensors = bead_chain_sensors(data->stage.chains[part->chain], &count);
-    if (!force || (difference && !twin))
+    const struct bead_sensor *sensors = bead_chain_sensors(data->context.chains[part->chain], &count);
+    if (!force || (difference && !comparison))
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no force%s",
-                         difference ? " of a twin to compare with" : "");
+                         difference ? " of a comparison run" : "");
     enum bead_error err = bead_curves_reserve(curves, msg);
     for (size_t k = 0; !err && k < count; k++)
-        data->sample[k] = force[sensors[k].bead] - (difference ? twin[sensors[k].bead] : 0);
+        data->sample[k] = force[sensors[k].bead] - (difference ? comparison[sensors[k].bead] : 0);
     if (!err)
         bead_curves_add(curves, sample->time, data->sample);
     return err;
@@ -173,7 +173,7 @@ static enum bead_error fill(struct bead_plot_data *data, struct plot_panel *part
 {
     const struct bead_curves *curves = &part->curves;
     size_t sensors = curves->curves, room = 4 * curves->count, count;
-    const struct bead_sensor *names = bead_chain_sensors(data->stage.chains[part->chain], &count);
+    const struct bead_sensor *names = bead_chain_sensors(data->context.chains[part->chain], &count);
     part->series = calloc(sensors, sizeof *part->series);
     part->labels = calloc(sensors, sizeof *part->labels);
     part->values = calloc(2 * room * sensors + 1, sizeof *part->values);
@@ -215,7 +215,7 @@ static double axis_length(const struct bead_plot_data *data)
     return range[1] - range[0];
 }
 
-/* The first time at which a curve differs from its twin by more than a hundredth of the axis. */
+/* The first time at which a curve differs from its comparison run by more than a hundredth of the axis. */
 static double horizon_of(const struct bead_plot_data *data, const struct plot_panel *part, double threshold)
 {
     const struct bead_curves *curves = &part->differences;
@@ -234,7 +234,7 @@ static void tell_trust(struct bead_plot_data *data)
     double threshold = BEAD_HORIZON_PART * axis_length(data);
     for (size_t p = 0; p < data->count; p++) {
         struct plot_panel *part = &data->parts[p];
-        struct bead_trust trust = bead_trust_make(data->stage.chains[part->chain], data->stage.twin);
+        struct bead_trust trust = bead_trust_make(data->context.chains[part->chain], data->context.tolerance_factor);
         trust.from = data->time[0];
         trust.until = horizon_of(data, part, threshold);
         part->ruler = (struct bead_ruler){.vertical = true, .value = trust.until, .low = NAN, .high = NAN};

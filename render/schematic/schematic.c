@@ -143,11 +143,11 @@ static void draw_title(const struct bead_drafting *d, struct bead_box *area)
 {
     const struct bead_look *look = d->sketch->look;
     char title[512];
-    if (d->output->size_is_length || !*d->stage->scene->title || area->height < 10 * look->title)
+    if (d->output->size_is_length || !*d->context->scene->title || area->height < 10 * look->title)
         return;
     struct bead_text_style style = bead_sketch_style(d->sketch, look->title);
     style.bold = true;
-    bead_text_escape(d->stage->scene->title, title, sizeof title);
+    bead_text_escape(d->context->scene->title, title, sizeof title);
     if (bead_sketch_width(&style, title) > area->width)
         return;
     bead_sketch_text(d->sketch, &style, area->x, area->y + 0.6 * look->title, title);
@@ -178,21 +178,21 @@ static bool draw_caption(const struct bead_drafting *d, struct bead_box *area)
     return room;
 }
 
-static enum bead_error no_room(const struct bead_output *output, const struct bead_stage *stage, struct bead_message *msg)
+static enum bead_error no_room(const struct bead_output *output, const struct bead_run_context *context, struct bead_message *msg)
 {
     struct bead_page page;
     char size[BEAD_SIZE_WORDS];
-    enum bead_error err = bead_page_find(output, stage->scene->file, &page, msg);
+    enum bead_error err = bead_page_find(output, context->scene->file, &page, msg);
     return err ? err
                : bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: size: %s leave no room for the drawing and its labels",
-                           stage->scene->file, output->place.line, output->place.column, bead_page_size(&page, size));
+                           context->scene->file, output->place.line, output->place.column, bead_page_size(&page, size));
 }
 
-enum bead_error bead_schematic_draw(const struct bead_output *output, const struct bead_stage *stage, struct bead_sketch *sketch,
-                                    double width, double height, struct bead_message *msg)
+enum bead_error bead_schematic_draw(const struct bead_output *output, const struct bead_run_context *context,
+                                    struct bead_sketch *sketch, double width, double height, struct bead_message *msg)
 {
     const struct drawing *drawing = find_drawing(output->show);
-    struct bead_drafting d = {sketch, output, stage, {0, 0, width, height}};
+    struct bead_drafting d = {sketch, output, context, {0, 0, width, height}};
     double margin = sketch->look->margin;
     d.area = (struct bead_box){margin, margin, width - 2 * margin, height - 2 * margin};
     bead_sketch_colour(sketch, sketch->look->background);
@@ -206,21 +206,21 @@ enum bead_error bead_schematic_draw(const struct bead_output *output, const stru
     }
     if (sketch->failed)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a drawing");
-    return room && !bead_sketch_crowded(sketch, width, height) ? BEAD_OK : no_room(output, stage, msg);
+    return room && !bead_sketch_crowded(sketch, width, height) ? BEAD_OK : no_room(output, context, msg);
 }
 
 struct paper {
     const struct bead_output *output;
-    const struct bead_stage *stage;
+    const struct bead_run_context *context;
     struct bead_page page;
     struct bead_look look;
 };
 
-static enum bead_error open_paper(const struct bead_output *output, const struct bead_stage *stage, struct paper *paper,
+static enum bead_error open_paper(const struct bead_output *output, const struct bead_run_context *context, struct paper *paper,
                                   struct bead_message *msg)
 {
-    *paper = (struct paper){.output = output, .stage = stage};
-    enum bead_error err = bead_page_find(output, stage->scene->file, &paper->page, msg);
+    *paper = (struct paper){.output = output, .context = context};
+    enum bead_error err = bead_page_find(output, context->scene->file, &paper->page, msg);
     if (!err)
         bead_page_look(&paper->page, output, &paper->look);
     return err;
@@ -230,15 +230,16 @@ static enum bead_error draw_paper(void *context, cairo_t *cr, struct bead_messag
 {
     const struct paper *p = context;
     struct bead_sketch sketch = {.cr = cr, .look = &p->look};
-    enum bead_error err = bead_schematic_draw(p->output, p->stage, &sketch, p->page.width, p->page.height, msg);
+    enum bead_error err = bead_schematic_draw(p->output, p->context, &sketch, p->page.width, p->page.height, msg);
     bead_sketch_free(&sketch);
     return err;
 }
 
-enum bead_error bead_schematic_check(const struct bead_output *output, const struct bead_stage *stage, struct bead_message *msg)
+enum bead_error bead_schematic_check(const struct bead_output *output, const struct bead_run_context *context,
+                                     struct bead_message *msg)
 {
     struct paper paper;
-    enum bead_error err = open_paper(output, stage, &paper, msg);
+    enum bead_error err = open_paper(output, context, &paper, msg);
     if (err)
         return err;
     cairo_surface_t *nowhere = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
@@ -249,11 +250,11 @@ enum bead_error bead_schematic_check(const struct bead_output *output, const str
     return err;
 }
 
-enum bead_error bead_schematic_write(const struct bead_output *output, const struct bead_stage *stage, const char *path,
+enum bead_error bead_schematic_write(const struct bead_output *output, const struct bead_run_context *context, const char *path,
                                      uint64_t *bytes, struct bead_message *msg)
 {
     struct paper paper;
     const struct bead_drawing drawing = {draw_paper, NULL, &paper};
-    enum bead_error err = open_paper(output, stage, &paper, msg);
-    return err ? err : bead_page_write(&paper.page, output, stage->scene, &drawing, path, bytes, msg);
+    enum bead_error err = open_paper(output, context, &paper, msg);
+    return err ? err : bead_page_write(&paper.page, output, context->scene, &drawing, path, bytes, msg);
 }

@@ -12,20 +12,20 @@ bool bead_schematic_is(enum bead_show show);
 
 /* Draw into 0..width, 0..height px of the sketch's context, on the look's background. Errors: SCENE (with the output's place: no
  * room for its labels), MEMORY. */
-BEAD_CHECK enum bead_error bead_schematic_draw(const struct bead_output *output, const struct bead_stage *stage,
+BEAD_CHECK enum bead_error bead_schematic_draw(const struct bead_output *output, const struct bead_run_context *context,
                                                struct bead_sketch *sketch, double width, double height, struct bead_message *msg);
 /* Is there room for it? Errors: SCENE, MEMORY. */
-BEAD_CHECK enum bead_error bead_schematic_check(const struct bead_output *output, const struct bead_stage *stage,
+BEAD_CHECK enum bead_error bead_schematic_check(const struct bead_output *output, const struct bead_run_context *context,
                                                 struct bead_message *msg);
-BEAD_CHECK enum bead_error bead_schematic_write(const struct bead_output *output, const struct bead_stage *stage, const char *path,
-                                                uint64_t *bytes, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_schematic_write(const struct bead_output *output, const struct bead_run_context *context,
+                                                const char *path, uint64_t *bytes, struct bead_message *msg);
 
 /* ---- for the drawings themselves ---- */
 
 struct bead_drafting {
     struct bead_sketch *sketch;
     const struct bead_output *output;
-    const struct bead_stage *stage;
+    const struct bead_run_context *context;
     struct bead_box area; /* to draw in: margins are taken off */
 };
 

@@ -39,8 +39,8 @@ static bool same_cell(const struct bead_segment *a, const struct bead_segment *b
 
 static bool find_cells(struct drawing *g)
 {
-    for (size_t c = 0; c < g->d->stage->chain_count; c++) {
-        const struct bead_chain_spec *spec = bead_chain_spec(g->d->stage->chains[c]);
+    for (size_t c = 0; c < g->d->context->chain_count; c++) {
+        const struct bead_chain_spec *spec = bead_chain_spec(g->d->context->chains[c]);
         for (size_t s = 0; s < spec->segment_count; s++) {
             const struct bead_segment *segment = &spec->segments[s];
             if (segment->cell_beads < 2)
@@ -111,7 +111,7 @@ static void group_words(const struct drawing *g, const struct bead_cell_group *g
     snprintf(number, 200, "%s = %zu", symbol, groups[i].beads);
     name[0] = '\0';
     if (groups[i].material != SIZE_MAX)
-        bead_text_escape(g->d->stage->scene->materials[groups[i].material].name, name, 200);
+        bead_text_escape(g->d->context->scene->materials[groups[i].material].name, name, 200);
 }
 
 /* Labels of the braces; false: they have no room. Draws them where y is given. */
@@ -159,7 +159,7 @@ static void title_words(const struct drawing *g, const struct bead_cell_group *g
     for (size_t i = 0; i < 2 * count && used < size; i++) {
         const struct bead_cell_group *group = &groups[i % count];
         const char *mark = i % count > 0 ? " : " : i > 0 ? "  " : "";
-        bead_text_escape(g->d->stage->scene->materials[group->material].name, name, sizeof name);
+        bead_text_escape(g->d->context->scene->materials[group->material].name, name, sizeof name);
         if (i < count)
             used += (size_t)snprintf(out + used, size - used, "%s%zu", mark, group->beads);
         else
@@ -179,7 +179,7 @@ static double row_height(const struct drawing *g)
 static bool draw_row(const struct drawing *g, const struct cell *cell, bool down, double y, bool draw)
 {
     struct bead_sketch *sketch = g->d->sketch;
-    const struct bead_scene *scene = g->d->stage->scene;
+    const struct bead_scene *scene = g->d->context->scene;
     double em = sketch->look->label, column = g->both ? side_column * em : 0, left = g->d->area.x + column;
     double width = g->d->area.width - column, middle = y + g->largest * g->scale, bottom = middle + g->largest * g->scale;
     struct bead_cell_group groups[MOST_GROUPS];
@@ -249,7 +249,7 @@ bool bead_schematic_cell(const struct bead_drafting *d)
     for (size_t i = 0; i < g.count; i++) {
         const struct bead_segment *segment = g.cells[i].segment;
         for (size_t b = 0; b < segment->cell_beads; b++) {
-            double radius = d->stage->scene->materials[segment->cell[b]].radius;
+            double radius = d->context->scene->materials[segment->cell[b]].radius;
             g.largest = radius > g.largest ? radius : g.largest;
         }
     }

@@ -34,7 +34,7 @@ struct contact {
 
 static size_t chosen_contact(const struct bead_drafting *d)
 {
-    const struct bead_chain *chain = d->stage->chains[0];
+    const struct bead_chain *chain = d->context->chains[0];
     size_t contacts = bead_chain_contacts(chain);
     if (d->output->contact < contacts)
         return d->output->contact;
@@ -43,9 +43,9 @@ static size_t chosen_contact(const struct bead_drafting *d)
 
 static void find_sides(struct contact *c)
 {
-    const struct bead_chain *chain = c->d->stage->chains[0];
+    const struct bead_chain *chain = c->d->context->chains[0];
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
-    const struct bead_scene *scene = c->d->stage->scene;
+    const struct bead_scene *scene = c->d->context->scene;
     size_t beads = bead_chain_beads(chain), k = c->number = chosen_contact(c->d);
     for (size_t i = 0; i < 2; i++) {
         struct side *s = &c->side[i];
@@ -306,7 +306,7 @@ enum { PIECES = 8 };
 static size_t write_pieces(const struct contact *c, struct bead_piece pieces[PIECES])
 {
     const struct side *a = &c->side[0], *b = &c->side[1], *small = a->radius <= b->radius ? a : b;
-    const struct bead_chain *chain = c->d->stage->chains[0];
+    const struct bead_chain *chain = c->d->context->chains[0];
     char length[48], number[64];
     size_t n = 0;
     bool two = a->index > 0;

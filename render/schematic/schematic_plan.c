@@ -92,7 +92,7 @@ static bool anchor_labels(const struct bead_plan *plan, struct bead_plan_row *ro
 /* Places of everything in a row whose top is at y; false: too wide. */
 static bool place_row(const struct bead_plan *plan, struct bead_plan_row *row, double y)
 {
-    const struct bead_scene *scene = plan->d->stage->scene;
+    const struct bead_scene *scene = plan->d->context->scene;
     double em = plan->em, width = bead_strip_width(&row->strip, scene, plan->scale, bead_plan_gap(plan)), ramp, top;
     row->y = y;
     row->first_x = row->guide_y = 0;
@@ -176,7 +176,7 @@ static void find_largest(struct bead_plan *plan)
 {
     for (size_t i = 0; i < plan->row_count; i++) {
         struct bead_plan_row *row = &plan->rows[i];
-        row->chain = plan->d->stage->chains[i];
+        row->chain = plan->d->context->chains[i];
         for (size_t j = 0; j < bead_chain_beads(row->chain); j++)
             row->largest = fmax(row->largest, bead_chain_radius(row->chain)[j]);
     }
@@ -199,7 +199,7 @@ static void centre_rows(struct bead_plan *plan)
 
 bool bead_plan_make(const struct bead_drafting *d, struct bead_box area, struct bead_plan *plan)
 {
-    size_t count = d->stage->chain_count;
+    size_t count = d->context->chain_count;
     double row = lowest_row * d->sketch->look->label, gap = between_rows * d->sketch->look->label;
     size_t wanted = (size_t)fmax(0, fmin((double)count, floor((area.height + gap) / (row + gap))));
     *plan = (struct bead_plan){.d = d, .area = area, .em = d->sketch->look->label};

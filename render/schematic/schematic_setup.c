@@ -55,7 +55,7 @@ static void draw_guide(const struct bead_plan *plan, const struct bead_plan_row 
 static void draw_wall(const struct bead_plan *plan, const struct bead_plan_row *row)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(row->chain);
-    const struct bead_scene *scene = plan->d->stage->scene;
+    const struct bead_scene *scene = plan->d->context->scene;
     double width = bead_plan_wall(plan, row), half = 1.25 * plan->scale * row->largest;
     if (!(width > 0))
         return;
@@ -74,7 +74,7 @@ static void draw_striker(const struct bead_plan *plan, const struct bead_plan_ro
     const struct bead_chain_spec *spec = bead_chain_spec(row->chain);
     double x = row->striker_x + out * sin(angle), y = row->striker_y - out * cos(angle), half = 0.5 * arrow_length * em;
     bead_sketch_ball(sketch, row->striker_x, row->striker_y, row->striker_r,
-                     plan->d->stage->scene->materials[spec->striker_material].colour);
+                     plan->d->context->scene->materials[spec->striker_material].colour);
     if (spec->striker_velocity == 0)
         return;
     x = fmin(x, row->first_x - 0.1 * em - half * cos(angle)); /* clear of the first bead */
@@ -95,7 +95,7 @@ static void draw_beads(const struct bead_plan *plan, const struct bead_plan_row 
             bead_sketch_dots(sketch, b->x, y, 2 * b->r);
             continue;
         }
-        bead_sketch_ball(sketch, b->x, y, b->r, plan->d->stage->scene->materials[b->material].colour);
+        bead_sketch_ball(sketch, b->x, y, b->r, plan->d->context->scene->materials[b->material].colour);
         if (segment && segment->sensor) {
             bead_sketch_colour(sketch, sketch->look->accent);
             cairo_set_line_width(sketch->cr, 1.6 * sketch->look->line);
@@ -177,12 +177,12 @@ static void draw_row(const struct bead_plan *plan, const struct bead_plan_row *r
 /* Materials of beads, in the order of the scene. */
 static size_t list_materials(const struct bead_drafting *d, struct bead_piece *pieces)
 {
-    const struct bead_scene *scene = d->stage->scene;
+    const struct bead_scene *scene = d->context->scene;
     bool *used = calloc(scene->material_count + 1, sizeof *used);
     size_t count = 0;
-    for (size_t c = 0; used && c < d->stage->chain_count; c++) {
-        for (size_t j = 0; j < bead_chain_beads(d->stage->chains[c]); j++)
-            used[bead_chain_material(d->stage->chains[c])[j]] = true;
+    for (size_t c = 0; used && c < d->context->chain_count; c++) {
+        for (size_t j = 0; j < bead_chain_beads(d->context->chains[c]); j++)
+            used[bead_chain_material(d->context->chains[c])[j]] = true;
     }
     for (size_t m = 0; used && m < scene->material_count && count < MOST_MATERIALS; m++) {
         if (!used[m])
@@ -208,11 +208,11 @@ bool bead_schematic_setup(const struct bead_drafting *d)
     struct bead_plan plan = {0};
     struct bead_box area = d->area;
     bool room = pieces && bead_drafting_pieces(d, &area, pieces, list_materials(d, pieces), true) && bead_plan_make(d, area, &plan);
-    if (room && plan.row_count < d->stage->chain_count) { /* again, with a line that says so */
+    if (room && plan.row_count < d->context->chain_count) { /* again, with a line that says so */
         struct bead_box less = area;
         less.height -= 2 * d->sketch->look->label;
         bead_plan_free(&plan);
-        room = bead_plan_make(d, less, &plan) && say_rest(d, &area, d->stage->chain_count - plan.row_count);
+        room = bead_plan_make(d, less, &plan) && say_rest(d, &area, d->context->chain_count - plan.row_count);
     }
     for (size_t i = 0; room && i < plan.row_count; i++)
         draw_row(&plan, &plan.rows[i]);

@@ -212,9 +212,9 @@ static void name_ends(struct names *names)
 static void name_numbers(struct names *names)
 {
     const struct bead_view *v = names->v;
-    const struct bead_along along = bead_chain_along(v->setup.chain, false);
+    const struct bead_chain_axis along = bead_chain_axis(v->setup.chain, false);
     struct bead_axis axis;
-    bead_along_axis(&axis, v->setup.chain, false, v->first, v->first + v->count - 1, v->plot.width, v->look.tick, true);
+    bead_axis_along_chain(&axis, v->setup.chain, false, v->first, v->first + v->count - 1, v->plot.width, v->look.tick, true);
     for (size_t i = 0; i < axis.count; i++) {
         double bead = (axis.ticks[i].value - along.first) / along.spacing - (double)v->first;
         if (bead >= 0 && bead < (double)v->count)

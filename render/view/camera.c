@@ -37,10 +37,10 @@ double bead_follower_advance(struct bead_follower *f, double target, double time
 {
     double part = f->constant > 0 && f->begun ? 1 - exp(-fmax(0, time - f->time) / f->constant) : 1;
     for (int k = 0; k < 3; k++)
-        f->stage[k] += part * ((k ? f->stage[k - 1] : target) - f->stage[k]);
+        f->context[k] += part * ((k ? f->context[k - 1] : target) - f->context[k]);
     f->time = time;
     f->begun = true;
-    return 3 * f->stage[1] - 2 * f->stage[2]; /* ahead by what the third stage lags behind */
+    return 3 * f->context[1] - 2 * f->context[2]; /* ahead by what the third stage lags behind */
 }
 
 double bead_window_left(double front, double width, double low, double high)

@@ -18,7 +18,7 @@ double bead_front_find(double *reached, const double *load, size_t count);
 
 /* A low pass of third order that does not lag behind what moves at constant speed. */
 struct bead_follower {
-    double stage[3], time;
+    double context[3], time;
     double constant; /* s */
     bool begun;
 };

@@ -10,7 +10,7 @@
 /* In units of the label's size: the piece of line before the words. */
 static const double key_length = 1.6, key_gap = 0.5;
 
-struct bead_trust bead_trust_make(const struct bead_chain *chain, double twin)
+struct bead_trust bead_trust_make(const struct bead_chain *chain, double tolerance_factor)
 {
     const struct bead_simulate *asked = &bead_chain_scene(chain)->simulate;
     bool steps = asked->step > 0;
@@ -19,7 +19,7 @@ struct bead_trust bead_trust_make(const struct bead_chain *chain, double twin)
                                .chain = "",
                                .steps = steps,
                                .first = first,
-                               .second = twin * first,
+                               .second = tolerance_factor * first,
                                .unit = bead_chain_time_unit(chain)};
 }
 

@@ -20,7 +20,7 @@ struct bead_trust {
 };
 
 /* The two runs of a scene. */
-struct bead_trust bead_trust_make(const struct bead_chain *chain, double twin);
+struct bead_trust bead_trust_make(const struct bead_chain *chain, double tolerance_factor);
 /* As much of it as has room in `rect`, beginning at its left or ending at its right. */
 void bead_trust_draw(cairo_t *cr, const struct bead_look *look, const struct bead_trust *trust, struct bead_rect rect, bool right);
 /* Its markup: from all of it (0) to the verdict alone (3). */

@@ -182,8 +182,8 @@ static enum bead_error profile_decorate(struct bead_view *v, cairo_t *cr, struct
         return move_labels(v, cr, msg);
     if (v->setup.bead_labels) {
         struct bead_axis beads;
-        const char *name = bead_along_axis(&beads, v->setup.chain, field->of_contacts, v->first, v->first + v->count - 1,
-                                           v->plot.width, look->tick, true);
+        const char *name = bead_axis_along_chain(&beads, v->setup.chain, field->of_contacts, v->first, v->first + v->count - 1,
+                                                 v->plot.width, look->tick, true);
         bead_axis_draw(cr, look, &beads, v->plot, BEAD_SIDE_BOTTOM, false, true, name);
     }
     return BEAD_OK;

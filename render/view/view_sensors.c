@@ -21,7 +21,7 @@ struct bead_view {
     size_t count;
     double *values; /* of one time */
     struct bead_curves curves;
-    struct bead_curves differences; /* from the twin's, where asked for */
+    struct bead_curves differences; /* from the comparison run's, where asked for */
     double low, high;               /* N: what the curves may reach; the axis leaves a strip for names above */
     struct bead_axis force;
     double shown; /* s: drawn until here */
@@ -99,15 +99,15 @@ static enum bead_error place(struct bead_view *v, struct bead_rect plot, struct 
     return BEAD_OK;
 }
 
-static enum bead_error feed_twin(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error feed_comparison(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
 {
     const enum bead_field field = shown_field(&v->setup);
-    const double *force = sample->field[field], *twin = sample->twin[field];
-    if (!twin)
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no twin to compare with");
+    const double *force = sample->field[field], *comparison = sample->comparison[field];
+    if (!comparison)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no comparison run");
     enum bead_error err = bead_curves_reserve(&v->differences, msg);
     for (size_t k = 0; !err && k < v->count; k++)
-        v->values[k] = force[v->sensors[k].bead] - twin[v->sensors[k].bead];
+        v->values[k] = force[v->sensors[k].bead] - comparison[v->sensors[k].bead];
     if (!err)
         bead_curves_add(&v->differences, sample->time, v->values);
     return err;
@@ -123,7 +123,7 @@ static enum bead_error feed(struct bead_view *v, const struct bead_sample *sampl
         v->values[k] = force[v->sensors[k].bead];
     if (!err)
         bead_curves_add(&v->curves, sample->time, v->values);
-    return !err && v->setup.trust ? feed_twin(v, sample, msg) : err;
+    return !err && v->setup.trust ? feed_comparison(v, sample, msg) : err;
 }
 
 double bead_sensors_horizon(const struct bead_view *v)

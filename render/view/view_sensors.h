@@ -8,8 +8,8 @@
 void bead_sensors_extremes(const struct bead_view *view, double *low, double *high);
 /* Axis of forces, before decorate; without it the range of the setup's colours. */
 void bead_sensors_set_range(struct bead_view *view, double low, double high);
-/* With trust: the first time at which a force differs from the twin's by more than a hundredth of the axis's range, as far as
- * samples came; INFINITY where none does. */
+/* With trust: the first time at which a force differs from the comparison run's by more than a hundredth of the axis's range, as
+ * far as samples came; INFINITY where none does. */
 double bead_sensors_horizon(const struct bead_view *view);
 
 #endif

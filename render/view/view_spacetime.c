@@ -105,8 +105,8 @@ static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_me
     struct bead_axis time, beads;
     const char *unit = bead_chain_time_unit(s->chain);
     bead_axis_make(&time, s->time[0], s->time[1], unit, BEAD_SCALE_LINEAR, v->along, v->look.tick, !s->time_down);
-    const char *name = bead_along_axis(&beads, s->chain, bead_field_info(s->field)->of_contacts, s->beads.first, s->beads.last,
-                                       v->across, v->look.tick, s->time_down);
+    const char *name = bead_axis_along_chain(&beads, s->chain, bead_field_info(s->field)->of_contacts, s->beads.first,
+                                             s->beads.last, v->across, v->look.tick, s->time_down);
     enum bead_side time_side = s->time_down ? BEAD_SIDE_LEFT : BEAD_SIDE_BOTTOM;
     enum bead_side bead_side = s->time_down ? BEAD_SIDE_BOTTOM : BEAD_SIDE_LEFT;
     if (!v->look.dark)
@@ -120,15 +120,15 @@ static enum bead_error feed(struct bead_view *v, const struct bead_sample *sampl
 {
     if (!sample->field[v->setup.field])
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no %s", bead_field_info(v->setup.field)->title);
-    const double *values = sample->field[v->setup.field], *twin = sample->twin[v->setup.field];
-    if (v->setup.trust && !twin)
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no twin to compare with");
+    const double *values = sample->field[v->setup.field], *comparison = sample->comparison[v->setup.field];
+    if (v->setup.trust && !comparison)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no comparison run");
     enum bead_error err = v->area ? BEAD_OK : prepare(v, msg);
     if (!err)
         bead_area_feed(v->area, sample->time, values, sample->active);
     if (!err && v->horizon)
-        bead_horizon_feed(v->horizon, sample->time, values, twin,
-                          sample->active > sample->twin_active ? sample->active : sample->twin_active);
+        bead_horizon_feed(v->horizon, sample->time, values, comparison,
+                          sample->active > sample->comparison_active ? sample->active : sample->comparison_active);
     return err;
 }
 
@@ -218,7 +218,7 @@ static void draw_cursor(const struct bead_view *v, int at, int thickness, struct
     }
 }
 
-/* The twin's columns up to `to` are looked at; returns the first one where the line is new. */
+/* The comparison run's columns up to `to` are looked at; returns the first one where the line is new. */
 static int find_horizon(struct bead_view *v, int to)
 {
     double range = v->setup.colours.high - v->setup.colours.low;

@@ -9,10 +9,10 @@
 
 enum { ALIGN = 64 };
 
-struct bead_pipe {
+struct bead_ring_buffer {
     size_t slots, slot_bytes;
     uint8_t *memory;
-    bead_pipe_work work;
+    bead_ring_buffer_work work;
     void *context;
     bool threaded;
     bool taken; /* the producer holds slot `submitted % slots`; its thread only */
@@ -28,13 +28,13 @@ struct bead_pipe {
     struct bead_message message;
 };
 
-static void *slot_at(const struct bead_pipe *pipe, uint64_t index)
+static void *slot_at(const struct bead_ring_buffer *pipe, uint64_t index)
 {
     return pipe->memory + (size_t)(index % pipe->slots) * pipe->slot_bytes;
 }
 
 /* Only the first error counts: those after it follow from it. */
-static void keep_error(struct bead_pipe *pipe, enum bead_error error, const struct bead_message *message)
+static void keep_error(struct bead_ring_buffer *pipe, enum bead_error error, const struct bead_message *message)
 {
     if (!error || pipe->error)
         return;
@@ -42,7 +42,7 @@ static void keep_error(struct bead_pipe *pipe, enum bead_error error, const stru
     pipe->message = *message;
 }
 
-static enum bead_error call(struct bead_pipe *pipe, void *slot, int last, struct bead_message *message)
+static enum bead_error call(struct bead_ring_buffer *pipe, void *slot, int last, struct bead_message *message)
 {
     message->text[0] = '\0';
     return pipe->work(pipe->context, slot, last, message);
@@ -50,14 +50,14 @@ static enum bead_error call(struct bead_pipe *pipe, void *slot, int last, struct
 
 /* A producer that found the ring full waits until half of it is free: woken for every slot, it would fill this one and wait again,
  * and the two threads would do little else. */
-static bool has_room(const struct bead_pipe *pipe)
+static bool has_room(const struct bead_ring_buffer *pipe)
 {
     return pipe->submitted - pipe->finished <= pipe->slots / 2;
 }
 
 static void *run_worker(void *argument)
 {
-    struct bead_pipe *pipe = argument;
+    struct bead_ring_buffer *pipe = argument;
     struct bead_message message;
     enum bead_error error = call(pipe, NULL, BEAD_PIPE_MORE, &message);
     pthread_mutex_lock(&pipe->lock);
@@ -86,7 +86,7 @@ static void *run_worker(void *argument)
 }
 
 /* Signals are for the program's own threads: the worker takes none. */
-static int start_thread(struct bead_pipe *pipe)
+static int start_thread(struct bead_ring_buffer *pipe)
 {
     sigset_t all, before;
     sigfillset(&all);
@@ -98,7 +98,7 @@ static int start_thread(struct bead_pipe *pipe)
     return failed;
 }
 
-static enum bead_error start(struct bead_pipe *pipe, struct bead_message *msg)
+static enum bead_error start(struct bead_ring_buffer *pipe, struct bead_message *msg)
 {
     if (!pipe->threaded) {
         struct bead_message message;
@@ -119,11 +119,11 @@ static enum bead_error start(struct bead_pipe *pipe, struct bead_message *msg)
     return bead_fail(msg, BEAD_ERROR_IO, "a second thread cannot be started: %s", strerror(failed));
 }
 
-enum bead_error bead_pipe_create(size_t slots, size_t slot_bytes, int threads, bead_pipe_work work, void *context,
-                                 struct bead_pipe **pipe, struct bead_message *msg)
+enum bead_error bead_ring_buffer_create(size_t slots, size_t slot_bytes, int threads, bead_ring_buffer_work work, void *context,
+                                        struct bead_ring_buffer **pipe, struct bead_message *msg)
 {
     *pipe = NULL;
-    struct bead_pipe *p = calloc(1, sizeof *p);
+    struct bead_ring_buffer *p = calloc(1, sizeof *p);
     if (!p)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a pipe");
     p->slots = slots ? slots : 1;
@@ -148,7 +148,7 @@ enum bead_error bead_pipe_create(size_t slots, size_t slot_bytes, int threads, b
     return BEAD_OK;
 }
 
-static bool wait_for_slot(struct bead_pipe *pipe)
+static bool wait_for_slot(struct bead_ring_buffer *pipe)
 {
     if (!pipe->threaded)
         return !pipe->error;
@@ -161,7 +161,7 @@ static bool wait_for_slot(struct bead_pipe *pipe)
     return free_one;
 }
 
-void *bead_pipe_slot(struct bead_pipe *pipe)
+void *bead_ring_buffer_slot(struct bead_ring_buffer *pipe)
 {
     if (pipe->ended)
         return NULL;
@@ -170,7 +170,7 @@ void *bead_pipe_slot(struct bead_pipe *pipe)
     return pipe->taken ? slot_at(pipe, pipe->submitted) : NULL;
 }
 
-void bead_pipe_submit(struct bead_pipe *pipe)
+void bead_ring_buffer_submit(struct bead_ring_buffer *pipe)
 {
     if (!pipe->taken || pipe->ended)
         return;
@@ -188,7 +188,7 @@ void bead_pipe_submit(struct bead_pipe *pipe)
     pipe->finished++;
 }
 
-static void end(struct bead_pipe *pipe, bool abandon)
+static void end(struct bead_ring_buffer *pipe, bool abandon)
 {
     if (pipe->ended)
         return;
@@ -209,7 +209,7 @@ static void end(struct bead_pipe *pipe, bool abandon)
     pthread_mutex_destroy(&pipe->lock);
 }
 
-enum bead_error bead_pipe_finish(struct bead_pipe *pipe, struct bead_message *msg)
+enum bead_error bead_ring_buffer_finish(struct bead_ring_buffer *pipe, struct bead_message *msg)
 {
     end(pipe, false);
     if (pipe->error && msg)
@@ -217,7 +217,7 @@ enum bead_error bead_pipe_finish(struct bead_pipe *pipe, struct bead_message *ms
     return pipe->error;
 }
 
-void bead_pipe_destroy(struct bead_pipe *pipe)
+void bead_ring_buffer_destroy(struct bead_ring_buffer *pipe)
 {
     if (!pipe)
         return;

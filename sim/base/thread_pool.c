@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 struct crew {
-    bead_crew_job job;
+    bead_thread_pool_job job;
     void *context;
     size_t count;
     atomic_size_t next;
@@ -55,7 +55,7 @@ static size_t start(struct member *member, size_t count)
     return started;
 }
 
-enum bead_error bead_crew_run(size_t count, int threads, bead_crew_job job, void *context, struct bead_message *msg)
+enum bead_error bead_thread_pool_run(size_t count, int threads, bead_thread_pool_job job, void *context, struct bead_message *msg)
 {
     struct crew crew = {.job = job, .context = context, .count = count};
     struct member self = {.crew = &crew, .calling = true};

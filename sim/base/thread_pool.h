@@ -7,11 +7,12 @@
 
 #include "beadreel/error.h"
 
-/* Job `index`; `calling`: in the thread that called bead_crew_run. */
-typedef enum bead_error (*bead_crew_job)(void *context, size_t index, bool calling, struct bead_message *msg);
+/* Job `index`; `calling`: in the thread that called bead_thread_pool_run. */
+typedef enum bead_error (*bead_thread_pool_job)(void *context, size_t index, bool calling, struct bead_message *msg);
 
 /* Jobs 0 to count - 1 are begun in this order. After an error no more are begun; the error returned is that of the lowest index, as
  * if they were done one after the other. Threads that cannot be had are done without. Errors: those of the jobs. */
-BEAD_CHECK enum bead_error bead_crew_run(size_t count, int threads, bead_crew_job job, void *context, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_thread_pool_run(size_t count, int threads, bead_thread_pool_job job, void *context,
+                                                struct bead_message *msg);
 
 #endif

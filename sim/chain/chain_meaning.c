@@ -92,11 +92,11 @@ const char *bead_chain_time_unit(const struct bead_chain *chain)
     return chain->system ? "" : "s";
 }
 
-struct bead_along bead_chain_along(const struct bead_chain *chain, bool of_contacts)
+struct bead_chain_axis bead_chain_axis(const struct bead_chain *chain, bool of_contacts)
 {
-    struct bead_along along = {of_contacts ? "contact" : "bead", "1", 0, 1};
+    struct bead_chain_axis along = {of_contacts ? "contact" : "bead", "1", 0, 1};
     if (chain->system) {
-        along = (struct bead_along){"x", "", 0, 1};
+        along = (struct bead_chain_axis){"x", "", 0, 1};
         chain->system->places(&chain->spec->equation, chain->beads, &along.first, &along.spacing);
     }
     return along;

@@ -39,7 +39,7 @@ static void print_options(FILE *out, const struct bead_chain_spec *spec)
 static void print_equation(FILE *out, const struct bead_chain *chain, size_t index)
 {
     const struct bead_equation_spec *spec = &bead_chain_spec(chain)->equation;
-    const struct bead_along along = bead_chain_along(chain, false);
+    const struct bead_chain_axis along = bead_chain_axis(chain, false);
     const char *name = bead_chain_name(chain);
     char number[24];
     snprintf(number, sizeof number, "%zu", index);

@@ -20,19 +20,19 @@ static double rate(const struct bead_state *state, size_t k)
     return state->v[k] - state->v[k + 1];
 }
 
-double bead_closings_force(const struct bead_stepper *s, size_t k, double d, double change)
+double bead_damped_contacts_force(const struct bead_stepper *s, size_t k, double d, double change)
 {
     double elastic = s->chain->law->force(s->table.stiffness[k], s->table.law, d);
     return elastic + copysign(s->table.damping * pow(fabs(change), s->table.damping_exponent), change);
 }
 
-void bead_closings_update(struct bead_stepper *s)
+void bead_damped_contacts_update(struct bead_stepper *s)
 {
     size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
     for (size_t k = 0; k < n; k++) {
         double d = compression(s, &s->end, k), change = rate(&s->end, k);
         /* Beads at rest touch: damping acts between them from the first motion on. */
-        s->closed[k] = d > 0 ? bead_closings_force(s, k, d, change) > 0 : change >= 0 && d >= -touching * change * s->h;
+        s->closed[k] = d > 0 ? bead_damped_contacts_force(s, k, d, change) > 0 : change >= 0 && d >= -touching * change * s->h;
     }
 }
 
@@ -53,7 +53,7 @@ static double pushing(const void *context, double x)
 {
     const struct contact_curve *c = context;
     double d = bead_polynomial_value(&c->compression, x), change = bead_polynomial_slope(&c->compression, x) / c->stepper->h;
-    return bead_closings_force(c->stepper, c->contact, d, change);
+    return bead_damped_contacts_force(c->stepper, c->contact, d, change);
 }
 
 static double change_of(const struct bead_stepper *s, size_t k)
@@ -68,15 +68,15 @@ static double change_of(const struct bead_stepper *s, size_t k)
     return (f0 > 0) != (f1 > 0) && (f0 > 0) == (s->closed[k] != 0) ? bead_find_root(pushing, &curve, f0, f1) : 1;
 }
 
-struct bead_closing bead_closings_first(const struct bead_stepper *s)
+struct bead_damped_contact bead_damped_contacts_first(const struct bead_stepper *s)
 {
     size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
-    struct bead_closing first = {1, 0};
+    struct bead_damped_contact first = {1, 0};
     for (size_t k = 0; k < n; k++) {
         bool idle = !s->closed[k] && !(compression(s, &s->end, k) > 0);
         double at = idle ? 1 : change_of(s, k);
         if (at > at_once && at < first.at)
-            first = (struct bead_closing){at, k};
+            first = (struct bead_damped_contact){at, k};
     }
     return first;
 }

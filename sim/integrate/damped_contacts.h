@@ -9,16 +9,16 @@
 #include "sim/integrate/stepper.h"
 
 /* A contact that changes its state within a step. */
-struct bead_closing {
+struct bead_damped_contact {
     double at; /* part of the step; 1: none does */
     size_t contact;
 };
 
 /* The first in the step just made. */
-struct bead_closing bead_closings_first(const struct bead_stepper *stepper);
+struct bead_damped_contact bead_damped_contacts_first(const struct bead_stepper *stepper);
 /* Force of a closed contact with damping at compression d that grows by `change` m/s, N; negative where it would have to stick. */
-double bead_closings_force(const struct bead_stepper *stepper, size_t contact, double d, double change);
+double bead_damped_contacts_force(const struct bead_stepper *stepper, size_t contact, double d, double change);
 /* States of all contacts at the end of the last step, the start of the next, into stepper->closed. */
-void bead_closings_update(struct bead_stepper *stepper);
+void bead_damped_contacts_update(struct bead_stepper *stepper);
 
 #endif

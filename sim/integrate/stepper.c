@@ -166,7 +166,7 @@ enum bead_error bead_stepper_branch(const struct bead_stepper *s, struct bead_st
     b->active = s->active;
     b->t1 = s->t0;
     if (b->closed)
-        bead_closings_update(b);
+        bead_damped_contacts_update(b);
     return BEAD_OK;
 }
 
@@ -204,7 +204,7 @@ void bead_stepper_advance(struct bead_stepper *s, double t1)
 /* A step in which a contact closes or lets go is made again up to there; the next begins with the other state, and its force. */
 static void end_at_closing(struct bead_stepper *s)
 {
-    struct bead_closing first = bead_closings_first(s);
+    struct bead_damped_contact first = bead_damped_contacts_first(s);
     unsigned char other = !s->closed[first.contact];
     if (first.at < 1) {
         s->h *= first.at;
@@ -212,7 +212,7 @@ static void end_at_closing(struct bead_stepper *s)
         s->method->step(s, s->h);
     }
     memcpy(s->was_closed, s->closed, s->active);
-    bead_closings_update(s);
+    bead_damped_contacts_update(s);
     if (first.at < 1)
         s->closed[first.contact] = other;
     if (memcmp(s->was_closed, s->closed, s->active) != 0) /* else the method's last forces are these */

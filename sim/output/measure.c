@@ -25,7 +25,7 @@ enum bead_error bead_measures_create(const struct bead_chain *chain, struct bead
     m->time = m->before = m->clean = m->arrived = m->strike.opened = m->strike.velocity = NAN;
     enum bead_error err = bead_pulses_create(chain, m->places.probe, &m->pulses, msg);
     if (!err)
-        err = bead_order_clean(chain, &m->clean, msg);
+        err = bead_participation_clean(chain, &m->clean, msg);
     if (err) {
         bead_measures_destroy(m);
         *measures = NULL;
@@ -64,6 +64,6 @@ enum bead_error bead_measures_feed(struct bead_measures *m, const struct bead_sa
     m->before = m->time;
     m->time = sample->time;
     if (isnan(m->arrived) && at_end(m, sample))
-        m->arrived = bead_order_participation(m->chain, m->u, m->v);
+        m->arrived = bead_chain_participation(m->chain, m->u, m->v);
     return bead_trace_feed(m, sample, msg);
 }

@@ -141,7 +141,7 @@ static double force_participation(const struct reading *r, int n)
 static double energy_participation(const struct reading *r, int n)
 {
     (void)n;
-    return bead_order_participation(r->m->chain, r->m->u, r->m->v);
+    return bead_chain_participation(r->m->chain, r->m->u, r->m->v);
 }
 
 /* A run that ends as the front arrives has no sample behind that, but one close to it. */
@@ -152,7 +152,7 @@ static double clean_index(const struct reading *r, int n)
     double found = m->arrived, arrival = r->outcome ? r->outcome->front_arrival : NAN;
     if (isnan(found) && arrival <= m->time + 1.5 * (m->time - m->before))
         found = energy_participation(r, 0);
-    return bead_order_index(bead_chain_beads(m->chain), found, m->clean);
+    return bead_clean_index(bead_chain_beads(m->chain), found, m->clean);
 }
 
 /* ---- decay, defects, walls ---- */

@@ -16,7 +16,7 @@ static double compression(const struct bead_chain *chain, const double *u, size_
     return chain->static_compression[k] + (u[k] - (k + 1 < chain->beads ? u[k + 1] : 0));
 }
 
-double bead_order_participation(const struct bead_chain *chain, const double *u, const double *v)
+double bead_chain_participation(const struct bead_chain *chain, const double *u, const double *v)
 {
     double sum = 0, squares = 0, behind = 0;
     for (size_t j = 0; j < chain->beads; j++) {
@@ -34,7 +34,7 @@ double bead_order_participation(const struct bead_chain *chain, const double *u,
     return squares > 0 ? sum * sum / squares : NAN;
 }
 
-double bead_order_index(size_t beads, double participation, double clean)
+double bead_clean_index(size_t beads, double participation, double clean)
 {
     double equal = 1 / (double)beads, index = (1 / participation - equal) / (1 / clean - equal);
     if (!(clean < (double)beads) || isnan(index))
@@ -126,13 +126,13 @@ static enum bead_error measure(const struct bead_chain *chain, double *clean, st
     if (!err && pass(run, chain)) {
         err = bead_run_sample(run, bead_run_arrival(run), fields, (struct bead_span){0, chain->beads - 1}, &sample, msg);
         if (!err)
-            *clean = bead_order_participation(chain, sample.field[BEAD_FIELD_DISPLACEMENT], sample.field[BEAD_FIELD_VELOCITY]);
+            *clean = bead_chain_participation(chain, sample.field[BEAD_FIELD_DISPLACEMENT], sample.field[BEAD_FIELD_VELOCITY]);
     }
     bead_run_destroy(run);
     return err;
 }
 
-enum bead_error bead_order_clean(const struct bead_chain *chain, double *clean, struct bead_message *msg)
+enum bead_error bead_participation_clean(const struct bead_chain *chain, double *clean, struct bead_message *msg)
 {
     size_t most = BEAD_PLACE_PERIOD;
     *clean = NAN;

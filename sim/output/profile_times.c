@@ -10,54 +10,54 @@ struct profile {
     bool complete;
 };
 
-struct bead_moments {
+struct bead_profile_times {
     const struct bead_output *output;
-    struct bead_stage stage;
+    struct bead_run_context context;
     struct bead_grid grid;
     struct profile *profiles; /* [chains][moments] */
     double **places;          /* [chains][values] */
     char why[96];
 };
 
-size_t bead_moments_values(const struct bead_moments *m, size_t chain)
+size_t bead_profile_times_values(const struct bead_profile_times *m, size_t chain)
 {
-    const struct bead_chain *c = m->stage.chains[chain];
+    const struct bead_chain *c = m->context.chains[chain];
     return bead_chain_field(c, m->output->field)->of_contacts ? bead_chain_contacts(c) : bead_chain_beads(c);
 }
 
-const double *bead_moments_places(const struct bead_moments *m, size_t chain)
+const double *bead_profile_times_places(const struct bead_profile_times *m, size_t chain)
 {
     return m->places[chain];
 }
 
-const double *bead_moments_profile(const struct bead_moments *m, size_t chain, size_t moment)
+const double *bead_profile_times_profile(const struct bead_profile_times *m, size_t chain, size_t moment)
 {
-    return m->profiles[chain * m->output->moment_count + moment].values;
+    return m->profiles[chain * m->output->profile_time_count + moment].values;
 }
 
-void bead_moments_destroy(struct bead_moments *m)
+void bead_profile_times_destroy(struct bead_profile_times *m)
 {
     if (!m)
         return;
-    for (size_t i = 0; m->profiles && i < m->stage.chain_count * m->output->moment_count; i++)
+    for (size_t i = 0; m->profiles && i < m->context.chain_count * m->output->profile_time_count; i++)
         free(m->profiles[i].values);
-    for (size_t c = 0; m->places && c < m->stage.chain_count; c++)
+    for (size_t c = 0; m->places && c < m->context.chain_count; c++)
         free(m->places[c]);
     free(m->profiles);
     free(m->places);
     free(m);
 }
 
-static enum bead_error reserve(struct bead_moments *m, struct bead_message *msg)
+static enum bead_error reserve(struct bead_profile_times *m, struct bead_message *msg)
 {
-    size_t chains = m->stage.chain_count, moments = m->output->moment_count;
+    size_t chains = m->context.chain_count, moments = m->output->profile_time_count;
     m->profiles = calloc(chains * moments, sizeof *m->profiles);
     m->places = calloc(chains, sizeof *m->places);
     bool got = m->profiles && m->places;
     for (size_t c = 0; got && c < chains; c++) {
-        const struct bead_chain *chain = m->stage.chains[c];
-        const struct bead_along along = bead_chain_along(chain, bead_chain_field(chain, m->output->field)->of_contacts);
-        size_t count = bead_moments_values(m, c);
+        const struct bead_chain *chain = m->context.chains[c];
+        const struct bead_chain_axis along = bead_chain_axis(chain, bead_chain_field(chain, m->output->field)->of_contacts);
+        size_t count = bead_profile_times_values(m, c);
         got = (m->places[c] = calloc(count, sizeof(double))) != NULL;
         for (size_t i = 0; got && i < count; i++)
             m->places[c][i] = along.first + (double)i * along.spacing;
@@ -70,7 +70,7 @@ static enum bead_error reserve(struct bead_moments *m, struct bead_message *msg)
 /* Do all moments lie on this grid? */
 static bool hits(const struct bead_output *output, double start, double every)
 {
-    for (size_t i = 0; i < output->moment_count; i++) {
+    for (size_t i = 0; i < output->profile_time_count; i++) {
         double place = (output->moments[i] - start) / every;
         if (fabs(place - round(place)) > 1e-7)
             return false;
@@ -78,11 +78,11 @@ static bool hits(const struct bead_output *output, double start, double every)
     return true;
 }
 
-static struct bead_grid choose_grid(const struct bead_output *output, const struct bead_stage *stage)
+static struct bead_grid choose_grid(const struct bead_output *output, const struct bead_run_context *context)
 {
     enum { MOST_PARTS = 1000 };
-    const struct bead_grid *native = &stage->native;
-    size_t last = output->moment_count - 1;
+    const struct bead_grid *native = &context->native;
+    size_t last = output->profile_time_count - 1;
     double from = output->moments[0], to = output->moments[last], gap = last > 0 ? output->moments[1] - from : 1;
     if (native->every > 0) {
         double first = fmax(0, floor((from - native->start) / native->every + 1e-6));
@@ -96,35 +96,35 @@ static struct bead_grid choose_grid(const struct bead_output *output, const stru
         if (hits(output, from, gap / parts))
             return (struct bead_grid){from, gap / parts, to};
     }
-    double every = stage->resolution / 8;
-    return (struct bead_grid){from, every, fmin(stage->end, from + ceil((to - from) / every) * every)};
+    double every = context->resolution / 8;
+    return (struct bead_grid){from, every, fmin(context->end, from + ceil((to - from) / every) * every)};
 }
 
-enum bead_error bead_moments_create(const struct bead_output *output, const struct bead_stage *stage, struct bead_moments **made,
-                                    struct bead_message *msg)
+enum bead_error bead_profile_times_create(const struct bead_output *output, const struct bead_run_context *context,
+                                          struct bead_profile_times **made, struct bead_message *msg)
 {
     *made = NULL;
-    double last = output->moments[output->moment_count - 1];
-    if (last > stage->end * (1 + 1e-9)) /* of a run that ends when the front arrives */
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: at: goes to %g, but the run ends at %g", stage->scene->file,
-                         output->place.line, output->place.column, last, stage->end);
-    struct bead_moments *m = calloc(1, sizeof *m);
+    double last = output->moments[output->profile_time_count - 1];
+    if (last > context->end * (1 + 1e-9)) /* of a run that ends when the front arrives */
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: at: goes to %g, but the run ends at %g", context->scene->file,
+                         output->place.line, output->place.column, last, context->end);
+    struct bead_profile_times *m = calloc(1, sizeof *m);
     if (!m)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for profiles");
     m->output = output;
-    m->stage = *stage;
-    m->grid = choose_grid(output, stage);
-    snprintf(m->why, sizeof m->why, "%s at %zu time%s", bead_field_info(output->field)->name, output->moment_count,
-             output->moment_count == 1 ? "" : "s");
+    m->context = *context;
+    m->grid = choose_grid(output, context);
+    snprintf(m->why, sizeof m->why, "%s at %zu time%s", bead_field_info(output->field)->name, output->profile_time_count,
+             output->profile_time_count == 1 ? "" : "s");
     enum bead_error err = reserve(m, msg);
     if (err)
-        bead_moments_destroy(m);
+        bead_profile_times_destroy(m);
     else
         *made = m;
     return err;
 }
 
-struct bead_needs bead_moments_needs(const struct bead_moments *m)
+struct bead_needs bead_profile_times_needs(const struct bead_profile_times *m)
 {
     return (struct bead_needs){
         .fields = BEAD_FIELD_BIT(m->output->field), .beads = {0, SIZE_MAX}, .grid = m->grid, .until = m->grid.end, .why = m->why};
@@ -139,15 +139,15 @@ static void complete(struct profile *p, const struct bead_sample *sample, const 
     p->complete = true;
 }
 
-enum bead_error bead_moments_feed(struct bead_moments *m, const struct bead_sample *sample, struct bead_message *msg)
+enum bead_error bead_profile_times_feed(struct bead_profile_times *m, const struct bead_sample *sample, struct bead_message *msg)
 {
     const double *values = sample->field[m->output->field];
     if (!values)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no %s", bead_field_info(m->output->field)->title);
-    size_t count = bead_moments_values(m, sample->chain);
+    size_t count = bead_profile_times_values(m, sample->chain);
     double slack = 1e-6 * m->grid.every;
-    for (size_t k = 0; k < m->output->moment_count; k++) {
-        struct profile *p = &m->profiles[sample->chain * m->output->moment_count + k];
+    for (size_t k = 0; k < m->output->profile_time_count; k++) {
+        struct profile *p = &m->profiles[sample->chain * m->output->profile_time_count + k];
         double moment = m->output->moments[k];
         if (p->complete)
             continue;

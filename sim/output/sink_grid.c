@@ -25,20 +25,20 @@ static void snap(const struct bead_grid *native, double every, struct bead_grid 
     grid->end = fmin(grid->end, native->end);
 }
 
-enum bead_error bead_sink_grid(const struct bead_output *output, const struct bead_stage *stage, struct bead_grid *grid,
+enum bead_error bead_sink_grid(const struct bead_output *output, const struct bead_run_context *context, struct bead_grid *grid,
                                struct bead_message *msg)
 {
-    const char *file = stage->scene->file;
+    const char *file = context->scene->file;
     struct bead_place place = output->place;
-    double resolution = stage->resolution > 0 && isfinite(stage->resolution) ? stage->resolution : 1e-6;
+    double resolution = context->resolution > 0 && isfinite(context->resolution) ? context->resolution : 1e-6;
     grid->start = isnan(output->time[0]) ? 0 : output->time[0];
-    grid->end = isnan(output->time[1]) ? stage->end : fmin(output->time[1], stage->end);
+    grid->end = isnan(output->time[1]) ? context->end : fmin(output->time[1], context->end);
     grid->every = output->every > 0 ? output->every : bead_round_down(resolution);
     if (!(grid->start >= 0) || !(grid->end >= grid->start))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: time: starts at %g, but the run ends at %g", file, place.line,
                          place.column, grid->start, grid->end);
-    if (stage->native.every > 0)
-        snap(&stage->native, output->every, grid);
+    if (context->native.every > 0)
+        snap(&context->native, output->every, grid);
     if (!((grid->end - grid->start) / grid->every < most_samples))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: every: %g gives %.3g samples, at most %g are allowed", file,
                          place.line, place.column, grid->every, (grid->end - grid->start) / grid->every, most_samples);

@@ -10,10 +10,10 @@
 double bead_round_down(double x);
 
 /* The times that `output` asks for: from output->time[0] or 0 to output->time[1] or the end of the run, never beyond it;
- * every output->every, or a round time within the stage's resolution. Where there are only samples at given times
+ * every output->every, or a round time within the run context's resolution. Where there are only samples at given times
  * (stage->native), the nearest multiple of their spacing. Errors: SCENE (with the output's place). */
-BEAD_CHECK enum bead_error bead_sink_grid(const struct bead_output *output, const struct bead_stage *stage, struct bead_grid *grid,
-                                          struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_sink_grid(const struct bead_output *output, const struct bead_run_context *context,
+                                          struct bead_grid *grid, struct bead_message *msg);
 
 /* Part of `span` that a chain of `count` beads (or contacts) has: first row and number of rows. */
 size_t bead_span_rows(const struct bead_span *span, size_t count);

@@ -30,7 +30,7 @@ void bead_table_text(FILE *file, const char *text)
 
 static bool several(const struct bead_sink *sink)
 {
-    return sink->stage.chain_count > 1;
+    return sink->context.chain_count > 1;
 }
 
 /* ---- peaks of contacts or beads, at the end ---- */
@@ -60,8 +60,8 @@ static void write_peak(FILE *file, size_t index, const struct bead_peak *peak)
 static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
 {
     bool contacts = sink->output->show == BEAD_SHOW_PEAKS;
-    for (size_t c = 0; outcomes && c < sink->stage.chain_count; c++) {
-        const struct bead_chain *chain = sink->stage.chains[c];
+    for (size_t c = 0; outcomes && c < sink->context.chain_count; c++) {
+        const struct bead_chain *chain = sink->context.chains[c];
         const struct bead_peak *peaks = contacts ? outcomes[c].contact_peaks : outcomes[c].bead_peaks;
         size_t first = sink->output->beads.first;
         size_t count = bead_span_rows(&sink->output->beads, contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain));
@@ -81,23 +81,23 @@ static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcome
 char *bead_table_column(const struct bead_sink *sink, size_t chain, const char *sensor)
 {
     char *name = NULL;
-    const char *owner = several(sink) ? bead_chain_name(sink->stage.chains[chain]) : "";
+    const char *owner = several(sink) ? bead_chain_name(sink->context.chains[chain]) : "";
     return asprintf(&name, "%s%s%s", owner, *owner ? "/" : "", sensor) < 0 ? NULL : name;
 }
 
 static enum bead_error sensors_prepare(struct bead_sink *sink, struct bead_message *msg)
 {
     size_t count = 0, total = 0;
-    for (size_t c = 0; c < sink->stage.chain_count; c++) {
-        bead_chain_sensors(sink->stage.chains[c], &count);
+    for (size_t c = 0; c < sink->context.chain_count; c++) {
+        bead_chain_sensors(sink->context.chains[c], &count);
         total += count;
     }
     if (total == 0)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: show: sensors, but no bead of the chain has a `sensor`",
-                         sink->stage.scene->file, sink->output->place.line, sink->output->place.column);
+                         sink->context.scene->file, sink->output->place.line, sink->output->place.column);
     sink->columns = calloc(total, sizeof *sink->columns);
-    for (size_t c = 0; sink->columns && c < sink->stage.chain_count; c++) {
-        const struct bead_sensor *sensors = bead_chain_sensors(sink->stage.chains[c], &count);
+    for (size_t c = 0; sink->columns && c < sink->context.chain_count; c++) {
+        const struct bead_sensor *sensors = bead_chain_sensors(sink->context.chains[c], &count);
         for (size_t i = 0; i < count; i++) {
             char *name = bead_table_column(sink, c, sensors[i].name);
             if (!name)
@@ -108,8 +108,8 @@ static enum bead_error sensors_prepare(struct bead_sink *sink, struct bead_messa
     if (!sink->columns)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
     char every[32];
-    enum bead_error error = bead_sink_grid(sink->output, &sink->stage, &sink->grid, msg);
-    bead_time_text(sink->grid.every, bead_chain_time_unit(sink->stage.chains[0]), every, sizeof every);
+    enum bead_error error = bead_sink_grid(sink->output, &sink->context, &sink->grid, msg);
+    bead_time_text(sink->grid.every, bead_chain_time_unit(sink->context.chains[0]), every, sizeof every);
     snprintf(sink->why, sizeof sink->why, "%zu samples of %zu sensor%s, every %s", bead_grid_count(&sink->grid), total,
              total == 1 ? "" : "s", every);
     return error;
@@ -159,7 +159,7 @@ static enum bead_error sensors_sample(struct bead_sink *sink, const struct bead_
     for (size_t i = 0; i < sink->column_count; i++)
         if (sink->columns[i].chain == sample->chain)
             sink->columns[i].value = sample->field[BEAD_FIELD_FORCE][sink->columns[i].bead];
-    if (sample->chain + 1 == sink->stage.chain_count)
+    if (sample->chain + 1 == sink->context.chain_count)
         bead_table_row(sink, sample->time);
     return BEAD_OK;
 }
@@ -189,9 +189,9 @@ static void table_destroy(struct bead_sink *sink)
         freelocale(sink->locale);
     for (size_t i = 0; i < sink->column_count; i++)
         free(sink->columns[i].name);
-    for (size_t i = 0; sink->measures && i < sink->stage.chain_count; i++)
+    for (size_t i = 0; sink->measures && i < sink->context.chain_count; i++)
         bead_measures_destroy(sink->measures[i]);
-    bead_moments_destroy(sink->moments);
+    bead_profile_times_destroy(sink->moments);
     free(sink->measures);
     free(sink->columns);
     free(sink->path);
@@ -199,21 +199,21 @@ static void table_destroy(struct bead_sink *sink)
     free(sink);
 }
 
-static enum bead_error table_create(const struct bead_output *output, const struct bead_stage *stage, struct bead_sink **made,
-                                    struct bead_message *msg)
+static enum bead_error table_create(const struct bead_output *output, const struct bead_run_context *context,
+                                    struct bead_sink **made, struct bead_message *msg)
 {
     *made = NULL;
     if ((size_t)output->show >= sizeof tables / sizeof *tables || !tables[output->show])
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s:%zu:%zu: show: not known to tables", stage->scene->file,
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s:%zu:%zu: show: not known to tables", context->scene->file,
                          output->place.line, output->place.column);
     struct bead_sink *sink = calloc(1, sizeof *sink);
     if (!sink)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
-    sink->stage = *stage;
+    sink->context = *context;
     sink->output = output;
     sink->table = tables[output->show];
     snprintf(sink->why, sizeof sink->why, "%s", sink->table->why);
-    enum bead_error error = bead_file_join(stage->directory, output->path, &sink->path, msg);
+    enum bead_error error = bead_file_join(context->directory, output->path, &sink->path, msg);
     if (!error)
         error = bead_file_part_name(sink->path, &sink->part, msg);
     if (!error && sink->table->prepare)
@@ -251,7 +251,7 @@ static enum bead_error table_sample(struct bead_sink *sink, const struct bead_sa
     if (sample->chain != sink->next_chain || sample->index != sink->next_sample)
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: sample %zu of chain %zu came out of order", sink->path, sample->index,
                          sample->chain);
-    sink->next_chain = (sink->next_chain + 1) % sink->stage.chain_count;
+    sink->next_chain = (sink->next_chain + 1) % sink->context.chain_count;
     sink->next_sample += sink->next_chain == 0;
     locale_t before = uselocale(sink->locale);
     enum bead_error error = sink->table->sample(sink, sample, msg);

@@ -16,7 +16,7 @@ struct column {
 };
 
 struct bead_sink {
-    struct bead_stage stage;
+    struct bead_run_context context;
     const struct bead_output *output;
     const struct table *table;
     struct bead_grid grid;
@@ -26,8 +26,8 @@ struct bead_sink {
     locale_t locale;        /* "C": a decimal point, whatever the user's language */
     struct column *columns; /* sensors, chain by chain */
     size_t column_count, next_chain, next_sample;
-    struct bead_measures **measures; /* [chains], of those that measures are made for */
-    struct bead_moments *moments;    /* of profiles */
+    struct bead_measures **measures;    /* [chains], of those that measures are made for */
+    struct bead_profile_times *moments; /* of profiles */
     uint64_t rows;
     bool open, finished;
 };

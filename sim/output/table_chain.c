@@ -10,7 +10,7 @@ static void needs(const struct bead_sink *sink, struct bead_needs *needs)
 static void header(struct bead_sink *sink)
 {
     fprintf(sink->file, "%sbead,material,mass_kg,radius_m,position_m,sensor,stiffness,static_force_N\n",
-            sink->stage.chain_count > 1 ? "chain," : "");
+            sink->context.chain_count > 1 ? "chain," : "");
 }
 
 static void write_sensor(FILE *file, const struct bead_chain *chain, size_t bead)
@@ -25,7 +25,7 @@ static void write_sensor(FILE *file, const struct bead_chain *chain, size_t bead
 
 static void write_bead(struct bead_sink *sink, const struct bead_chain *chain, size_t bead)
 {
-    if (sink->stage.chain_count > 1) {
+    if (sink->context.chain_count > 1) {
         bead_table_text(sink->file, bead_chain_name(chain));
         fputc(',', sink->file);
     }
@@ -44,9 +44,9 @@ static void write_bead(struct bead_sink *sink, const struct bead_chain *chain, s
 static void end(struct bead_sink *sink, const struct bead_outcome *outcomes)
 {
     (void)outcomes;
-    for (size_t c = 0; c < sink->stage.chain_count; c++) {
-        for (size_t i = 0; i < bead_chain_beads(sink->stage.chains[c]); i++)
-            write_bead(sink, sink->stage.chains[c], i);
+    for (size_t c = 0; c < sink->context.chain_count; c++) {
+        for (size_t i = 0; i < bead_chain_beads(sink->context.chains[c]); i++)
+            write_bead(sink, sink->context.chains[c], i);
     }
 }
 

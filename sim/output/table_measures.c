@@ -16,24 +16,24 @@ static bool of_beads(const struct bead_chain *chain)
 
 static enum bead_error prepare(struct bead_sink *sink, struct bead_message *msg)
 {
-    size_t count = sink->stage.chain_count, watched = 0;
+    size_t count = sink->context.chain_count, watched = 0;
     char every[32];
     enum bead_error err = BEAD_OK;
     sink->measures = calloc(count, sizeof *sink->measures);
     if (!sink->measures)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
     for (size_t c = 0; !err && c < count; c++) {
-        if (!of_beads(sink->stage.chains[c])) /* what moves there measures itself */
+        if (!of_beads(sink->context.chains[c])) /* what moves there measures itself */
             continue;
-        err = bead_measures_create(sink->stage.chains[c], &sink->measures[c], msg);
+        err = bead_measures_create(sink->context.chains[c], &sink->measures[c], msg);
         watched++;
     }
     if (err || watched == 0)
         return err;
-    struct bead_stage stage = sink->stage;
-    stage.resolution *= coarser;
-    err = bead_sink_grid(sink->output, &stage, &sink->grid, msg);
-    bead_time_text(sink->grid.every, bead_chain_time_unit(sink->stage.chains[0]), every, sizeof every);
+    struct bead_run_context context = sink->context;
+    context.resolution *= coarser;
+    err = bead_sink_grid(sink->output, &context, &sink->grid, msg);
+    bead_time_text(sink->grid.every, bead_chain_time_unit(sink->context.chains[0]), every, sizeof every);
     snprintf(sink->why, sizeof sink->why, "measures of the run, from %zu samples every %s", bead_grid_count(&sink->grid), every);
     return err;
 }
@@ -51,7 +51,7 @@ static void needs(const struct bead_sink *sink, struct bead_needs *needs)
 
 static void header(struct bead_sink *sink)
 {
-    fprintf(sink->file, "%sname,value,unit\n", sink->stage.chain_count > 1 ? "chain," : "");
+    fprintf(sink->file, "%sname,value,unit\n", sink->context.chain_count > 1 ? "chain," : "");
 }
 
 static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
@@ -62,8 +62,8 @@ static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *
 
 static void write_row(struct bead_sink *sink, size_t chain, const struct bead_measure *measure)
 {
-    if (sink->stage.chain_count > 1) {
-        bead_table_text(sink->file, bead_chain_name(sink->stage.chains[chain]));
+    if (sink->context.chain_count > 1) {
+        bead_table_text(sink->file, bead_chain_name(sink->context.chains[chain]));
         fputc(',', sink->file);
     }
     bead_table_text(sink->file, measure->name);
@@ -74,7 +74,7 @@ static void write_row(struct bead_sink *sink, size_t chain, const struct bead_me
 static void end(struct bead_sink *sink, const struct bead_outcome *outcomes)
 {
     struct bead_measure found[MOST_MEASURES];
-    for (size_t c = 0; c < sink->stage.chain_count; c++) {
+    for (size_t c = 0; c < sink->context.chain_count; c++) {
         const struct bead_outcome *outcome = outcomes ? &outcomes[c] : NULL;
         size_t count = sink->measures[c] ? bead_measures_read(sink->measures[c], outcome, found, MOST_MEASURES) : 0;
         for (size_t i = 0; i < count && i < MOST_MEASURES; i++)

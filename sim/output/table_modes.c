@@ -7,7 +7,7 @@
 
 static enum bead_error prepare(struct bead_sink *sink, struct bead_message *msg)
 {
-    size_t chains = sink->stage.chain_count, modes = sink->output->modes;
+    size_t chains = sink->context.chain_count, modes = sink->output->modes;
     char every[32], word[32];
     sink->columns = calloc(chains * modes, sizeof *sink->columns);
     for (size_t i = 0; sink->columns && i < chains * modes; i++) {
@@ -19,16 +19,16 @@ static enum bead_error prepare(struct bead_sink *sink, struct bead_message *msg)
     }
     if (!sink->columns)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
-    enum bead_error err = bead_sink_grid(sink->output, &sink->stage, &sink->grid, msg);
-    bead_time_text(sink->grid.every, bead_chain_time_unit(sink->stage.chains[0]), every, sizeof every);
+    enum bead_error err = bead_sink_grid(sink->output, &sink->context, &sink->grid, msg);
+    bead_time_text(sink->grid.every, bead_chain_time_unit(sink->context.chains[0]), every, sizeof every);
     snprintf(sink->why, sizeof sink->why, "energies of %zu modes, %zu times every %s", modes, bead_grid_count(&sink->grid), every);
     return err;
 }
 
 static void needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
-    for (size_t c = 0; c < sink->stage.chain_count; c++)
-        needs->fields |= bead_chain_mode_fields(sink->stage.chains[c]);
+    for (size_t c = 0; c < sink->context.chain_count; c++)
+        needs->fields |= bead_chain_mode_fields(sink->context.chains[c]);
     needs->grid = sink->grid;
     needs->until = sink->grid.end;
     needs->beads = (struct bead_span){0, SIZE_MAX};
@@ -44,10 +44,10 @@ static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *
     double energy[BEAD_MODES];
     size_t modes = sink->output->modes;
     (void)msg;
-    bead_chain_mode_energies(sink->stage.chains[sample->chain], sample->field, modes, energy);
+    bead_chain_mode_energies(sink->context.chains[sample->chain], sample->field, modes, energy);
     for (size_t k = 0; k < modes; k++)
         sink->columns[sample->chain * modes + k].value = energy[k];
-    if (sample->chain + 1 == sink->stage.chain_count)
+    if (sample->chain + 1 == sink->context.chain_count)
         bead_table_row(sink, sample->time);
     return BEAD_OK;
 }

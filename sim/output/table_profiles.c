@@ -4,43 +4,43 @@
 
 static enum bead_error prepare(struct bead_sink *sink, struct bead_message *msg)
 {
-    enum bead_error err = bead_moments_create(sink->output, &sink->stage, &sink->moments, msg);
+    enum bead_error err = bead_profile_times_create(sink->output, &sink->context, &sink->moments, msg);
     if (!err)
-        snprintf(sink->why, sizeof sink->why, "%s", bead_moments_needs(sink->moments).why);
+        snprintf(sink->why, sizeof sink->why, "%s", bead_profile_times_needs(sink->moments).why);
     return err;
 }
 
 static void needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
-    *needs = bead_moments_needs(sink->moments);
+    *needs = bead_profile_times_needs(sink->moments);
 }
 
 static void header(struct bead_sink *sink)
 {
-    const struct bead_chain *chain = sink->stage.chains[0];
+    const struct bead_chain *chain = sink->context.chains[0];
     const struct bead_field_info *field = bead_chain_field(chain, sink->output->field);
     /* Of equations the letter or word of their unknown. */
     const char *column = bead_chain_spec(chain)->equation.name ? field->title : field->name;
     const char *time = bead_chain_time_unit(chain);
-    fprintf(sink->file, "%stime%s%s,%s,%s%s%s\n", sink->stage.chain_count > 1 ? "chain," : "", *time ? "_" : "", time,
-            bead_chain_along(chain, field->of_contacts).title, column, *field->unit ? "_" : "", field->unit);
+    fprintf(sink->file, "%stime%s%s,%s,%s%s%s\n", sink->context.chain_count > 1 ? "chain," : "", *time ? "_" : "", time,
+            bead_chain_axis(chain, field->of_contacts).title, column, *field->unit ? "_" : "", field->unit);
 }
 
 static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
 {
-    return bead_moments_feed(sink->moments, sample, msg);
+    return bead_profile_times_feed(sink->moments, sample, msg);
 }
 
 static void end(struct bead_sink *sink, const struct bead_outcome *outcomes)
 {
     (void)outcomes;
-    for (size_t c = 0; c < sink->stage.chain_count; c++) {
-        const double *places = bead_moments_places(sink->moments, c);
-        for (size_t m = 0; m < sink->output->moment_count; m++) {
-            const double *values = bead_moments_profile(sink->moments, c, m);
-            for (size_t i = 0; i < bead_moments_values(sink->moments, c); i++) {
-                if (sink->stage.chain_count > 1) {
-                    bead_table_text(sink->file, bead_chain_name(sink->stage.chains[c]));
+    for (size_t c = 0; c < sink->context.chain_count; c++) {
+        const double *places = bead_profile_times_places(sink->moments, c);
+        for (size_t m = 0; m < sink->output->profile_time_count; m++) {
+            const double *values = bead_profile_times_profile(sink->moments, c, m);
+            for (size_t i = 0; i < bead_profile_times_values(sink->moments, c); i++) {
+                if (sink->context.chain_count > 1) {
+                    bead_table_text(sink->file, bead_chain_name(sink->context.chains[c]));
                     fputc(',', sink->file);
                 }
                 fprintf(sink->file, "%.17g,%.17g,%.17g\n", sink->output->moments[m], places[i], values[i]);

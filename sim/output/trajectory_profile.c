@@ -11,13 +11,13 @@
 
 bool bead_trajectory_wants(const struct bead_sink *sink, enum bead_series_id id)
 {
-    const struct bead_system *system = sink->stage.chains[0]->system;
+    const struct bead_system *system = sink->context.chains[0]->system;
     if (!(sink->fields & BEAD_FIELD_BIT(bead_series[id].field)))
         return false;
     if (id == BEAD_SERIES_POSITION) /* an unknown that is called displacement need not move anything along the chain */
         return !system || system->beads;
     /* A net force needs both contacts; a trajectory that is drawn again may hold bead forces only. */
-    if (id == BEAD_SERIES_NET_FORCE && sink->stage.native.every > 0)
+    if (id == BEAD_SERIES_NET_FORCE && sink->context.native.every > 0)
         return (sink->fields & BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE)) != 0;
     return true;
 }
@@ -25,7 +25,7 @@ bool bead_trajectory_wants(const struct bead_sink *sink, enum bead_series_id id)
 /* Of series and constants that have a unit where there are beads. */
 static const char *units_of(const struct bead_sink *sink, const char *units)
 {
-    return bead_chain_spec(sink->stage.chains[0])->equation.name ? "1" : units;
+    return bead_chain_spec(sink->context.chains[0])->equation.name ? "1" : units;
 }
 
 /* Values of all chains' stored beads, or contacts, one after the other; to be freed. */
@@ -37,9 +37,9 @@ static double *gather(struct bead_sink *sink, const double *(*values)(const stru
         sink->h5.error = bead_fail(sink->h5.msg, BEAD_ERROR_MEMORY, "%s: no memory for %zu numbers", sink->part, total);
         return NULL;
     }
-    for (size_t c = 0; c < sink->stage.chain_count; c++) {
+    for (size_t c = 0; c < sink->context.chain_count; c++) {
         const struct bead_chain_rows *r = &sink->rows[c];
-        const double *from = values(sink->stage.chains[c]);
+        const double *from = values(sink->context.chains[c]);
         if (of_contacts && r->contacts)
             memcpy(all + r->first_contact_row, from + r->first_contact, r->contacts * sizeof *all);
         else if (!of_contacts && r->beads)
@@ -77,7 +77,7 @@ static int64_t identity_of(const struct bead_sink *sink, size_t chain, size_t in
 static int64_t species_of(const struct bead_sink *sink, size_t chain, size_t index, size_t before)
 {
     (void)before;
-    return (int64_t)bead_chain_material(sink->stage.chains[chain])[index];
+    return (int64_t)bead_chain_material(sink->context.chains[chain])[index];
 }
 
 typedef int64_t (*label_function)(const struct bead_sink *, size_t chain, size_t index, size_t before);
@@ -88,13 +88,13 @@ static int64_t *labels(struct bead_sink *sink, label_function label, bool of_con
     int64_t *all = sink->h5.error ? NULL : calloc(total ? total : 1, sizeof *all);
     if (!all && !sink->h5.error)
         sink->h5.error = bead_fail(sink->h5.msg, BEAD_ERROR_MEMORY, "%s: no memory for %zu numbers", sink->part, total);
-    for (size_t c = 0; all && c < sink->stage.chain_count; c++) {
+    for (size_t c = 0; all && c < sink->context.chain_count; c++) {
         const struct bead_chain_rows *r = &sink->rows[c];
         size_t count = of_contacts ? r->contacts : r->beads, first = of_contacts ? r->first_contact : r->first_bead;
         int64_t *to = all + (of_contacts ? r->first_contact_row : r->first_row);
         for (size_t i = 0; i < count; i++)
             to[i] = label(sink, c, first + i, before);
-        before += bead_chain_beads(sink->stage.chains[c]);
+        before += bead_chain_beads(sink->context.chains[c]);
     }
     return all;
 }
@@ -136,7 +136,7 @@ static void lay_out_axes(struct bead_sink *sink)
 /* Equations have words of their own for their fields. */
 static const char *long_name(const struct bead_sink *sink, const struct bead_series_info *info)
 {
-    const struct bead_chain *chain = sink->stage.chains[0];
+    const struct bead_chain *chain = sink->context.chains[0];
     return bead_chain_spec(chain)->equation.name && info->stored ? bead_chain_field(chain, info->field)->title : info->title;
 }
 
@@ -197,7 +197,7 @@ static void field_names(unsigned fields, char *text, size_t size)
 static void write_summary(struct bead_sink *sink)
 {
     struct bead_h5 *h5 = &sink->h5;
-    const struct bead_scene *scene = sink->stage.scene;
+    const struct bead_scene *scene = sink->context.scene;
     const struct bead_span *span = &sink->output->beads;
     char names[128];
     field_names(sink->fields, names, sizeof names);
@@ -213,7 +213,7 @@ static void write_summary(struct bead_sink *sink)
     bead_h5_put_double(h5, group, "start", sink->grid.start);
     bead_h5_put_double(h5, group, "every", sink->grid.every);
     /* A run until the front arrives may not know its end yet. */
-    bead_h5_put_double(h5, group, "end", sink->stage.end < INFINITY ? sink->stage.end : sink->grid.end);
+    bead_h5_put_double(h5, group, "end", sink->context.end < INFINITY ? sink->context.end : sink->grid.end);
     bead_h5_put_ints(h5, group, "first_bead", &first, 0);
     bead_h5_put_ints(h5, group, "last_bead", &last, 0);
     bead_h5_put_text(h5, group, "method", scene->simulate.method ? scene->simulate.method : "auto");
@@ -248,7 +248,7 @@ static void write_materials(struct bead_sink *sink)
         {"red", "1", offsetof(struct bead_material, colour[0])},    {"green", "1", offsetof(struct bead_material, colour[1])},
         {"blue", "1", offsetof(struct bead_material, colour[2])},
     };
-    const struct bead_scene *scene = sink->stage.scene;
+    const struct bead_scene *scene = sink->context.scene;
     size_t count = scene->material_count;
     const char **names = calloc(count ? count : 1, sizeof *names);
     if (!names) {
@@ -269,7 +269,7 @@ static void write_materials(struct bead_sink *sink)
 /* Names and radii by species, in the order of first appearance: VMD wants one row for each species there is. */
 static void write_vmd(struct bead_sink *sink)
 {
-    const struct bead_scene *scene = sink->stage.scene;
+    const struct bead_scene *scene = sink->context.scene;
     size_t most = scene->material_count ? scene->material_count : 1, count = 0;
     int64_t *species = labels(sink, species_of, false), *index = calloc(most, sizeof *index);
     const char **names = calloc(most, sizeof *names);
@@ -313,16 +313,16 @@ static void write_chains(struct bead_sink *sink)
         {"first_contact_row", offsetof(struct bead_chain_rows, first_contact_row)},
         {"contacts", offsetof(struct bead_chain_rows, contacts)},
     };
-    size_t count = sink->stage.chain_count;
+    size_t count = sink->context.chain_count;
     const char **texts = calloc(count, sizeof *texts);
     int64_t *numbers = calloc(count, sizeof *numbers);
     if (texts && numbers) {
         hid_t group = bead_h5_make_group(&sink->h5, sink->h5.file, BEAD_PROFILE_GROUP "/chains");
         for (size_t c = 0; c < count; c++)
-            texts[c] = bead_chain_name(sink->stage.chains[c]);
+            texts[c] = bead_chain_name(sink->context.chains[c]);
         bead_h5_write_texts(&sink->h5, group, "name", -1, texts, count);
         for (size_t c = 0; c < count; c++)
-            texts[c] = bead_chain_spins(sink->stage.chains[c]);
+            texts[c] = bead_chain_spins(sink->context.chains[c]);
         bead_h5_write_texts(&sink->h5, group, "spins", -1, texts, count);
         for (size_t i = 0; i < sizeof members / sizeof *members; i++) {
             for (size_t c = 0; c < count; c++)
@@ -341,7 +341,7 @@ void bead_trajectory_lay_out(struct bead_sink *sink)
 {
     write_h5md(sink);
     lay_out_axes(sink);
-    const bool beads = !bead_chain_spec(sink->stage.chains[0])->equation.name; /* else no materials, radii, forces */
+    const bool beads = !bead_chain_spec(sink->context.chains[0])->equation.name; /* else no materials, radii, forces */
     if (beads)
         write_labels(sink, "/particles/chain/species", species_of, false);
     write_labels(sink, "/particles/chain/id", identity_of, false);
@@ -370,7 +370,7 @@ void bead_trajectory_lay_out(struct bead_sink *sink)
 void bead_trajectory_write_outcome(struct bead_sink *sink, const struct bead_outcome *outcomes, bool complete)
 {
     struct bead_h5 *h5 = &sink->h5;
-    size_t count = sink->stage.chain_count;
+    size_t count = sink->context.chain_count;
     const char **methods = calloc(count, sizeof *methods);
     int64_t *numbers = calloc(2 * count, sizeof *numbers);
     if (!methods || !numbers)

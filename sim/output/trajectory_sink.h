@@ -15,7 +15,7 @@ struct bead_series {
 };
 
 struct bead_sink {
-    struct bead_stage stage;
+    struct bead_run_context context;
     const struct bead_output *output;
     struct bead_grid grid;
     unsigned fields;              /* asked for */

@@ -43,14 +43,14 @@ static void trajectory_destroy(struct bead_sink *sink)
 
 static enum bead_error no_rows(const struct bead_sink *sink, const char *what, struct bead_message *msg)
 {
-    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: beads: no %s from %zu on", sink->stage.scene->file,
+    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: beads: no %s from %zu on", sink->context.scene->file,
                      sink->output->place.line, sink->output->place.column, what, sink->output->beads.first);
 }
 
 /* Lengths of the axes, samples a chunk, and a few words for the plan. */
 static enum bead_error measure(struct bead_sink *sink, struct bead_message *msg)
 {
-    bead_trajectory_rows(sink->stage.chains, sink->stage.chain_count, sink->output->beads, sink->rows, &sink->beads,
+    bead_trajectory_rows(sink->context.chains, sink->context.chain_count, sink->output->beads, sink->rows, &sink->beads,
                          &sink->contacts);
     if (sink->beads == 0)
         return no_rows(sink, "chain has beads", msg);
@@ -63,21 +63,22 @@ static enum bead_error measure(struct bead_sink *sink, struct bead_message *msg)
     if (sink->chunk_rows < 1)
         sink->chunk_rows = 1;
     char every[32];
-    bead_time_text(sink->grid.every, bead_chain_time_unit(sink->stage.chains[0]), every, sizeof every);
+    bead_time_text(sink->grid.every, bead_chain_time_unit(sink->context.chains[0]), every, sizeof every);
     int fields = __builtin_popcount(sink->fields);
     snprintf(sink->why, sizeof sink->why, "%zu samples of %d field%s, %zu beads, every %s", bead_grid_count(&sink->grid), fields,
              fields == 1 ? "" : "s", sink->beads, every);
     return BEAD_OK;
 }
 
-static enum bead_error trajectory_create(const struct bead_output *output, const struct bead_stage *stage, struct bead_sink **made,
-                                         struct bead_message *msg)
+static enum bead_error trajectory_create(const struct bead_output *output, const struct bead_run_context *context,
+                                         struct bead_sink **made, struct bead_message *msg)
 {
     *made = NULL;
     struct bead_sink *sink = calloc(1, sizeof *sink);
     if (!sink)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a trajectory");
-    *sink = (struct bead_sink){.stage = *stage, .output = output, .time = -1, .step = -1, .bead_scale = -1, .contact_scale = -1};
+    *sink =
+        (struct bead_sink){.context = *context, .output = output, .time = -1, .step = -1, .bead_scale = -1, .contact_scale = -1};
     sink->spatial_scale = sink->h5.file = -1;
     for (size_t i = 0; i < BEAD_SERIES_COUNT; i++)
         sink->series[i].value = -1;
@@ -85,14 +86,14 @@ static enum bead_error trajectory_create(const struct bead_output *output, const
     if (!sink->fields)
         sink->fields =
             BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) | BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
-    sink->rows = calloc(stage->chain_count ? stage->chain_count : 1, sizeof *sink->rows);
+    sink->rows = calloc(context->chain_count ? context->chain_count : 1, sizeof *sink->rows);
     enum bead_error error = sink->rows ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a trajectory");
     if (!error)
-        error = bead_file_join(stage->directory, output->path, &sink->path, msg);
+        error = bead_file_join(context->directory, output->path, &sink->path, msg);
     if (!error)
         error = bead_file_part_name(sink->path, &sink->part, msg);
     if (!error)
-        error = bead_sink_grid(output, stage, &sink->grid, msg);
+        error = bead_sink_grid(output, context, &sink->grid, msg);
     if (!error)
         error = measure(sink, msg);
     if (error)
@@ -126,7 +127,7 @@ static enum bead_error reserve(struct bead_sink *sink, struct bead_message *msg)
         got = !__builtin_mul_overflow(rows, series->columns, &(size_t){0});
         got = got && (series->buffer = calloc(rows * series->columns, sizeof(double))) != NULL;
     }
-    if (got && sink->stage.chain_count > 1 && sink->series[BEAD_SERIES_POSITION].buffer)
+    if (got && sink->context.chain_count > 1 && sink->series[BEAD_SERIES_POSITION].buffer)
         got = (sink->shift = calloc(rows * sink->beads, sizeof(double))) != NULL;
     return got ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "%s: no memory for samples of %zu beads", sink->path, sink->beads);
 }
@@ -137,11 +138,11 @@ static void place_rows(struct bead_sink *sink)
     if (!sink->shift)
         return;
     double largest = 0;
-    for (size_t c = 0; c < sink->stage.chain_count; c++)
-        for (size_t j = 0; j < bead_chain_beads(sink->stage.chains[c]); j++)
-            largest = fmax(largest, bead_chain_radius(sink->stage.chains[c])[j]);
+    for (size_t c = 0; c < sink->context.chain_count; c++)
+        for (size_t j = 0; j < bead_chain_beads(sink->context.chains[c]); j++)
+            largest = fmax(largest, bead_chain_radius(sink->context.chains[c])[j]);
     for (size_t row = 0; row < sink->chunk_rows; row++)
-        for (size_t c = 0; c < sink->stage.chain_count; c++)
+        for (size_t c = 0; c < sink->context.chain_count; c++)
             for (size_t i = 0; i < sink->rows[c].beads; i++)
                 sink->shift[row * sink->beads + sink->rows[c].first_row + i] = -4 * largest * (double)c;
 }
@@ -295,14 +296,14 @@ static enum bead_error trajectory_sample(struct bead_sink *sink, const struct be
     if (sample->chain != sink->next_chain || sample->index != number)
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: sample %zu of chain %zu came out of order", sink->path, sample->index,
                          sample->chain);
-    struct cell cell = {sink->stage.chains[sample->chain], &sink->rows[sample->chain], sample};
+    struct cell cell = {sink->context.chains[sample->chain], &sink->rows[sample->chain], sample};
     for (int id = 0; id < BEAD_SERIES_COUNT; id++) {
         const struct bead_series *series = &sink->series[id];
         size_t offset = bead_series[id].of_contacts ? cell.rows->first_contact_row : cell.rows->first_row;
         if (series->buffer && (bead_series[id].of_contacts ? cell.rows->contacts : cell.rows->beads) > 0)
             fill[id](&cell, series->buffer + sink->filled * series->columns + offset);
     }
-    if (++sink->next_chain < sink->stage.chain_count)
+    if (++sink->next_chain < sink->context.chain_count)
         return BEAD_OK;
     sink->next_chain = 0;
     sink->times[sink->filled] = sample->time;

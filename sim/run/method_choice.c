@@ -66,7 +66,7 @@ static const char *automatic(const struct bead_chain *chain, const char **why)
     return "rkn8";
 }
 
-enum bead_error bead_choose_method(const struct bead_chain *chain, struct bead_choice *choice, struct bead_message *msg)
+enum bead_error bead_choose_method(const struct bead_chain *chain, struct bead_method_choice *choice, struct bead_message *msg)
 {
     const char *asked = chain->scene->simulate.method, *file = chain->scene->file, *why = "as asked";
     const bool any = strcmp(asked, "auto") == 0;
@@ -77,7 +77,7 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, struct bead_c
     if (chain->spec->damping_coefficient > 0 && !method->info.damping)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: `%s` is for forces without damping; use rk4 or auto", file,
                          name);
-    *choice = (struct bead_choice){method, method->info.theta, method->info.theta_order, method->info.theta_cap, 1, why};
+    *choice = (struct bead_method_choice){method, method->info.theta, method->info.theta_order, method->info.theta_cap, 1, why};
     if (method->events && chain->law->one_sided)
         choice->share = share_of(chain);
     if (any && method->tableau && never_opens(chain)) {
@@ -93,7 +93,7 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, struct bead_c
     return BEAD_OK;
 }
 
-double bead_choice_theta(const struct bead_choice *choice, double accuracy)
+double bead_method_theta(const struct bead_method_choice *choice, double accuracy)
 {
     return fmin(choice->theta * pow(choice->share * accuracy / row_accuracy, 1 / choice->order), choice->cap);
 }

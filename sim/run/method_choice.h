@@ -7,7 +7,7 @@
 struct bead_chain;
 struct bead_method;
 
-struct bead_choice {
+struct bead_method_choice {
     const struct bead_method *method;
     double theta, order, cap; /* theta for peaks to 1e-6, for others it goes with accuracy^(1/order), up to the cap */
     double share;             /* of the accuracy asked, that steps are made for */
@@ -15,8 +15,9 @@ struct bead_choice {
 };
 
 /* Errors: SCENE, with the method's name. */
-BEAD_CHECK enum bead_error bead_choose_method(const struct bead_chain *chain, struct bead_choice *choice, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_choose_method(const struct bead_chain *chain, struct bead_method_choice *choice,
+                                              struct bead_message *msg);
 /* Step in units of 1/omega for peaks as accurate as that. */
-double bead_choice_theta(const struct bead_choice *choice, double accuracy);
+double bead_method_theta(const struct bead_method_choice *choice, double accuracy);
 
 #endif

@@ -100,7 +100,7 @@ static double damped_force(const struct force_curve *curve, size_t i, double x)
 {
     const struct bead_stepper *s = curve->stepper;
     double d = bead_polynomial_value(&curve->compression[i], x), change = bead_polynomial_slope(&curve->compression[i], x) / s->h;
-    return s->was_closed[curve->contact[i]] ? fmax(bead_closings_force(s, curve->contact[i], d, change), 0) : 0;
+    return s->was_closed[curve->contact[i]] ? fmax(bead_damped_contacts_force(s, curve->contact[i], d, change), 0) : 0;
 }
 
 static double elastic_force(const struct force_curve *curve, size_t i, double x)

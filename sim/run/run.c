@@ -29,7 +29,7 @@ struct bead_run {
     struct bead_run_settings settings;
     struct bead_stepping stepping;
     struct bead_stepper *stepper;
-    struct bead_control control;
+    struct bead_step_control control;
     struct bead_dense dense;
     struct bead_front front;
     double energy_start, momentum_start, energy_error, embedded_error, event_error, input; /* input: energy that counts as 1 */
@@ -43,41 +43,41 @@ struct bead_run {
 
 enum bead_error bead_run_stepping(const struct bead_chain *chain, struct bead_stepping *stepping, struct bead_message *msg)
 {
-    return bead_run_twin_stepping(chain, 1, stepping, msg);
+    return bead_run_comparison_stepping(chain, 1, stepping, msg);
 }
 
-double bead_run_twin(const struct bead_chain *const *chains, size_t count)
+double bead_run_tolerance_factor(const struct bead_chain *const *chains, size_t count)
 {
     const struct bead_simulate *asked = &chains[0]->scene->simulate;
     bool fixed = asked->step > 0, room = true;
     for (size_t i = 0; i < count; i++) {
-        struct bead_choice choice;
+        struct bead_method_choice choice;
         struct bead_message msg;
         double omega = bead_chain_omega(chains[i], bead_chain_energy(chains[i]));
         if (bead_choose_method(chains[i], &choice, &msg))
             continue; /* the run itself says why */
         room = room && (fixed ? 2 * asked->step * omega <= choice.method->info.theta_max
-                              : bead_choice_theta(&choice, 10 * asked->accuracy) < choice.cap);
+                              : bead_method_theta(&choice, 10 * asked->accuracy) < choice.cap);
     }
     return fixed ? (room ? 2 : 0.5) : (room ? 10 : 0.1);
 }
 
-enum bead_error bead_run_twin_stepping(const struct bead_chain *chain, double looser, struct bead_stepping *stepping,
-                                       struct bead_message *msg)
+enum bead_error bead_run_comparison_stepping(const struct bead_chain *chain, double tolerance_factor,
+                                             struct bead_stepping *stepping, struct bead_message *msg)
 {
-    struct bead_choice choice;
+    struct bead_method_choice choice;
     const char *file = chain->scene->file;
     enum bead_error err = bead_choose_method(chain, &choice, msg);
     if (err)
         return err;
     const struct bead_method_info *method = &choice.method->info;
-    double omega = bead_chain_omega(chain, bead_chain_energy(chain)), step = looser * chain->scene->simulate.step;
-    double theta = bead_choice_theta(&choice, looser * chain->scene->simulate.accuracy);
+    double omega = bead_chain_omega(chain, bead_chain_energy(chain)), step = tolerance_factor * chain->scene->simulate.step;
+    double theta = bead_method_theta(&choice, tolerance_factor * chain->scene->simulate.accuracy);
     *stepping = (struct bead_stepping){.method = choice.method,
                                        .step = step > 0 ? step : theta / omega,
                                        .omega = omega,
                                        .theta = theta,
-                                       .accuracy = choice.share * looser * chain->scene->simulate.accuracy,
+                                       .accuracy = choice.share * tolerance_factor * chain->scene->simulate.accuracy,
                                        .variable = !(step > 0) && method->variable,
                                        .why = choice.why};
     /* The bound is generous: a step is hopeless only when it exceeds the limit twice over. */
@@ -112,9 +112,9 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a run");
     r->settings = *settings;
     r->front.arrival = NAN;
-    const double looser = settings->looser > 0 ? settings->looser : 1;
+    const double tolerance_factor = settings->tolerance_factor > 0 ? settings->tolerance_factor : 1;
     const struct bead_span span = settings->peak_span ? *settings->peak_span : (struct bead_span){0, SIZE_MAX};
-    enum bead_error err = bead_run_twin_stepping(settings->chain, looser, &r->stepping, msg);
+    enum bead_error err = bead_run_comparison_stepping(settings->chain, tolerance_factor, &r->stepping, msg);
     if (!err)
         err = bead_stepper_create(settings->chain, r->stepping.method, settings->kernels, settings->full_window, &r->stepper, msg);
     if (!err)
@@ -131,7 +131,7 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
     }
     if (!(settings->chain->scene->simulate.step > 0))
         r->stepper->event_tolerance = event_part * r->stepping.accuracy * fabs(settings->chain->spec->striker_velocity);
-    r->control = bead_control_start(r->stepper, r->stepping.theta, r->stepping.omega);
+    r->control = bead_step_control_start(r->stepper, r->stepping.theta, r->stepping.omega);
     r->drift_bound = drift_part * settings->chain->scene->simulate.accuracy;
     r->energy_start = bead_stepper_energy(r->stepper, &r->stepper->end);
     r->momentum_start = bead_stepper_momentum(r->stepper, &r->stepper->end);
@@ -231,7 +231,7 @@ static enum bead_error note_errors(struct bead_run *run, struct bead_message *ms
     double error = energy_off(run);
     run->energy_error = fmax(run->energy_error, error);
     if (run->stepping.variable && error > run->drift_bound) {
-        bead_control_shorten(&run->control);
+        bead_step_control_shorten(&run->control);
         run->drift_bound = 2 * error;
     }
     run->embedded_error = fmax(run->embedded_error, bead_estimate_embedded(run->stepper));
@@ -244,7 +244,7 @@ static void advance(struct bead_run *run)
     struct bead_stepper *s = run->stepper;
     double h = run->stepping.step, t = (double)(s->steps + 1) * h;
     if (run->stepping.variable)
-        h = bead_control_next(&run->control, s);
+        h = bead_step_control_next(&run->control, s);
     if (run->stepping.variable || s->closed) /* with damping steps end where contacts close */
         t = s->t1 + h;
     /* Where the front's arrival ends the run the steps keep their length: they must not depend on whether it was known before. */

@@ -29,7 +29,7 @@ struct bead_run_settings {
     bool contact_peaks, bead_peaks;
     const struct bead_span *peak_span; /* of these contacts and beads only; NULL: all */
     bool full_window, hash;
-    double looser; /* a twin: accuracy, or the step given, times this; 0: as the scene says */
+    double tolerance_factor; /* a comparison run: accuracy, or the step given, times this; 0: as the scene says */
 };
 
 /* Method and step that a chain's scene asks for. Errors: SCENE (with the method's name), NUMBERS (step too long to be stable). */
@@ -45,12 +45,12 @@ struct bead_stepping {
 BEAD_CHECK enum bead_error bead_run_stepping(const struct bead_chain *chain, struct bead_stepping *stepping,
                                              struct bead_message *msg);
 
-/* The same for a twin, a second run that is `looser`. */
-BEAD_CHECK enum bead_error bead_run_twin_stepping(const struct bead_chain *chain, double looser, struct bead_stepping *stepping,
-                                                  struct bead_message *msg);
-/* How much looser a twin of all these chains is to be: 10 times the accuracy, or 2 times the step that the scene gives; a tenth or
- * half where the method has no room for that. */
-double bead_run_twin(const struct bead_chain *const *chains, size_t count);
+/* The same for a comparison run, a second run with another tolerance. */
+BEAD_CHECK enum bead_error bead_run_comparison_stepping(const struct bead_chain *chain, double tolerance_factor,
+                                                        struct bead_stepping *stepping, struct bead_message *msg);
+/* The tolerance factor of a comparison run of all these chains: 10 times the accuracy, or 2 times the step that the scene gives; a
+ * tenth or half where the method has no room for that. */
+double bead_run_tolerance_factor(const struct bead_chain *const *chains, size_t count);
 
 BEAD_CHECK enum bead_error bead_run_create(const struct bead_run_settings *settings, struct bead_run **run,
                                            struct bead_message *msg);

@@ -6,11 +6,11 @@
 /* Samples this often, in units of 1/omega, show every oscillation. */
 static const double resolving = 0.25;
 
-static enum bead_error pace_of_beads(const struct bead_chain *chain, double looser, struct bead_pace *pace,
+static enum bead_error pace_of_beads(const struct bead_chain *chain, double tolerance_factor, struct bead_pace *pace,
                                      struct bead_message *msg)
 {
     struct bead_stepping stepping;
-    enum bead_error err = bead_run_twin_stepping(chain, looser > 0 ? looser : 1, &stepping, msg);
+    enum bead_error err = bead_run_comparison_stepping(chain, tolerance_factor > 0 ? tolerance_factor : 1, &stepping, msg);
     if (!err)
         *pace = (struct bead_pace){stepping.method->info.name, stepping.step, resolving / stepping.omega, stepping.variable,
                                    stepping.why};
@@ -36,10 +36,10 @@ const struct bead_run_kind *bead_run_kind_of(const struct bead_chain *chain)
     return chain->system ? &bead_run_of_equation : &of_beads;
 }
 
-double bead_run_twin_of(const struct bead_chain *const *chains, size_t count)
+double bead_run_tolerance_factor_of(const struct bead_chain *const *chains, size_t count)
 {
     if (!chains[0]->system)
-        return bead_run_twin(chains, count);
+        return bead_run_tolerance_factor(chains, count);
     return chains[0]->scene->simulate.step > 0 ? 0.5 : 10;
 }
 

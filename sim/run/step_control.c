@@ -58,14 +58,14 @@ static double hertz_circles(const struct bead_stepper *s, size_t n, double ahead
     return fmax(worst, k[inner] * w[inner] + k[inner - 1] * w[inner]);
 }
 
-struct bead_control bead_control_start(const struct bead_stepper *s, double theta, double omega)
+struct bead_step_control bead_step_control_start(const struct bead_stepper *s, double theta, double omega)
 {
     double first = theta / omega;
-    return (struct bead_control){theta, sqrt(circles(s, s->chain->contacts, 0, true)), growth * first, first};
+    return (struct bead_step_control){theta, sqrt(circles(s, s->chain->contacts, 0, true)), growth * first, first};
 }
 
 /* Length that the stiffnesses allow which are to be expected when steps of length h are made until they are looked at again. */
-static double allowed(const struct bead_control *control, const struct bead_stepper *s, double h)
+static double allowed(const struct bead_step_control *control, const struct bead_stepper *s, double h)
 {
     size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
     const double ahead = EVERY * h;
@@ -74,7 +74,7 @@ static double allowed(const struct bead_control *control, const struct bead_step
     return omega * control->longest > control->theta ? control->theta / omega : control->longest;
 }
 
-double bead_control_next(struct bead_control *control, const struct bead_stepper *s)
+double bead_step_control_next(struct bead_step_control *control, const struct bead_stepper *s)
 {
     if (s->steps == 0 || s->steps % EVERY != 0)
         return control->h;
@@ -89,7 +89,7 @@ double bead_control_next(struct bead_control *control, const struct bead_stepper
 /* Of an order-8 method's drift this leaves a 25th. */
 static const double shortening = 0.7;
 
-void bead_control_shorten(struct bead_control *control)
+void bead_step_control_shorten(struct bead_step_control *control)
 {
     control->theta *= shortening;
     control->longest *= shortening;

@@ -8,7 +8,7 @@
 
 #include "sim/integrate/stepper.h"
 
-struct bead_control {
+struct bead_step_control {
     double theta;        /* step in units of 1/omega */
     double static_omega; /* rad/s, of the whole chain at rest: what lies ahead of the window counts as well */
     double longest;      /* s */
@@ -16,10 +16,10 @@ struct bead_control {
 };
 
 /* For a chain whose energy bounds its frequencies by omega. */
-struct bead_control bead_control_start(const struct bead_stepper *stepper, double theta, double omega);
+struct bead_step_control bead_step_control_start(const struct bead_stepper *stepper, double theta, double omega);
 /* From now on take shorter steps: the energy drifts. */
-void bead_control_shorten(struct bead_control *control);
+void bead_step_control_shorten(struct bead_step_control *control);
 /* Length of the next step, s. */
-double bead_control_next(struct bead_control *control, const struct bead_stepper *stepper);
+double bead_step_control_next(struct bead_step_control *control, const struct bead_stepper *stepper);
 
 #endif

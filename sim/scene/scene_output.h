@@ -24,7 +24,7 @@ BEAD_OUTPUT_READER(bead_output_read_panels);
 BEAD_OUTPUT_READER(bead_output_read_captions);
 BEAD_OUTPUT_READER(bead_output_read_card);
 BEAD_OUTPUT_READER(bead_output_read_poster);
-BEAD_OUTPUT_READER(bead_output_read_moments);
+BEAD_OUTPUT_READER(bead_output_read_profile_times);
 /* Does output `index`, of a kind known already, go with the scene's sweeps, or with none? And what it shows? */
 BEAD_CHECK enum bead_error bead_output_check_sweep(const struct bead_reader *reader, const struct bead_at *at, size_t index);
 BEAD_CHECK enum bead_error bead_output_check_sweep_shown(const struct bead_reader *reader, const struct bead_at *at,

@@ -90,9 +90,9 @@ static enum bead_error check_moments(const struct bead_reader *reader, const str
     struct bead_at where = bead_at_key(at, "at");
     const char *unit = bead_scene_plain(reader->scene) ? "" : " s";
     double until = reader->scene->simulate.until;
-    if (output->moment_count == 0)
+    if (output->profile_time_count == 0)
         return bead_wrong(reader, &where, "is missing: the times of the profiles, such as [0, %g]", *unit ? 1e-3 : 10);
-    double last = output->moments[output->moment_count - 1];
+    double last = output->moments[output->profile_time_count - 1];
     if (last > until)
         return bead_wrong(reader, &where, "goes to %g%s; must not be later than the end of the run at %g%s", last, unit, until,
                           unit);
@@ -112,16 +112,16 @@ enum bead_error bead_output_check_show(const struct bead_reader *reader, const s
 }
 
 /* A list of rising times. */
-BEAD_OUTPUT_READER(bead_output_read_moments)
+BEAD_OUTPUT_READER(bead_output_read_profile_times)
 {
     struct bead_output *output = settings;
     struct bead_option number = *option;
     char shown[64];
     number.type = BEAD_OPTION_NUMBER;
     number.shape = NULL;
-    if (at->node->kind != BEAD_NODE_LIST || at->node->count == 0 || at->node->count > BEAD_MOMENTS)
+    if (at->node->kind != BEAD_NODE_LIST || at->node->count == 0 || at->node->count > BEAD_PROFILE_TIMES)
         return bead_wrong(reader, at, "is %s; must be a list of 1 to %d times", bead_node_show(at->node, shown, sizeof shown),
-                          BEAD_MOMENTS);
+                          BEAD_PROFILE_TIMES);
     for (size_t i = 0; i < at->node->count; i++) {
         struct bead_at element = {at, NULL, i, at->node->items[i]};
         enum bead_error err = bead_read_number(reader, &element, &number, &output->moments[i]);
@@ -129,7 +129,7 @@ BEAD_OUTPUT_READER(bead_output_read_moments)
             return err;
         if (i > 0 && !(output->moments[i] > output->moments[i - 1]))
             return bead_wrong(reader, &element, "is %g, not later than the one before; times must rise", output->moments[i]);
-        output->moment_count = i + 1;
+        output->profile_time_count = i + 1;
     }
     return BEAD_OK;
 }

@@ -5,7 +5,7 @@
 /* Times of two grids closer than this part of a spacing are the same: grids start and step in decimal units. */
 static const double same_time = 1e-6;
 
-void bead_play_start(const struct bead_play *play)
+void bead_driver_start(const struct bead_driver *play)
 {
     for (size_t i = 0; i < play->consumer_count; i++) {
         struct bead_consumer *c = &play->consumers[i];
@@ -19,7 +19,7 @@ static bool wants(const struct bead_consumer *c, double time)
     return c->next < c->count && bead_grid_time(&c->needs.grid, c->next) <= time + same_time * c->needs.grid.every;
 }
 
-bool bead_play_due(const struct bead_play *play, struct bead_due *due)
+bool bead_driver_due(const struct bead_driver *play, struct bead_due *due)
 {
     due->time = INFINITY;
     for (size_t i = 0; i < play->consumer_count; i++) {
@@ -30,7 +30,7 @@ bool bead_play_due(const struct bead_play *play, struct bead_due *due)
     if (due->time == INFINITY)
         return false;
     double earliest = due->time;
-    due->fields = due->twin = 0;
+    due->fields = due->comparison = 0;
     due->span = (struct bead_span){SIZE_MAX, 0};
     for (size_t i = 0; i < play->consumer_count; i++) {
         const struct bead_consumer *c = &play->consumers[i];
@@ -39,15 +39,15 @@ bool bead_play_due(const struct bead_play *play, struct bead_due *due)
         if (c->exact)
             due->time = bead_grid_time(&c->needs.grid, c->next);
         due->fields |= c->needs.fields;
-        due->twin |= c->needs.twin;
+        due->comparison |= c->needs.comparison;
         due->span.first = c->needs.beads.first < due->span.first ? c->needs.beads.first : due->span.first;
         due->span.last = c->needs.beads.last > due->span.last ? c->needs.beads.last : due->span.last;
     }
     return true;
 }
 
-enum bead_error bead_play_deliver(const struct bead_play *play, const struct bead_due *due, struct bead_sample *sample, bool last,
-                                  struct bead_message *msg)
+enum bead_error bead_driver_deliver(const struct bead_driver *play, const struct bead_due *due, struct bead_sample *sample,
+                                    bool last, struct bead_message *msg)
 {
     for (size_t i = 0; i < play->consumer_count; i++) {
         struct bead_consumer *c = &play->consumers[i];

@@ -27,7 +27,7 @@ struct bead_consumer {
 };
 
 /* What one pass computes, and with what. */
-struct bead_play {
+struct bead_driver {
     const struct bead_chain *const *chains;
     size_t chain_count;
     struct bead_consumer *consumers;
@@ -36,8 +36,8 @@ struct bead_play {
     double needed; /* s: nobody needs more than this */
     bool passage;  /* the scene's `until` is the default */
     bool full_window, hash;
-    int threads; /* for chains that nobody wants samples of any more; results do not depend on it */
-    double twin; /* how much looser twin runs are, where consumers want one */
+    int threads;             /* for chains that nobody wants samples of any more; results do not depend on it */
+    double tolerance_factor; /* of comparison runs, where consumers want one */
     const struct bead_kernels *kernels;
     const char *what; /* for progress */
     const volatile sig_atomic_t *stop;
@@ -48,19 +48,19 @@ struct bead_play {
 /* The runs of a pass stay, for their peaks, until bead_passed_free. */
 struct bead_passed {
     struct bead_runner *runs;
-    struct bead_runner *twins;     /* NULL where nobody asked */
-    struct bead_outcome *outcomes; /* [chains] */
+    struct bead_runner *comparison_runs; /* NULL where nobody asked */
+    struct bead_outcome *outcomes;       /* [chains] */
     size_t count;
     double end;   /* s: reached by all chains */
     bool stopped; /* by a signal */
 };
 
 /* Simulate all chains. Errors: MEMORY, NUMBERS, STOPPED (outcomes are valid then), and those of consumers. */
-BEAD_CHECK enum bead_error bead_play_simulation(const struct bead_play *play, struct bead_counts *counts,
-                                                struct bead_passed *passed, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_drive_simulation(const struct bead_driver *play, struct bead_counts *counts,
+                                                 struct bead_passed *passed, struct bead_message *msg);
 /* Read them from a trajectory instead. Errors: IO, FORMAT, STOPPED and those of consumers. */
-BEAD_CHECK enum bead_error bead_play_trajectory(const struct bead_play *play, struct bead_trajectory *trajectory,
-                                                struct bead_counts *counts, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_drive_trajectory(const struct bead_driver *play, struct bead_trajectory *trajectory,
+                                                 struct bead_counts *counts, struct bead_message *msg);
 void bead_passed_free(struct bead_passed *passed);
 
 /* A take for scouting: widens consumer->range by needs.range_field. */
@@ -69,14 +69,14 @@ enum bead_error bead_consumer_scout(struct bead_consumer *consumer, const struct
 /* kept by play.c for its two sources */
 struct bead_due {
     double time;
-    unsigned fields, twin;
+    unsigned fields, comparison;
     struct bead_span span;
 };
 /* The next time anybody wants, and what is wanted then; false: nobody wants more. */
-bool bead_play_due(const struct bead_play *play, struct bead_due *due);
+bool bead_driver_due(const struct bead_driver *play, struct bead_due *due);
 /* Give a sample to all who wanted due->time; `last` chain of this time: they move on. */
-BEAD_CHECK enum bead_error bead_play_deliver(const struct bead_play *play, const struct bead_due *due, struct bead_sample *sample,
-                                             bool last, struct bead_message *msg);
-void bead_play_start(const struct bead_play *play);
+BEAD_CHECK enum bead_error bead_driver_deliver(const struct bead_driver *play, const struct bead_due *due,
+                                               struct bead_sample *sample, bool last, struct bead_message *msg);
+void bead_driver_start(const struct bead_driver *play);
 
 #endif

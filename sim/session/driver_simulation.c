@@ -10,7 +10,7 @@
 #include "sim/session/driver.h"
 
 struct pass {
-    const struct bead_play *play;
+    const struct bead_driver *play;
     struct bead_counts *counts;
     struct bead_passed *passed;
     double told; /* s, clock at the last progress */
@@ -30,7 +30,7 @@ static double now(void)
 /* Once in a while: tell how far it is; look whether to stop. */
 static enum bead_error look_up(struct pass *pass, double time, struct bead_message *msg)
 {
-    const struct bead_play *p = pass->play;
+    const struct bead_driver *p = pass->play;
     if (p->stop && *p->stop) {
         return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped at %.4g s", time);
     }
@@ -49,7 +49,7 @@ static enum bead_error look_up(struct pass *pass, double time, struct bead_messa
 
 static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
 {
-    const struct bead_play *p = pass->play;
+    const struct bead_driver *p = pass->play;
     struct bead_passed *passed = pass->passed;
     *passed = (struct bead_passed){.runs = calloc(p->chain_count, sizeof *passed->runs),
                                    .outcomes = calloc(p->chain_count, sizeof *passed->outcomes)};
@@ -71,23 +71,26 @@ static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
 }
 
 /* The same chains again, where anybody asks for samples of them. */
-static enum bead_error create_twins(struct pass *pass, struct bead_message *msg)
+static enum bead_error create_comparison_runs(struct pass *pass, struct bead_message *msg)
 {
-    const struct bead_play *p = pass->play;
-    struct bead_run_settings settings = {
-        .kernels = p->kernels, .end = p->end, .passage = p->passage, .full_window = p->full_window, .looser = p->twin};
+    const struct bead_driver *p = pass->play;
+    struct bead_run_settings settings = {.kernels = p->kernels,
+                                         .end = p->end,
+                                         .passage = p->passage,
+                                         .full_window = p->full_window,
+                                         .tolerance_factor = p->tolerance_factor};
     unsigned asked = 0;
     for (size_t i = 0; i < p->consumer_count; i++)
-        asked |= p->consumers[i].needs.twin;
+        asked |= p->consumers[i].needs.comparison;
     if (!asked)
         return BEAD_OK;
-    pass->passed->twins = calloc(p->chain_count, sizeof *pass->passed->twins);
-    if (!pass->passed->twins)
+    pass->passed->comparison_runs = calloc(p->chain_count, sizeof *pass->passed->comparison_runs);
+    if (!pass->passed->comparison_runs)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu chains", p->chain_count);
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < p->chain_count; i++) {
         settings.chain = p->chains[i];
-        err = bead_runner_create(&settings, &pass->passed->twins[i], msg);
+        err = bead_runner_create(&settings, &pass->passed->comparison_runs[i], msg);
     }
     return err;
 }
@@ -95,7 +98,7 @@ static enum bead_error create_twins(struct pass *pass, struct bead_message *msg)
 /* A front that takes this many times longer than a wave needs for the chain never comes. */
 static const double patience = 200;
 
-static enum bead_error lost_front(const struct bead_play *p, size_t chain, double time, struct bead_message *msg)
+static enum bead_error lost_front(const struct bead_driver *p, size_t chain, double time, struct bead_message *msg)
 {
     const char *name = bead_chain_name(p->chains[chain]);
     return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: chain%s%s: after %.4g s the front has not reached the end: give simulate.until",
@@ -132,28 +135,28 @@ static enum bead_error advance_to_arrival(struct pass *pass, size_t chain, struc
     return err;
 }
 
-/* The twin's values join the sample. */
-static enum bead_error add_twin(struct pass *pass, size_t chain, double time, const struct bead_due *due,
-                                struct bead_sample *sample, struct bead_message *msg)
+/* The comparison run's values join the sample. */
+static enum bead_error add_comparison(struct pass *pass, size_t chain, double time, const struct bead_due *due,
+                                      struct bead_sample *sample, struct bead_message *msg)
 {
-    const struct bead_runner *twin = &pass->passed->twins[chain];
+    const struct bead_runner *comparison = &pass->passed->comparison_runs[chain];
     struct bead_sample other = {.chain = chain};
-    enum bead_error err = advance(pass, twin, time, msg);
+    enum bead_error err = advance(pass, comparison, time, msg);
     if (!err)
-        err = twin->kind->sample(twin->run, time, due->twin, due->span, &other, msg);
+        err = comparison->kind->sample(comparison->run, time, due->comparison, due->span, &other, msg);
     if (err)
         return err;
-    memcpy(sample->twin, other.field, sizeof sample->twin);
-    sample->twin_active = other.active;
+    memcpy(sample->comparison, other.field, sizeof sample->comparison);
+    sample->comparison_active = other.active;
     return BEAD_OK;
 }
 
 static enum bead_error give_samples(struct pass *pass, struct bead_message *msg)
 {
-    const struct bead_play *p = pass->play;
+    const struct bead_driver *p = pass->play;
     struct bead_due due;
     enum bead_error err = BEAD_OK;
-    while (!err && bead_play_due(p, &due)) {
+    while (!err && bead_driver_due(p, &due)) {
         if (due.time > p->end * (1 + 1e-9)) /* grids end with the run but for rounding */
             break;
         double time = fmin(due.time, p->end);
@@ -163,11 +166,11 @@ static enum bead_error give_samples(struct pass *pass, struct bead_message *msg)
             err = advance(pass, runner, time, msg);
             if (!err)
                 err = runner->kind->sample(runner->run, time, due.fields, due.span, &sample, msg);
-            if (!err && due.twin)
-                err = add_twin(pass, i, time, &due, &sample, msg);
+            if (!err && due.comparison)
+                err = add_comparison(pass, i, time, &due, &sample, msg);
             sample.time = due.time;
             if (!err)
-                err = bead_play_deliver(p, &due, &sample, i + 1 == p->chain_count, msg);
+                err = bead_driver_deliver(p, &due, &sample, i + 1 == p->chain_count, msg);
             size_t last = due.span.last < bead_chain_beads(p->chains[i]) ? due.span.last + 1 : bead_chain_beads(p->chains[i]);
             last = last < sample.active ? last : sample.active;
             pass->counts->samples++;
@@ -211,31 +214,31 @@ static void finish(struct pass *pass)
         pass->counts->evaluations += kind->evaluations(run);
         pass->counts->state_hash += kind->hash(run) * (2 * i + 1);
     }
-    for (size_t i = 0; passed->twins && i < passed->count; i++) {
-        const struct bead_runner *twin = &passed->twins[i];
-        if (!twin->run)
+    for (size_t i = 0; passed->comparison_runs && i < passed->count; i++) {
+        const struct bead_runner *comparison = &passed->comparison_runs[i];
+        if (!comparison->run)
             continue;
-        pass->counts->twin_steps += twin->kind->steps(twin->run);
-        pass->counts->twin_evaluations += twin->kind->evaluations(twin->run);
+        pass->counts->comparison_steps += comparison->kind->steps(comparison->run);
+        pass->counts->comparison_evaluations += comparison->kind->evaluations(comparison->run);
     }
     pass->counts->passes++;
 }
 
-enum bead_error bead_play_simulation(const struct bead_play *play, struct bead_counts *counts, struct bead_passed *passed,
-                                     struct bead_message *msg)
+enum bead_error bead_drive_simulation(const struct bead_driver *play, struct bead_counts *counts, struct bead_passed *passed,
+                                      struct bead_message *msg)
 {
     struct pass pass = {.play = play, .counts = counts, .passed = passed, .told = now()};
     atomic_size_t done = 0;
     enum bead_error err = create_runs(&pass, msg);
     if (!err)
-        err = create_twins(&pass, msg);
+        err = create_comparison_runs(&pass, msg);
     if (err)
         return err;
-    bead_play_start(play);
+    bead_driver_start(play);
     err = give_samples(&pass, msg);
     pass.done = &done;
     if (!err)
-        err = bead_crew_run(play->chain_count, play->threads, complete, &pass, msg);
+        err = bead_thread_pool_run(play->chain_count, play->threads, complete, &pass, msg);
     passed->stopped = err == BEAD_ERROR_STOPPED;
     finish(&pass);
     return err;
@@ -245,10 +248,10 @@ void bead_passed_free(struct bead_passed *passed)
 {
     for (size_t i = 0; passed->runs && i < passed->count; i++)
         bead_runner_destroy(&passed->runs[i]);
-    for (size_t i = 0; passed->twins && i < passed->count; i++)
-        bead_runner_destroy(&passed->twins[i]);
+    for (size_t i = 0; passed->comparison_runs && i < passed->count; i++)
+        bead_runner_destroy(&passed->comparison_runs[i]);
     free(passed->runs);
-    free(passed->twins);
+    free(passed->comparison_runs);
     free(passed->outcomes);
     *passed = (struct bead_passed){.count = 0};
 }

@@ -14,7 +14,7 @@ static enum bead_error find_sample(const struct bead_trajectory *trajectory, dou
     return BEAD_OK;
 }
 
-static enum bead_error give(const struct bead_play *play, struct bead_trajectory *trajectory, const struct bead_due *due,
+static enum bead_error give(const struct bead_driver *play, struct bead_trajectory *trajectory, const struct bead_due *due,
                             struct bead_message *msg)
 {
     size_t index = 0;
@@ -24,20 +24,20 @@ static enum bead_error give(const struct bead_play *play, struct bead_trajectory
         err = bead_trajectory_read(trajectory, index, i, due->fields, &sample, msg);
         sample.chain = i;
         if (!err)
-            err = bead_play_deliver(play, due, &sample, i + 1 == play->chain_count, msg);
+            err = bead_driver_deliver(play, due, &sample, i + 1 == play->chain_count, msg);
     }
     return err;
 }
 
-enum bead_error bead_play_trajectory(const struct bead_play *play, struct bead_trajectory *trajectory, struct bead_counts *counts,
-                                     struct bead_message *msg)
+enum bead_error bead_drive_trajectory(const struct bead_driver *play, struct bead_trajectory *trajectory,
+                                      struct bead_counts *counts, struct bead_message *msg)
 {
     struct bead_due due;
     enum bead_error err = BEAD_OK;
     size_t stored = bead_grid_count(bead_trajectory_grid(trajectory));
     double last = stored > 0 ? bead_grid_time(bead_trajectory_grid(trajectory), stored - 1) : -INFINITY;
-    bead_play_start(play);
-    while (!err && bead_play_due(play, &due)) {
+    bead_driver_start(play);
+    while (!err && bead_driver_due(play, &due)) {
         if (due.time > last + 1e-6 * bead_trajectory_grid(trajectory)->every)
             break; /* its run was stopped before */
         if (play->stop && *play->stop)

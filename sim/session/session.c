@@ -38,10 +38,10 @@ static enum bead_error find_end(struct bead_session *s, struct bead_message *msg
         asked = asked || (s->made[i].asked && s->made[i].type && bead_output_needs_end(s->made[i].output));
     if (!asked)
         return BEAD_OK;
-    struct bead_play play = bead_session_play(s, "scouting the end");
+    struct bead_driver play = bead_session_play(s, "scouting the end");
     play.hash = false;
     struct bead_passed passed;
-    enum bead_error err = bead_play_simulation(&play, &s->counts, &passed, msg);
+    enum bead_error err = bead_drive_simulation(&play, &s->counts, &passed, msg);
     double end = 0;
     for (size_t i = 0; !err && i < passed.count; i++)
         end = fmax(end, passed.outcomes[i].front_arrival);

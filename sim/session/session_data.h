@@ -35,7 +35,7 @@ struct bead_session {
     bool passage;                     /* the scene's `until` is the default */
     double end, needed;               /* s; end INFINITY: not known before the run */
     double resolution;                /* s */
-    double twin;                      /* how much looser a twin run is */
+    double tolerance_factor;          /* of comparison runs */
     struct bead_grid native;          /* of the trajectory output, every 0: none */
     const struct bead_output *keeper; /* that output */
     struct bead_made *made;
@@ -50,7 +50,7 @@ struct bead_session {
 
 /* session_sinks.c */
 /* A play with the session's chains and settings, no consumers. */
-struct bead_play bead_session_play(const struct bead_session *session, const char *what);
+struct bead_driver bead_session_play(const struct bead_session *session, const char *what);
 BEAD_CHECK enum bead_error bead_session_out_of_memory(struct bead_message *msg);
 /* The fastest chain says how often a picture must look. */
 BEAD_CHECK enum bead_error bead_session_find_resolution(struct bead_session *session, struct bead_message *msg);

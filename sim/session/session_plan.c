@@ -99,24 +99,24 @@ static void plan_output(const struct bead_session *s, const struct bead_made *m,
 }
 
 /* Who asks for a second run of all chains, and what that is. */
-static enum bead_error plan_twin(const struct bead_session *s, FILE *out, struct bead_message *msg)
+static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, struct bead_message *msg)
 {
     const struct bead_simulate *asked = &s->source->simulate;
     size_t count = 0;
     for (size_t i = 0; i < s->made_count; i++) {
         const struct bead_made *m = &s->made[i];
-        if (m->sink && m->needs.twin)
-            fprintf(out, "%s %s", count++ ? "," : "twin: trust of", m->path);
+        if (m->sink && m->needs.comparison)
+            fprintf(out, "%s %s", count++ ? "," : "comparison run: trust of", m->path);
     }
     if (count == 0)
         return BEAD_OK;
     struct bead_pace pace;
-    enum bead_error err = bead_run_kind_of(s->chains[0])->pace(s->chains[0], s->twin, &pace, msg);
+    enum bead_error err = bead_run_kind_of(s->chains[0])->pace(s->chains[0], s->tolerance_factor, &pace, msg);
     if (err)
         return err;
     fprintf(out, " needs all chains a second time, for comparison: ");
     if (!(asked->step > 0))
-        fprintf(out, "accuracy %.3g instead of %.3g, ", s->twin * asked->accuracy, asked->accuracy);
+        fprintf(out, "accuracy %.3g instead of %.3g, ", s->tolerance_factor * asked->accuracy, asked->accuracy);
     fprintf(out, "steps of %s\n", time_words(s, pace.step, false).text);
     return BEAD_OK;
 }
@@ -159,7 +159,7 @@ enum bead_error bead_session_plan(const struct bead_session *s, FILE *out, struc
     plan_time(s, out);
     for (size_t i = 0; i < s->made_count; i++)
         plan_output(s, &s->made[i], out);
-    enum bead_error err = plan_twin(s, out, msg);
+    enum bead_error err = plan_comparison(s, out, msg);
     if (!err)
         plan_skips(s, out);
     return err;

@@ -7,16 +7,16 @@
 #include "beadreel/file.h"
 #include "sim/session/session_data.h"
 
-static enum bead_error play(struct bead_session *s, struct bead_play *p, struct bead_passed *passed, struct bead_message *msg)
+static enum bead_error play(struct bead_session *s, struct bead_driver *p, struct bead_passed *passed, struct bead_message *msg)
 {
-    return s->trajectory ? bead_play_trajectory(p, s->trajectory, &s->counts, msg)
-                         : bead_play_simulation(p, &s->counts, passed, msg);
+    return s->trajectory ? bead_drive_trajectory(p, s->trajectory, &s->counts, msg)
+                         : bead_drive_simulation(p, &s->counts, passed, msg);
 }
 
 /* A pass for those who must know the range of their field before they begin. */
 static enum bead_error scout(struct bead_session *s, struct bead_consumer *consumers, struct bead_message *msg)
 {
-    struct bead_play p = bead_session_play(s, "scouting ranges");
+    struct bead_driver p = bead_session_play(s, "scouting ranges");
     size_t count = 0;
     double needed = 0;
     for (size_t i = 0; i < s->made_count; i++) {
@@ -27,7 +27,7 @@ static enum bead_error scout(struct bead_session *s, struct bead_consumer *consu
         *c = (struct bead_consumer){.needs = m->needs, .take = bead_consumer_scout, .made = m};
         c->needs.fields = BEAD_FIELD_BIT(m->needs.range_field);
         c->needs.contact_peaks = c->needs.bead_peaks = false;
-        c->needs.twin = 0;
+        c->needs.comparison = 0;
         needed = fmax(needed, m->needs.until);
     }
     if (count == 0)
@@ -114,7 +114,7 @@ static enum bead_error run(struct bead_session *s, struct bead_consumer *consume
     if (!err)
         err = scout(s, consumers, msg);
     s->scout_steps = s->counts.steps;
-    struct bead_play p = bead_session_play(s, s->trajectory ? "drawing" : "simulating");
+    struct bead_driver p = bead_session_play(s, s->trajectory ? "drawing" : "simulating");
     if (!err)
         err = begin(s, consumers, &p.consumer_count, msg);
     p.consumers = consumers;

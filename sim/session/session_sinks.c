@@ -33,26 +33,26 @@ enum bead_error bead_session_find_resolution(struct bead_session *s, struct bead
             return err;
         s->resolution = fmin(s->resolution, pace.resolution);
     }
-    s->twin = bead_run_twin_of(s->chains, s->chain_count);
+    s->tolerance_factor = bead_run_tolerance_factor_of(s->chains, s->chain_count);
     return BEAD_OK;
 }
 
-struct bead_play bead_session_play(const struct bead_session *s, const char *what)
+struct bead_driver bead_session_play(const struct bead_session *s, const char *what)
 {
-    return (struct bead_play){.chains = s->chains,
-                              .chain_count = s->chain_count,
-                              .end = s->end,
-                              .needed = s->end,
-                              .passage = s->passage,
-                              .full_window = s->job.full_window,
-                              .hash = s->job.hash,
-                              .threads = s->threads,
-                              .twin = s->twin,
-                              .kernels = s->kernels,
-                              .what = what,
-                              .stop = s->job.stop,
-                              .progress = s->job.progress,
-                              .progress_context = s->job.progress_context};
+    return (struct bead_driver){.chains = s->chains,
+                                .chain_count = s->chain_count,
+                                .end = s->end,
+                                .needed = s->end,
+                                .passage = s->passage,
+                                .full_window = s->job.full_window,
+                                .hash = s->job.hash,
+                                .threads = s->threads,
+                                .tolerance_factor = s->tolerance_factor,
+                                .kernels = s->kernels,
+                                .what = what,
+                                .stop = s->job.stop,
+                                .progress = s->job.progress,
+                                .progress_context = s->job.progress_context};
 }
 
 /* What can be had of the trajectory: its fields, and forces from displacements of all beads. */
@@ -92,17 +92,17 @@ static bool covers(const struct bead_session *s, const struct bead_output *outpu
 enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
     m->shared = s->trajectory || (m->output != s->keeper && m->output->every == 0 && covers(s, m->output));
-    struct bead_stage stage = {.scene = s->source,
-                               .chains = s->chains,
-                               .chain_count = s->chain_count,
-                               .end = s->end,
-                               .native = m->shared ? s->native : (struct bead_grid){0, 0, 0},
-                               .resolution = s->resolution,
-                               .twin = s->twin,
-                               .threads = s->threads,
-                               .canvas = s->job.canvas,
-                               .directory = s->trajectory || !s->job.output ? "." : s->job.output};
-    enum bead_error err = m->type->create(m->output, &stage, &m->sink, msg);
+    struct bead_run_context context = {.scene = s->source,
+                                       .chains = s->chains,
+                                       .chain_count = s->chain_count,
+                                       .end = s->end,
+                                       .native = m->shared ? s->native : (struct bead_grid){0, 0, 0},
+                                       .resolution = s->resolution,
+                                       .tolerance_factor = s->tolerance_factor,
+                                       .threads = s->threads,
+                                       .canvas = s->job.canvas,
+                                       .directory = s->trajectory || !s->job.output ? "." : s->job.output};
+    enum bead_error err = m->type->create(m->output, &context, &m->sink, msg);
     if (err)
         return err;
     m->type->needs(m->sink, &m->needs);
@@ -111,7 +111,7 @@ enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_mad
         last = bead_chain_beads(s->chains[i]) > last ? bead_chain_beads(s->chains[i]) : last;
     m->needs.beads.last = m->needs.beads.last < last ? m->needs.beads.last : last - 1;
     m->shared = m->shared && s->native.every > 0 && m->needs.grid.every == s->native.every;
-    return bead_file_join(stage.directory, m->output->path, &m->path, msg);
+    return bead_file_join(context.directory, m->output->path, &m->path, msg);
 }
 
 /* The trajectory output goes first: its samples are the pictures' too. */

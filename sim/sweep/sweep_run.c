@@ -262,7 +262,7 @@ enum bead_error bead_sweep_run(struct bead_sweep *sweep, const struct bead_sweep
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "no lock for a sweep");
     if (!err) {
         tell(&w, 0);
-        err = bead_crew_run(w.count, threads, work_on, &w, msg);
+        err = bead_thread_pool_run(w.count, threads, work_on, &w, msg);
         pthread_mutex_destroy(&w.lock);
     }
     if (computed)

@@ -61,7 +61,7 @@ static enum bead_error measure(struct watched *w, struct bead_message *msg)
     enum bead_error err = bead_run_sample(w->run, watch->arrival, fields, (struct bead_span){0, w->chain->beads - 1}, &sample, msg);
     if (!err)
         watch->participation =
-            bead_order_participation(w->chain, sample.field[BEAD_FIELD_DISPLACEMENT], sample.field[BEAD_FIELD_VELOCITY]);
+            bead_chain_participation(w->chain, sample.field[BEAD_FIELD_DISPLACEMENT], sample.field[BEAD_FIELD_VELOCITY]);
     return err;
 }
 
@@ -97,8 +97,8 @@ static enum bead_error compare(struct watched *w, struct bead_message *msg)
         up += *spin == '1';
         down += *spin == '0';
     }
-    enum bead_error err = down > up ? bead_order_clean(w->chain, &clean, msg) : BEAD_OK;
-    w->watch->order = bead_order_index(w->chain->beads, w->watch->participation, clean);
+    enum bead_error err = down > up ? bead_participation_clean(w->chain, &clean, msg) : BEAD_OK;
+    w->watch->order = bead_clean_index(w->chain->beads, w->watch->participation, clean);
     return err;
 }
 
@@ -161,7 +161,7 @@ static enum bead_error find_clean(struct work *work, struct bead_message *msg)
         struct bead_sweep_chain *chain = NULL;
         err = bead_sweep_chain_create(work->sweep, p, BEAD_SWEEP_CLEAN, &chain, msg);
         if (!err)
-            err = bead_order_clean(bead_sweep_chain_of(chain), &work->clean[p], msg);
+            err = bead_participation_clean(bead_sweep_chain_of(chain), &work->clean[p], msg);
         bead_sweep_chain_destroy(chain);
     }
     return err;
@@ -178,7 +178,11 @@ enum bead_error bead_sweep_watch(const struct bead_sweep *sweep, struct bead_swe
         return bead_fail(msg, BEAD_ERROR_USAGE, "--instructions %s: this machine has no such kernels", settings->instructions);
     enum bead_error err = find_clean(&work, msg);
     if (!err)
-        err = bead_crew_run(count, settings->threads > 0 ? settings->threads : cores > 1 ? (int)cores : 1, work_on, &work, msg);
+        err = bead_thread_pool_run(count,
+                                   settings->threads > 0 ? settings->threads
+                                   : cores > 1           ? (int)cores
+                                                         : 1,
+                                   work_on, &work, msg);
     free(work.clean);
     return err;
 }

@@ -106,7 +106,7 @@ static void ensemble(size_t chains, size_t cells)
     long cores = sysconf(_SC_NPROCESSORS_ONLN);
     int threads = cores > 0 ? (int)cores : 1;
     double cpu = cpu_seconds(), wall = wall_seconds();
-    if (bead_crew_run(chains, threads, one_chain, &cells, &msg))
+    if (bead_thread_pool_run(chains, threads, one_chain, &cells, &msg))
         GIVE_UP("%s", msg.text);
     cpu = cpu_seconds() - cpu;
     wall = wall_seconds() - wall;
