@@ -12,6 +12,7 @@
 #ifndef BEADREEL_FILE_H
 #define BEADREEL_FILE_H
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 
@@ -21,9 +22,14 @@
  * *joined belongs to the caller (free), NULL on failure. Errors: MEMORY, IO (empty path). */
 BEAD_API BEAD_CHECK enum bead_error bead_file_join(const char *directory, const char *path, char **joined,
                                                    struct bead_message *msg);
-/* Name of the unfinished file: `path` and ".part". *part belongs to the caller (free). Errors: MEMORY. */
+/* Name of the unfinished file: `path` and ".part"; of names that the file system would find too long then, the beginning, a
+ * fingerprint of the name, and ".part". *part belongs to the caller (free). Errors: MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_file_part_name(const char *path, char **part, struct bead_message *msg);
-/* Open `part` for writing, emptied. On failure *file is NULL and no file is left. Errors: IO. */
+/* Open `part` for reading and writing as it is, or new: a descriptor that the caller closes; -1 on failure. Never through a
+ * symbolic link, never anything but a regular file, so that nothing else is overwritten and a FIFO does not block. `created` (may
+ * be NULL): it was not there. Errors: IO. */
+BEAD_API BEAD_CHECK enum bead_error bead_file_open(const char *part, int *descriptor, bool *created, struct bead_message *msg);
+/* Open `part` for writing, emptied; opened as above. On failure *file is NULL and no new file is left. Errors: IO. */
 BEAD_API BEAD_CHECK enum bead_error bead_file_create(const char *part, FILE **file, struct bead_message *msg);
 /* Flush and close `file`, reporting any write error since it was opened (a full disk, say). Closes it in any case. Errors: IO. */
 BEAD_API BEAD_CHECK enum bead_error bead_file_close(FILE *file, const char *part, struct bead_message *msg);
@@ -35,6 +41,20 @@ typedef enum bead_error (*bead_file_fill)(void *context, FILE *file, const char 
 /* All of the above: `path` as `fill` writes it, or not at all. bytes may be NULL. Errors: MEMORY, IO, those of `fill`. */
 BEAD_API BEAD_CHECK enum bead_error bead_file_write(const char *path, bead_file_fill fill, void *context, uint64_t *bytes,
                                                     struct bead_message *msg);
+
+/* A claim on a file that a run is going to write: its unfinished file is locked (flock) until the claim is released, so that of two
+ * runs with the same output the second is refused before it has touched anything.
+ *
+ *   bead_file_claim(path, &claim, msg);    ... write and commit `path` as above ...    bead_file_release(claim, false); */
+struct bead_claim;
+
+/* Errors: USAGE (another run is writing it), IO, MEMORY. On failure *claim is NULL and nothing has changed. */
+BEAD_API BEAD_CHECK enum bead_error bead_file_claim(const char *path, struct bead_claim **claim, struct bead_message *msg);
+/* Unlock; an unfinished file that this claim made and nobody has renamed is removed, unless it is to be kept. NULL: nothing
+ * happens.
+ */
+BEAD_API void bead_file_release(struct bead_claim *claim, bool keep);
+
 /* Remove `part` (NULL, or not there: nothing happens). */
 BEAD_API void bead_file_discard(const char *part);
 /* A directory for files, with those on the way; NULL or "": nothing to do. Errors: IO. */

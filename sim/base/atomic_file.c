@@ -1,12 +1,18 @@
+/* Files that appear whole or not at all, and claims on them; everything that is written goes through here. */
 #include "beadreel/file.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <inttypes.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "sim/base/fingerprint.h"
 
 static enum bead_error concatenate(const char *a, const char *b, const char *c, char **text, struct bead_message *msg)
 {
@@ -30,25 +36,78 @@ enum bead_error bead_file_join(const char *directory, const char *path, char **j
     return concatenate(directory, directory[strlen(directory) - 1] == '/' ? "" : "/", path, joined, msg);
 }
 
+/* Bytes of `name` that are kept of at most `most`: whole characters of UTF-8. */
+static size_t whole_characters(const char *name, size_t most)
+{
+    while (most > 0 && ((unsigned char)name[most] & 0xC0) == 0x80)
+        most--;
+    return most;
+}
+
 enum bead_error bead_file_part_name(const char *path, char **part, struct bead_message *msg)
 {
+    static const char ending[] = ".part";
+    enum { MARK = 17 + sizeof ending }; /* "~0123456789abcdef.part" */
+    char mark[MARK];
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
     *part = NULL;
-    return concatenate(path, ".part", "", part, msg);
+    if (strlen(name) + sizeof ending - 1 <= NAME_MAX || strlen(name) > NAME_MAX)
+        return concatenate(path, ending, "", part, msg);
+    snprintf(mark, MARK, "~%016" PRIx64 "%s", bead_fingerprint(BEAD_FINGERPRINT_START, name, strlen(name)), ending);
+    size_t directory = (size_t)(name - path), kept = whole_characters(name, NAME_MAX + 1 - MARK);
+    *part = malloc(directory + kept + MARK);
+    if (!*part)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a file name");
+    memcpy(*part, path, directory + kept);
+    memcpy(*part + directory + kept, mark, MARK);
+    return BEAD_OK;
+}
+
+static enum bead_error cannot_write(const char *part, int error, struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be written: %s", part,
+                     error == ELOOP   ? "it is a symbolic link"
+                     : error == ENXIO ? "it is not a regular file"
+                                      : strerror(error));
+}
+
+enum bead_error bead_file_open(const char *part, int *descriptor, bool *created, struct bead_message *msg)
+{
+    /* A FIFO without a reader blocks, unless asked not to. */
+    const int flags = O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+    struct stat found;
+    bool made = true;
+    *descriptor = open(part, flags | O_EXCL, 0666);
+    if (*descriptor < 0 && errno == EEXIST) {
+        made = false;
+        *descriptor = open(part, flags, 0666);
+    }
+    if (*descriptor < 0)
+        return cannot_write(part, errno, msg);
+    if (created)
+        *created = made;
+    if (fstat(*descriptor, &found) == 0 && S_ISREG(found.st_mode))
+        return BEAD_OK;
+    close(*descriptor);
+    *descriptor = -1;
+    return cannot_write(part, ENXIO, msg);
 }
 
 enum bead_error bead_file_create(const char *part, FILE **file, struct bead_message *msg)
 {
+    int descriptor;
+    bool created;
     *file = NULL;
-    int fd = open(part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (fd < 0)
-        return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be written: %s", part, strerror(errno));
-    *file = fdopen(fd, "wb");
-    if (*file)
+    enum bead_error err = bead_file_open(part, &descriptor, &created, msg);
+    if (err)
+        return err;
+    if (ftruncate(descriptor, 0) == 0 && (*file = fdopen(descriptor, "wb")))
         return BEAD_OK;
     int error = errno;
-    close(fd);
-    unlink(part);
-    return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be written: %s", part, strerror(error));
+    close(descriptor);
+    if (created)
+        unlink(part);
+    return cannot_write(part, error, msg);
 }
 
 enum bead_error bead_file_close(FILE *file, const char *part, struct bead_message *msg)
@@ -102,6 +161,67 @@ enum bead_error bead_file_commit(const char *part, const char *path, struct bead
     }
     sync_directory(path);
     return BEAD_OK;
+}
+
+struct bead_claim {
+    int descriptor;
+    bool created;
+    char *part;
+};
+
+/* Does `part` still name the file that is open? It may have become its finished file. */
+static bool still_names(const char *part, int descriptor)
+{
+    struct stat open_file, named;
+    return fstat(descriptor, &open_file) == 0 && lstat(part, &named) == 0 && open_file.st_dev == named.st_dev &&
+           open_file.st_ino == named.st_ino;
+}
+
+/* Open and lock; again where another run finished and renamed the file in between. */
+static enum bead_error lock(struct bead_claim *claim, const char *path, struct bead_message *msg)
+{
+    for (;;) {
+        enum bead_error err = bead_file_open(claim->part, &claim->descriptor, &claim->created, msg);
+        if (err)
+            return err;
+        bool locked = flock(claim->descriptor, LOCK_EX | LOCK_NB) == 0;
+        if (!locked && errno == EWOULDBLOCK)
+            err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: another run is writing it", path);
+        else if (still_names(claim->part, claim->descriptor)) /* file systems without locks: as good as it gets */
+            return BEAD_OK;
+        close(claim->descriptor);
+        if (err)
+            return err;
+    }
+}
+
+enum bead_error bead_file_claim(const char *path, struct bead_claim **claim, struct bead_message *msg)
+{
+    *claim = NULL;
+    struct bead_claim *made = calloc(1, sizeof *made);
+    if (!made)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a file name");
+    enum bead_error err = bead_file_part_name(path, &made->part, msg);
+    if (!err)
+        err = lock(made, path, msg);
+    if (!err) {
+        *claim = made;
+        return BEAD_OK;
+    }
+    free(made->part);
+    free(made);
+    return err;
+}
+
+void bead_file_release(struct bead_claim *claim, bool keep)
+{
+    if (!claim)
+        return;
+    if (!keep && claim->created && still_names(claim->part, claim->descriptor))
+        unlink(claim->part);
+    close(claim->descriptor);
+    free(claim->part);
+    free(claim);
 }
 
 void bead_file_discard(const char *part)

@@ -1,4 +1,5 @@
 /* Files, errors and small metadata: see h5.h. Growing datasets are in h5_series.c, reading is in h5_read.c. */
+#include "beadreel/file.h"
 #include "sim/base/h5_private.h"
 
 #include <errno.h>
@@ -8,7 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 struct bead_h5_quiet bead_h5_quiet_begin(void)
@@ -55,18 +55,11 @@ enum bead_error bead_h5_fail(struct bead_h5 *h5, bool cause, const char *format,
     return h5->error;
 }
 
-/* The new file, locked against another run that writes the same. Returns false where that failed. */
+/* The new, empty file. Returns false where that failed. */
 static bool take_file(struct bead_h5 *h5)
 {
-    h5->disk.file = open(h5->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (h5->disk.file < 0) {
-        bead_h5_fail(h5, false, "cannot be written: %s", strerror(errno));
-        return false;
-    }
-    /* Some file systems have no locks. */
-    if (flock(h5->disk.file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-        bead_h5_fail(h5, false, "is being written by another run");
-    else if (ftruncate(h5->disk.file, 0) != 0)
+    h5->error = bead_file_open(h5->path, &h5->disk.file, NULL, h5->msg);
+    if (!h5->error && ftruncate(h5->disk.file, 0) != 0)
         bead_h5_fail(h5, false, "cannot be written: %s", strerror(errno));
     return !h5->error;
 }

@@ -360,13 +360,19 @@ static void on_signal(int number)
 /* A first signal ends the run in good order; a second of the same kind ends it at once. */
 static enum bead_error catch_signals(struct bead_message *msg)
 {
+    static const int stopping[] = {SIGINT, SIGTERM, SIGHUP};
+    static const int errors_of_write[] = {SIGPIPE, SIGXFSZ}; /* a closed pipe, a file-size limit: write() says so */
     struct sigaction stop = {.sa_handler = on_signal, .sa_flags = SA_RESTART | (int)SA_RESETHAND};
-    struct sigaction ignore = {.sa_handler = SIG_IGN}; /* a closed pipe is an error of write() */
+    struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
     sigemptyset(&stop.sa_mask);
     sigemptyset(&ignore.sa_mask);
-    if (sigaction(SIGINT, &stop, NULL) || sigaction(SIGTERM, &stop, NULL) || sigaction(SIGPIPE, &ignore, NULL))
-        return bead_fail(msg, BEAD_ERROR_IO, "cannot catch signals: %s", strerror(errno));
-    return BEAD_OK;
+    bool failed = sigaction(SIGHUP, NULL, &before) != 0;
+    bool no_hangup = before.sa_handler == SIG_IGN; /* nohup */
+    for (size_t i = 0; i < sizeof stopping / sizeof *stopping; i++)
+        failed = failed || (!(stopping[i] == SIGHUP && no_hangup) && sigaction(stopping[i], &stop, NULL) != 0);
+    for (size_t i = 0; i < sizeof errors_of_write / sizeof *errors_of_write; i++)
+        failed = failed || sigaction(errors_of_write[i], &ignore, NULL) != 0;
+    return failed ? bead_fail(msg, BEAD_ERROR_IO, "cannot catch signals: %s", strerror(errno)) : BEAD_OK;
 }
 
 static enum bead_error act(const struct command *command, struct bead_message *msg)

@@ -1,13 +1,13 @@
 /* The journal of a sweep: a head, then one record for each chain that is done, in the order of their ends. A process that is killed
  * at any moment leaves whole records and at most one torn one, which is cut off when the next process goes on. */
 #include <errno.h>
-#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
 #include <time.h>
 #include <unistd.h>
 
+#include "beadreel/file.h"
 #include "sim/base/fingerprint.h"
 #include "sim/sweep/sweep_data.h"
 
@@ -165,13 +165,13 @@ static enum bead_error begin(struct bead_sweep_journal *j, struct bead_sweep *sw
     bool fresh = false;
     struct head head = head_of(sweep);
     off_t end = (off_t)sizeof head;
-    j->file = open(j->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (j->file < 0)
-        return failed(j, "cannot be written", msg);
+    enum bead_error err = bead_file_open(j->path, &j->file, NULL, msg);
+    if (err)
+        return err;
     if (flock(j->file, LOCK_EX | LOCK_NB) != 0)
         return errno == EWOULDBLOCK ? bead_fail(msg, BEAD_ERROR_USAGE, "%s: another process is computing this sweep", j->path)
                                     : failed(j, "cannot be locked", msg);
-    enum bead_error err = check_head(j, sweep, &fresh, msg);
+    err = check_head(j, sweep, &fresh, msg);
     if (!err && fresh &&
         (ftruncate(j->file, 0) != 0 || lseek(j->file, 0, SEEK_SET) != 0 || !write_all(j->file, &head, sizeof head)))
         err = failed(j, "cannot be written", msg);

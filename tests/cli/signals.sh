@@ -45,6 +45,30 @@ ok "SIGINT: what is left can be read" left_readable "$T/int"
 stopped TERM "$T/term" "$beadsim"
 ok "SIGTERM: status 143" status_is 143
 ok "SIGTERM: what is left can be read" left_readable "$T/term"
+stopped HUP "$T/hup" "$beadsim"
+ok "SIGHUP: status 129" status_is 129
+ok "SIGHUP: what is left can be read" left_readable "$T/hup"
+limited() { (ulimit -f 64; exec "$beadsim" "$T/long.yaml" --set simulate.until='20 ms' --set outputs.0.every='1 us' -o "$T/limit" 2>"$T/err"); }
+too_large() {
+    limited >"$T/out"
+    status=$?
+    status_is 1 && one_line && says "File too large" && empty "$T/limit"
+}
+ok "a file-size limit is a write error" too_large
+fifo() {
+    mkdir "$T/fifo" && mkfifo "$T/fifo/peaks.csv.part"
+    timeout 20 "$beadsim" "$T/long.yaml" --only peaks.csv -o "$T/fifo" 2>"$T/err"
+    status=$?
+    status_is 1 && one_line && says "not a regular file" && [ -p "$T/fifo/peaks.csv.part" ]
+}
+ok "a FIFO in the way does not block" fifo
+linked() {
+    mkdir "$T/link" && echo precious >"$T/victim" && ln -s ../victim "$T/link/peaks.csv.part"
+    "$beadsim" "$T/long.yaml" --only peaks.csv -o "$T/link" 2>"$T/err"
+    status=$?
+    status_is 1 && one_line && says "symbolic link" && [ "$(cat "$T/victim")" = precious ]
+}
+ok "a link in the way is not followed" linked
 stopped KILL "$T/kill" "$beadsim"
 ok "SIGKILL: status 137" status_is 137
 killed_readable() { "$beadreel" --info "$T/kill/run.h5.part" >"$T/info" && grep -q 'stopped or killed' "$T/info"; }

@@ -1,0 +1,140 @@
+/* Files that appear whole or not at all: never through links, never over another run's, under names of any length. */
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "beadreel/file.h"
+#include "support.h"
+
+#include "scratch.h"
+
+/* A file's path in the scratch directory; every test has names of its own. */
+static void in_directory(const char *name, char path[PATH_MAX])
+{
+    snprintf(path, PATH_MAX, "%s/%s", directory, name);
+}
+
+static enum bead_error fill(void *context, FILE *file, const char *part, struct bead_message *msg)
+{
+    (void)part, (void)msg;
+    fputs(context, file);
+    return BEAD_OK;
+}
+
+static bool holds(const char *path, const char *text)
+{
+    char read[64] = "";
+    FILE *file = fopen(path, "r");
+    if (!file)
+        return false;
+    size_t n = fread(read, 1, sizeof read - 1, file);
+    fclose(file);
+    return n == strlen(text) && memcmp(read, text, n) == 0;
+}
+
+static void links_are_not_followed(void **state)
+{
+    (void)state;
+    char victim[PATH_MAX], path[PATH_MAX], part[PATH_MAX];
+    struct bead_message msg = {.text = ""};
+    struct bead_claim *claim;
+    in_directory("victim", victim);
+    in_directory("linked.csv", path);
+    in_directory("linked.csv.part", part);
+    assert_int_equal(bead_file_write(victim, fill, "precious", NULL, &msg), BEAD_OK);
+    assert_int_equal(symlink(victim, part), 0);
+    assert_int_equal(bead_file_write(path, fill, "new", NULL, &msg), BEAD_ERROR_IO);
+    assert_non_null(strstr(msg.text, "symbolic link"));
+    assert_int_equal(bead_file_claim(path, &claim, &msg), BEAD_ERROR_IO);
+    assert_true(holds(victim, "precious"));
+}
+
+static void fifos_do_not_block(void **state)
+{
+    (void)state;
+    char path[PATH_MAX], part[PATH_MAX];
+    struct bead_message msg = {.text = ""};
+    in_directory("peaks.csv", path);
+    in_directory("peaks.csv.part", part);
+    assert_int_equal(mkfifo(part, 0600), 0);
+    assert_int_equal(bead_file_write(path, fill, "new", NULL, &msg), BEAD_ERROR_IO);
+    assert_non_null(strstr(msg.text, "regular file"));
+    assert_int_equal(access(part, F_OK), 0); /* it is somebody else's */
+}
+
+static void names_of_any_length_can_be_written(void **state)
+{
+    (void)state;
+    char path[PATH_MAX], name[NAME_MAX + 2];
+    for (size_t length = NAME_MAX - 8; length <= NAME_MAX; length++) {
+        for (size_t i = 0; i < length; i++) /* "é" is two bytes: cuts between characters */
+            name[i] = i + 1 < length ? (i % 2 ? '\xa9' : '\xc3') : 'e';
+        if (length % 2 == 0)
+            name[length - 2] = 'e';
+        name[length] = '\0';
+        in_directory(name, path);
+        char *part;
+        assert_int_equal(bead_file_part_name(path, &part, NULL), BEAD_OK);
+        const char *base = strrchr(part, '/') + 1;
+        assert_true(strlen(base) <= NAME_MAX);
+        assert_string_equal(base + strlen(base) - 5, ".part");
+        const char *cut = strchr(base, '~');
+        assert_true(!cut || (unsigned char)cut[-1] == 0xa9);
+        free(part);
+        assert_int_equal(bead_file_write(path, fill, "x", NULL, NULL), BEAD_OK);
+        assert_true(holds(path, "x"));
+    }
+}
+
+static void a_second_claim_is_refused_and_removes_nothing(void **state)
+{
+    (void)state;
+    char path[PATH_MAX], part[PATH_MAX];
+    struct bead_message msg = {.text = ""};
+    struct bead_claim *first, *second;
+    in_directory("force.png", path);
+    in_directory("force.png.part", part);
+    assert_int_equal(bead_file_claim(path, &first, &msg), BEAD_OK);
+    assert_int_equal(bead_file_claim(path, &second, &msg), BEAD_ERROR_USAGE);
+    assert_null(second);
+    assert_non_null(strstr(msg.text, "another run"));
+    assert_int_equal(access(part, F_OK), 0);
+    assert_int_equal(bead_file_write(path, fill, "done", NULL, &msg), BEAD_OK); /* the claim does not stand in its own way */
+    assert_int_equal(bead_file_claim(path, &second, &msg), BEAD_OK);            /* the finished file is nobody's */
+    bead_file_release(first, false);
+    assert_int_equal(access(part, F_OK), 0); /* that is the second's now */
+    bead_file_release(second, false);
+    assert_int_not_equal(access(part, F_OK), 0);
+    assert_true(holds(path, "done"));
+}
+
+static void what_a_killed_run_left_stays_until_it_is_written_over(void **state)
+{
+    (void)state;
+    char path[PATH_MAX], part[PATH_MAX];
+    struct bead_claim *claim;
+    in_directory("run.h5", path);
+    in_directory("run.h5.part", part);
+    assert_int_equal(bead_file_write(part, fill, "left", NULL, NULL), BEAD_OK);
+    assert_int_equal(bead_file_claim(path, &claim, NULL), BEAD_OK);
+    assert_true(holds(part, "left"));
+    bead_file_release(claim, false);
+    assert_true(holds(part, "left"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(links_are_not_followed),
+        cmocka_unit_test(fifos_do_not_block),
+        cmocka_unit_test(names_of_any_length_can_be_written),
+        cmocka_unit_test(a_second_claim_is_refused_and_removes_nothing),
+        cmocka_unit_test(what_a_killed_run_left_stays_until_it_is_written_over),
+    };
+    return cmocka_run_group_tests(tests, make_directory, remove_directory);
+}
