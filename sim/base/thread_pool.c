@@ -1,3 +1,4 @@
+/* A pool of threads for jobs that do not depend on each other; each run of it starts and joins its own. */
 #include "sim/base/thread_pool.h"
 
 #include <pthread.h>
@@ -6,7 +7,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-struct crew {
+struct pool {
     bead_thread_pool_job job;
     void *context;
     size_t count;
@@ -14,8 +15,8 @@ struct crew {
     atomic_bool failed;
 };
 
-struct member {
-    struct crew *crew;
+struct worker {
+    struct pool *pool;
     bool calling;
     pthread_t thread;
     /* Its jobs ascend and it stops at an error: there is one at most. */
@@ -27,29 +28,29 @@ struct member {
 /* A job is begun after all below it: the lowest that fails is always among those found. */
 static void *work(void *context)
 {
-    struct member *m = context;
-    struct crew *c = m->crew;
-    while (!m->error && !atomic_load(&c->failed)) {
-        size_t index = atomic_fetch_add(&c->next, 1);
-        if (index >= c->count)
+    struct worker *w = context;
+    struct pool *p = w->pool;
+    while (!w->error && !atomic_load(&p->failed)) {
+        size_t index = atomic_fetch_add(&p->next, 1);
+        if (index >= p->count)
             break;
-        m->error = c->job(c->context, index, m->calling, &m->message);
-        m->failed_at = index;
+        w->error = p->job(p->context, index, w->calling, &w->message);
+        w->failed_at = index;
     }
-    if (m->error)
-        atomic_store(&c->failed, true);
+    if (w->error)
+        atomic_store(&p->failed, true);
     return NULL;
 }
 
 /* Signals are for the program's own threads. Returns how many could be started. */
-static size_t start(struct member *member, size_t count)
+static size_t start(struct worker *worker, size_t count)
 {
     sigset_t all, before;
     size_t started = 0;
     sigfillset(&all);
     if (count == 0 || pthread_sigmask(SIG_SETMASK, &all, &before))
         return 0;
-    while (started < count && pthread_create(&member[started].thread, NULL, work, &member[started]) == 0)
+    while (started < count && pthread_create(&worker[started].thread, NULL, work, &worker[started]) == 0)
         started++;
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     return started;
@@ -57,23 +58,23 @@ static size_t start(struct member *member, size_t count)
 
 enum bead_error bead_thread_pool_run(size_t count, int threads, bead_thread_pool_job job, void *context, struct bead_message *msg)
 {
-    struct crew crew = {.job = job, .context = context, .count = count};
-    struct member self = {.crew = &crew, .calling = true};
+    struct pool pool = {.job = job, .context = context, .count = count};
+    struct worker self = {.pool = &pool, .calling = true};
     size_t others = threads > 1 && count > 1 ? (count < (size_t)threads ? count : (size_t)threads) - 1 : 0;
-    struct member *member = others > 0 ? calloc(others, sizeof *member) : NULL;
-    for (size_t i = 0; member && i < others; i++)
-        member[i].crew = &crew;
-    size_t started = member ? start(member, others) : 0;
+    struct worker *worker = others > 0 ? calloc(others, sizeof *worker) : NULL;
+    for (size_t i = 0; worker && i < others; i++)
+        worker[i].pool = &pool;
+    size_t started = worker ? start(worker, others) : 0;
     work(&self);
-    const struct member *lowest = self.error ? &self : NULL;
+    const struct worker *lowest = self.error ? &self : NULL;
     for (size_t i = 0; i < started; i++) {
-        pthread_join(member[i].thread, NULL);
-        if (member[i].error && (!lowest || member[i].failed_at < lowest->failed_at))
-            lowest = &member[i];
+        pthread_join(worker[i].thread, NULL);
+        if (worker[i].error && (!lowest || worker[i].failed_at < lowest->failed_at))
+            lowest = &worker[i];
     }
     enum bead_error err = lowest ? lowest->error : BEAD_OK;
     if (lowest)
         *msg = lowest->message;
-    free(member);
+    free(worker);
     return err;
 }

@@ -66,12 +66,12 @@ for set in sse2 avx2 avx512; do
 done
 
 # Progress: slow enough that there is some.
-slow=(--set "simulate={until: 60 ms, method: rk4, step: 0.1 us}" --only peaks.csv)
+slow=(--set "simulate={until: 600 ms, method: rk4, step: 0.1 us}" --only peaks.csv)
 ok "--progress=json" exits 0 "$beadsim" scene.yaml -o slow "${slow[@]}" --progress=json
 json_lines() { [ -s err ] && ! grep -vE '^\{"what": "[^"]+", "done": [0-9.]+, "elapsed_s": [0-9.]+(, "left_s": [0-9.]+)?(, "time_s": [-+0-9.e]+)?\}$' err; }
 ok "... one object a line" json_lines
-ok "--progress=none is quiet" bash -c "'$beadsim' scene.yaml -o slow --set simulate.until='60 ms' --only peaks.csv --progress=none 2>&1 >/dev/null | (! grep .)"
-bar() { TERM=xterm script -qec "$beadsim scene.yaml -o slow --set simulate.until='60 ms' --set simulate.method=rk4 \
+ok "--progress=none is quiet" bash -c "'$beadsim' scene.yaml -o slow --set simulate.until='600 ms' --only peaks.csv --progress=none 2>&1 >/dev/null | (! grep .)"
+bar() { TERM=xterm script -qec "$beadsim scene.yaml -o slow --set simulate.until='600 ms' --set simulate.method=rk4 \
     --set simulate.step='0.1us' --only peaks.csv" typescript >/dev/null && grep -q '\[[#.]*\] *[0-9]* %' typescript; }
 if TERM=xterm script -qec true typescript >/dev/null 2>&1; then
     ok "a bar on a terminal" bar
