@@ -429,7 +429,7 @@ static void one_run_at_a_time(void **state)
     assert_int_equal(b->s.type->create(&b->s.scene->outputs[0], &b->s.context, &first, &msg), BEAD_OK);
     assert_int_equal(b->s.type->create(&b->s.scene->outputs[0], &b->s.context, &second, &msg), BEAD_OK);
     assert_int_equal(b->s.type->begin(first, (struct bead_range){0, 0}, &msg), BEAD_OK);
-    assert_int_equal(b->s.type->begin(second, (struct bead_range){0, 0}, &msg), BEAD_ERROR_IO);
+    assert_int_equal(b->s.type->begin(second, (struct bead_range){0, 0}, &msg), BEAD_ERROR_USAGE);
     assert_non_null(strstr(msg.text, "another run"));
     b->s.type->destroy(second);
     struct bead_trajectory *t = open_file(b->s.part);

@@ -35,7 +35,8 @@ struct bead_sink {
     size_t written;     /* of these, in the file */
     size_t next_chain;  /* the next sample comes from */
     struct timespec flushed;
-    bool open, finished;
+    struct bead_claim *claim; /* where the caller has none */
+    bool open, closed, finished;
 };
 
 /* Whether the fields asked for make this series. */

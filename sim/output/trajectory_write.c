@@ -30,8 +30,9 @@ static void trajectory_destroy(struct bead_sink *sink)
         free(sink->series[i].buffer);
     }
     bead_h5_shut(&sink->h5);
-    if (sink->open && !sink->finished)
+    if (sink->open && !sink->closed)
         bead_file_discard(sink->part);
+    bead_file_release(sink->claim, sink->closed);
     free(sink->rows);
     free(sink->path);
     free(sink->part);
@@ -154,6 +155,10 @@ static enum bead_error trajectory_begin(struct bead_sink *sink, struct bead_rang
     if (error)
         return error;
     place_rows(sink);
+    if (!sink->context.claimed)
+        error = bead_file_claim(sink->path, &sink->claim, msg);
+    if (error)
+        return error;
     bead_h5_create(&sink->h5, sink->part, msg);
     if (sink->h5.error)
         return sink->h5.error;
@@ -316,7 +321,8 @@ static enum bead_error trajectory_sample(struct bead_sink *sink, const struct be
     return sink->h5.error;
 }
 
-static enum bead_error trajectory_end(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
+/* Write what is pending and what is known of the run, and close the file. */
+static enum bead_error trajectory_stop(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
     sink->h5.msg = msg;
     write_pending(sink);
@@ -329,8 +335,15 @@ static enum bead_error trajectory_end(struct bead_sink *sink, const struct bead_
         bead_h5_close(&sink->h5, &sink->series[i].value);
     bead_h5_shut(&sink->h5);
     sink->h5.msg = NULL;
-    if (sink->h5.error)
-        return sink->h5.error;
+    sink->closed = !sink->h5.error;
+    return sink->h5.error;
+}
+
+static enum bead_error trajectory_end(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
+{
+    enum bead_error err = trajectory_stop(sink, outcomes, msg);
+    if (err)
+        return err;
     sink->finished = true; /* a failing commit removes the part itself */
     return bead_file_commit(sink->part, sink->path, msg);
 }
@@ -353,6 +366,7 @@ const struct bead_sink_type bead_trajectory_sink = {
     .begin = trajectory_begin,
     .sample = trajectory_sample,
     .end = trajectory_end,
+    .stop = trajectory_stop,
     .destroy = trajectory_destroy,
     .result = trajectory_result,
 };

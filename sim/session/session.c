@@ -125,10 +125,11 @@ void bead_session_close(struct bead_session *s)
 {
     if (!s)
         return;
-    for (size_t i = 0; i < s->made_count; i++) {
+    for (size_t i = 0; s->made && i < s->made_count; i++) {
         if (s->made[i].sink)
             s->made[i].type->destroy(s->made[i].sink);
         free(s->made[i].path);
+        free(s->made[i].part);
     }
     free(s->made);
     free(s->results);

@@ -15,7 +15,9 @@ struct bead_made {
     bool asked;                               /* not excluded by --only */
     bool shared;                              /* draws from the samples of the trajectory output */
     bool ended;
-    char *path; /* where it goes */
+    char *path;                   /* where it goes */
+    char *part;                   /* what a stopped run leaves of it; NULL: nothing */
+    struct bead_claim *claims[2]; /* on `path` and on a second file; NULL: none */
     struct bead_needs needs;
     struct bead_range range; /* found by scouting */
 };
@@ -47,6 +49,13 @@ struct bead_session {
     struct bead_result *results;
     size_t result_count;
 };
+
+/* session_claims.c */
+/* Claim the files of all outputs before any is touched. On failure none is claimed. Errors: USAGE (another run is writing one), IO,
+ * MEMORY. */
+BEAD_CHECK enum bead_error bead_session_claim(struct bead_session *session, struct bead_message *msg);
+/* What was claimed and not finished goes, but for what a stopped run keeps. */
+void bead_session_release(struct bead_session *session);
 
 /* session_sinks.c */
 /* A play with the session's chains and settings, no consumers. */

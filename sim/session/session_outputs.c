@@ -77,10 +77,10 @@ enum bead_error bead_session_list_outputs(struct bead_session *s, struct bead_me
     enum bead_error err = check_names(s, msg);
     if (err)
         return err;
-    s->made_count = s->source->output_count;
-    s->made = calloc(s->made_count + 1, sizeof *s->made);
+    s->made = calloc(s->source->output_count + 1, sizeof *s->made);
     if (!s->made)
         return bead_session_out_of_memory(msg);
+    s->made_count = s->source->output_count;
     for (size_t i = 0; i < s->made_count; i++) {
         struct bead_made *m = &s->made[i];
         m->output = &s->source->outputs[i];

@@ -81,29 +81,51 @@ static enum bead_error collect_outcomes(struct bead_session *s, struct bead_mess
     return err;
 }
 
-static enum bead_error end(struct bead_session *s, struct bead_message *msg)
+static void add_result(struct bead_session *s, const struct bead_made *m, const char *path)
+{
+    struct bead_result *r = &s->results[s->result_count++];
+    *r = (struct bead_result){path, 0, 0};
+    if (m->type->result)
+        m->type->result(m->sink, &r->bytes, &r->items);
+}
+
+/* The run was stopped: finished files of earlier runs stay, and so do the parts that can be read. */
+static enum bead_error stop(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
+{
+    if (!m->type->stop)
+        return BEAD_OK;
+    enum bead_error err = m->type->stop(m->sink, s->outcomes, msg);
+    if (!err)
+        err = bead_file_part_name(m->path, &m->part, msg);
+    m->ended = !err;
+    if (!err)
+        add_result(s, m, m->part);
+    return err;
+}
+
+static enum bead_error finish(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
+{
+    enum bead_error err = m->type->end(m->sink, s->outcomes, msg);
+    m->ended = !err;
+    if (err)
+        return err;
+    add_result(s, m, m->path);
+    uint64_t bytes = 0;
+    const char *beside = m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
+    if (beside && bytes > 0)
+        s->results[s->result_count++] = (struct bead_result){beside, bytes, 1};
+    return BEAD_OK;
+}
+
+static enum bead_error end(struct bead_session *s, bool stopped, struct bead_message *msg)
 {
     enum bead_error err = collect_outcomes(s, msg);
     s->results = calloc(2 * s->made_count + 1, sizeof *s->results); /* each with a second file, at most */
     if (!err && !s->results)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for results");
     for (size_t i = 0; !err && i < s->made_count; i++) {
-        struct bead_made *m = &s->made[i];
-        if (!m->sink)
-            continue;
-        err = m->type->end(m->sink, s->outcomes, msg);
-        m->ended = !err;
-        struct bead_result *r = &s->results[s->result_count];
-        if (err)
-            break;
-        *r = (struct bead_result){m->path, 0, 0};
-        if (m->type->result)
-            m->type->result(m->sink, &r->bytes, &r->items);
-        s->result_count++;
-        uint64_t bytes = 0;
-        const char *beside = m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
-        if (beside && bytes > 0)
-            s->results[s->result_count++] = (struct bead_result){beside, bytes, 1};
+        if (s->made[i].sink)
+            err = (stopped ? stop : finish)(s, &s->made[i], msg);
     }
     return err;
 }
@@ -111,6 +133,8 @@ static enum bead_error end(struct bead_session *s, struct bead_message *msg)
 static enum bead_error run(struct bead_session *s, struct bead_consumer *consumers, struct bead_message *msg)
 {
     enum bead_error err = s->trajectory ? BEAD_OK : bead_file_make_directory(s->job.output, msg);
+    if (!err)
+        err = bead_session_claim(s, msg);
     if (!err)
         err = scout(s, consumers, msg);
     s->scout_steps = s->counts.steps;
@@ -126,7 +150,7 @@ static enum bead_error run(struct bead_session *s, struct bead_consumer *consume
     if (s->passage && !s->trajectory && !err && !isfinite(s->end))
         s->end = s->passed.end;
     struct bead_message unused;
-    enum bead_error closing = end(s, err ? &unused : msg);
+    enum bead_error closing = end(s, err != BEAD_OK, err ? &unused : msg);
     return err ? err : closing;
 }
 
@@ -146,6 +170,7 @@ enum bead_error bead_session_run(struct bead_session *s, struct bead_message *ms
             s->made[i].sink = NULL;
         }
     }
+    bead_session_release(s);
     return err;
 }
 

@@ -303,6 +303,8 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
             results = s->made[i].path;
     }
     enum bead_error err = s->sweep_read ? BEAD_OK : bead_file_make_directory(s->job.output, msg);
+    if (!err)
+        err = bead_session_claim(s, msg);
     if (!err && results)
         err = bead_file_part_name(results, &journal, msg);
     if (!err && !s->sweep_read && needs_results(s))
@@ -312,6 +314,7 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
     /* Not before: where a plot fails or is stopped, the same command need not compute again. */
     if (!err && journal)
         bead_file_discard(journal);
+    bead_session_release(s);
     free(journal);
     return err;
 }

@@ -1,5 +1,6 @@
 #!/bin/bash
-# Stopped runs: status 128+n, every file finished with what there was; killed ones: the trajectory can be read up to there.
+# Stopped runs: status 128+n; the trajectory's .part can be read up to there, and finished files of earlier runs stay. Killed ones
+# leave the same. What stands in the way of unfinished files is neither followed nor waited for.
 source "$(dirname "$0")/../shell.bash"
 cat >"$T/long.yaml" <<'YAML'
 chain:
@@ -30,11 +31,12 @@ stopped() {
 }
 status_is() { [ "$status" -eq "$1" ] || { echo "status $status"; cat "$T/err"; return 1; }; }
 one_line() { [ "$(wc -l <"$T/err")" -eq 1 ] || { cat "$T/err"; return 1; }; }
-# Nothing is left half-written; the trajectory knows that its run was stopped.
+# Nothing half-written has a final name; the trajectory's part knows that its run was stopped.
 left_readable() {
-    ! ls "$1"/*.part 2>/dev/null && "$beadreel" --info "$1/run.h5" >"$T/info" || return 1
+    [ "$(ls "$1")" = run.h5.part ] && "$beadreel" --info "$1/run.h5.part" >"$T/info" || { ls "$1"; return 1; }
     grep -q 'stopped or killed' "$T/info" || { cat "$T/info"; return 1; }
 }
+drawn() { "$beadreel" "$T/int/run.h5.part" -o "$T/part.png" >/dev/null && [ -s "$T/part.png" ]; }
 
 # In a script, background jobs ignore SIGINT unless job control is on.
 set -m
@@ -42,6 +44,7 @@ stopped INT "$T/int" "$beadreel"
 ok "SIGINT: status 130" status_is 130
 ok "SIGINT: one line on stderr" one_line
 ok "SIGINT: what is left can be read" left_readable "$T/int"
+ok "... and drawn" drawn
 stopped TERM "$T/term" "$beadsim"
 ok "SIGTERM: status 143" status_is 143
 ok "SIGTERM: what is left can be read" left_readable "$T/term"
@@ -71,6 +74,36 @@ linked() {
 ok "a link in the way is not followed" linked
 stopped KILL "$T/kill" "$beadsim"
 ok "SIGKILL: status 137" status_is 137
+
+# A run that is stopped over the results of an earlier one.
+short=(--set simulate.until='1 ms')
+"$beadreel" "$T/long.yaml" "${short[@]}" -o "$T/again" >/dev/null
+(cd "$T/again" && md5sum run.h5 peaks.csv force.png >"$T/whole.md5")
+again() {
+    rm -rf "$T/kept" && cp -r "$T/again" "$T/kept"
+    "$beadreel" "$T/long.yaml" -o "$T/kept" >"$T/out" 2>"$T/err" &
+    local pid=$!
+    sleep 1.5
+    kill -INT $pid
+    wait $pid
+    status=$?
+    status_is 130 && (cd "$T/kept" && md5sum --quiet -c "$T/whole.md5") && [ -s "$T/kept/run.h5.part" ]
+}
+ok "a stopped run leaves an earlier one's results" again
+
+# Two runs with the same outputs: the second says so at once and leaves the first alone.
+both() {
+    mkdir "$T/both"
+    "$beadreel" "$T/long.yaml" --set simulate.until='10 ms' -o "$T/both" >"$T/first" 2>&1 &
+    local pid=$! i
+    for ((i = 0; i < 100; i++)); do [ -s "$T/both/run.h5.part" ] && break; sleep 0.05; done
+    "$beadreel" "$T/long.yaml" --only "$1" -o "$T/both" >"$T/out" 2>"$T/err"
+    status=$?
+    wait $pid || { cat "$T/first"; return 1; }
+    status_is 2 && one_line && says "another run" && [ "$(ls "$T/both")" = $'force.png\npeaks.csv\nrun.h5' ] || { ls "$T/both"; return 1; }
+    rm -r "$T/both"
+}
+for name in run.h5 peaks.csv force.png; do ok "two runs with the same $name" both $name; done
 killed_readable() { "$beadreel" --info "$T/kill/run.h5.part" >"$T/info" && grep -q 'stopped or killed' "$T/info"; }
 ok "SIGKILL: the .part can be read" killed_readable
 finish

@@ -1,0 +1,42 @@
+/* Claims of a session on the files it is going to write: of two runs with a file in common the second is refused as it begins. */
+#include "beadreel/file.h"
+#include "sim/session/session_data.h"
+
+/* A sweep's results: their unfinished file is a journal, which locks itself. */
+static bool locks_itself(const struct bead_made *m)
+{
+    return m->output->kind == BEAD_OUTPUT_SWEEP;
+}
+
+static enum bead_error claim(struct bead_made *m, struct bead_message *msg)
+{
+    if (locks_itself(m) || !(m->sink || (m->asked && m->sweep_type)))
+        return BEAD_OK;
+    enum bead_error err = bead_file_claim(m->path, &m->claims[0], msg);
+    uint64_t bytes;
+    const char *beside = m->sink && m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
+    if (!err && beside)
+        err = bead_file_claim(beside, &m->claims[1], msg);
+    return err;
+}
+
+enum bead_error bead_session_claim(struct bead_session *s, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; i < s->made_count && !err; i++)
+        err = claim(&s->made[i], msg);
+    if (err)
+        bead_session_release(s);
+    return err;
+}
+
+void bead_session_release(struct bead_session *s)
+{
+    for (size_t i = 0; s->made && i < s->made_count; i++) {
+        struct bead_made *m = &s->made[i];
+        for (int c = 0; c < 2; c++) {
+            bead_file_release(m->claims[c], c == 0 && m->part != NULL);
+            m->claims[c] = NULL;
+        }
+    }
+}
