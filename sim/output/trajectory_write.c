@@ -345,7 +345,10 @@ static enum bead_error trajectory_end(struct bead_sink *sink, const struct bead_
     if (err)
         return err;
     sink->finished = true; /* a failing commit removes the part itself */
-    return bead_file_commit(sink->part, sink->path, msg);
+    err = bead_file_commit(sink->part, sink->path, msg);
+    bead_file_release(sink->claim, false); /* HDF5 locks what it reads */
+    sink->claim = NULL;
+    return err;
 }
 
 static void trajectory_result(const struct bead_sink *sink, uint64_t *bytes, uint64_t *items)

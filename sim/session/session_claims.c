@@ -30,13 +30,16 @@ enum bead_error bead_session_claim(struct bead_session *s, struct bead_message *
     return err;
 }
 
+void bead_session_release_output(struct bead_made *m)
+{
+    for (int c = 0; c < 2; c++) {
+        bead_file_release(m->claims[c], c == 0 && m->part != NULL);
+        m->claims[c] = NULL;
+    }
+}
+
 void bead_session_release(struct bead_session *s)
 {
-    for (size_t i = 0; s->made && i < s->made_count; i++) {
-        struct bead_made *m = &s->made[i];
-        for (int c = 0; c < 2; c++) {
-            bead_file_release(m->claims[c], c == 0 && m->part != NULL);
-            m->claims[c] = NULL;
-        }
-    }
+    for (size_t i = 0; s->made && i < s->made_count; i++)
+        bead_session_release_output(&s->made[i]);
 }

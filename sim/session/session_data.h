@@ -54,6 +54,8 @@ struct bead_session {
 /* Claim the files of all outputs before any is touched. On failure none is claimed. Errors: USAGE (another run is writing one), IO,
  * MEMORY. */
 BEAD_CHECK enum bead_error bead_session_claim(struct bead_session *session, struct bead_message *msg);
+/* As soon as an output is finished others may read it, and HDF5 locks what it reads. */
+void bead_session_release_output(struct bead_made *made);
 /* What was claimed and not finished goes, but for what a stopped run keeps. */
 void bead_session_release(struct bead_session *session);
 

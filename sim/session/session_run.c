@@ -110,6 +110,7 @@ static enum bead_error finish(struct bead_session *s, struct bead_made *m, struc
     if (err)
         return err;
     add_result(s, m, m->path);
+    bead_session_release_output(m);
     uint64_t bytes = 0;
     const char *beside = m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
     if (beside && bytes > 0)
