@@ -1,0 +1,68 @@
+#!/bin/bash
+# Hash every result of the ready scenes, to compare two builds bit by bit: tests/bits.sh BUILD [SCENE...]
+# The first line names the libraries and the processor feature that results may depend on. Then, for each scene, come the hash of all
+# states of its chains and one line per file: the files that beadsim makes of the scene, and below all/ a trajectory and tables that
+# every scene is asked for. Long scenes are shortened: sweeps to a few configurations, equations to their first part.
+# Make the reference anew with `tests/bits.sh build >tests/reference/bits.txt`, and say in the commit why results changed.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+build=$(realpath "$1")
+shift
+export BEADREEL_ASSETS=${BEADREEL_ASSETS:-$PWD/assets}
+work=$(mktemp -d "${TMPDIR:-/tmp}/beadreel-bits.XXXXXX") || exit 1
+trap 'rm -rf "$work"' EXIT
+
+chain_outputs='{trajectory: run.h5}, {table: measures.csv, show: measures}'
+bead_outputs="$chain_outputs, {table: chain.csv, show: chain}, {table: peaks.csv, show: peaks}, {table: bead-peaks.csv, show: bead-peaks}"
+sweep_outputs='{sweep: sweep.h5}, {table: configurations.csv, show: configurations}'
+
+# shortened SCENE : leaves in `settings` what makes it short, and in `all` the outputs that every scene of its kind can have.
+shortened() {
+    local file=$BEADREEL_ASSETS/scenes/$1.yaml i
+    settings=() all=$bead_outputs
+    if grep -q '^ *equation:' "$file"; then all=$chain_outputs; fi
+    if grep -q '^sweeps*:' "$file"; then all=$sweep_outputs; fi
+    case $1 in
+    fput-kdv) settings=(simulate.until=200 'outputs.1.at=[0, 200]') ;;
+    zabusky-kruskal) settings=(simulate.until=1.2) ;;
+    thesis/fig8) settings=(simulate.until=4 'outputs.0.at=[0, 4]' 'outputs.1.at=[0, 4]') ;;
+    sweep) settings=(sweep.configurations=2) ;;
+    thesis/fig6) settings=(sweep.configurations=1) ;;
+    thesis/decay) settings=(sweep.configurations=2 'sweep.magnetism=[0.9]') ;;
+    thesis/fig7) for i in 0 1 2 3; do settings+=("sweeps.$i.configurations=2" "sweeps.$i.magnetism=[1, 0.5]"); done ;;
+    esac
+}
+
+# of_files SCENE DIRECTORY : one line a file.
+of_files() {
+    (cd "$2" && find . -type f | LC_ALL=C sort | xargs -r sha256sum) | while read -r hash file; do
+        echo "$1 ${file#./} ${hash:0:16}"
+    done
+}
+
+of_scene() {
+    local dir=$work/now states
+    shortened "$1"
+    mkdir "$dir" "$dir/all"
+    local set=()
+    for s in "${settings[@]}"; do set+=(--set "$s"); done
+    "$build/beadsim" "$1" -o "$dir" "${set[@]}" --progress=none >/dev/null 2>"$work/err" &&
+        states=$("$build/tests/examples/states" "$1" "$dir/all" "${settings[@]}" "outputs=[$all]" 2>"$work/err") || {
+        echo "$1 failed: $(head -n 1 "$work/err")"
+        rm -rf "$dir"
+        return 1
+    }
+    [ "$all" = "$sweep_outputs" ] || echo "$1 states $states"
+    of_files "$1" "$dir"
+    rm -rf "$dir"
+}
+
+# The C library's exp, pow and sin are others where the processor multiplies and adds at once.
+echo "# $(getconf GNU_LIBC_VERSION) $(grep -o -m 1 -w fma /proc/cpuinfo | head -n 1), $(ldd "$build/beadsim" | grep -o -m 1 'libhdf5_*[a-z]*[.]so[.][0-9]*' | head -n 1)"
+if [ $# -eq 0 ]; then
+    mapfile -t scenes < <(cd "$BEADREEL_ASSETS/scenes" && find . -name '*.yaml' | sed 's,^\./,,; s,\.yaml$,,' | LC_ALL=C sort)
+    set -- "${scenes[@]}"
+fi
+failed=0
+for scene; do of_scene "$scene" || failed=1; done
+exit "$failed"
