@@ -3,7 +3,7 @@
 #include "beadreel/movie.h"
 #include "beadreel/render.h"
 #include "beadreel/sweep.h"
-#include "beadreel/view.h"
+#include "beadreel/view_kind.h"
 #include "sim/cli/command_line.h"
 
 static enum bead_error list_colormaps(FILE *out, struct bead_message *msg)
@@ -25,11 +25,8 @@ static enum bead_error list_codecs(FILE *out, struct bead_message *msg)
 static enum bead_error list_views(FILE *out, struct bead_message *msg)
 {
     (void)msg;
-    for (int kind = 0; kind < BEAD_VIEW_KINDS; kind++) {
-        const struct bead_view_type *view = bead_view_find((enum bead_view_kind)kind);
-        if (view)
-            fprintf(out, "%-14s  %s\n", view->name, view->help);
-    }
+    for (size_t i = 0; i < BEAD_VIEW_KINDS; i++)
+        fprintf(out, "%-14s  %s\n", bead_view_infos[i].name, bead_view_infos[i].help);
     return BEAD_OK;
 }
 

@@ -177,9 +177,9 @@ static void compare_dirty_with_full(const struct bead_view_type *type, struct be
         require(type->draw(p.full, sample.time, &p.whole, &p.background, NULL, &msg), &msg);
         copy_changes(&p.copy, &p.frame, &changes);
         if (bead_frame_hash(&p.frame) != bead_frame_hash(&p.whole))
-            fail_msg("%s: frame %zu differs from the one drawn whole", type->name, i);
+            fail_msg("%s: frame %zu differs from the one drawn whole", type->info->name, i);
         if (bead_frame_hash(&p.frame) != bead_frame_hash(&p.copy))
-            fail_msg("%s: frame %zu has changes that were not told", type->name, i);
+            fail_msg("%s: frame %zu has changes that were not told", type->info->name, i);
         size_t area = 0;
         for (size_t k = 0; k < changes.count; k++)
             area += (size_t)changes.rect[k].width * (size_t)changes.rect[k].height;

@@ -13,7 +13,6 @@
 #include "pictures.h"
 #include "render/figure/figure_private.h"
 #include "render/figure/sheet_private.h"
-#include "render/view/view_beads.h"
 #include "sessions.h"
 
 static struct bead_sheet *make_sheet(struct built *built, const char *settings)
@@ -169,7 +168,7 @@ static void test_stills_mark_their_moment(void **state)
     }
     assert_int_equal(white, (int)sheet->look.line);
     assert_true(abs(first - plot->y - plot->height / 2) <= 2);
-    assert_true(tiles[0].plot.height <= bead_beads_most_height(&tiles[0].setup, tiles[0].plot.width));
+    assert_true(tiles[0].plot.height <= tiles[0].type->most_height(&tiles[0].setup, tiles[0].plot.width));
     assert_true(tiles[0].plot.height < plot->height / 2);
     free(png.rgb);
     release(&built, sheet);

@@ -8,7 +8,6 @@
 #include "beadreel/session.h"
 #include "beadreel/view.h"
 #include "render/view/horizon.h"
-#include "render/view/view_spacetime.h"
 
 /* ---- two runs ---- */
 
@@ -228,7 +227,7 @@ static struct bead_frame draw_view(const struct bead_chain *chain, bool trust, b
         if (i == 1000 || (parts > 0 && i % parts == 0))
             assert_int_equal(type->draw(view, t, &frame, &background, &changes, &msg), BEAD_OK);
     }
-    *horizon = trust ? bead_spacetime_horizon(view) : INFINITY;
+    *horizon = trust ? type->horizon(view) : INFINITY;
     type->destroy(view);
     bead_frame_free(&background);
     return frame;

@@ -18,6 +18,7 @@
 
 #include "beadreel/error.h"
 #include "beadreel/sample.h"
+#include "beadreel/view_kind.h"
 
 /* Where something stands in the scene's text, from 1; for messages `file:line:column: key: ...`. */
 struct bead_place {
@@ -189,15 +190,6 @@ enum bead_sampling { BEAD_SAMPLING_AREA, BEAD_SAMPLING_MAX };
 enum bead_quality { BEAD_QUALITY_DRAFT, BEAD_QUALITY_STANDARD, BEAD_QUALITY_HIGH, BEAD_QUALITY_LOSSLESS };
 enum bead_style { BEAD_STYLE_AUTO, BEAD_STYLE_PAPER, BEAD_STYLE_SLIDE, BEAD_STYLE_MOVIE };
 enum bead_theme { BEAD_THEME_AUTO, BEAD_THEME_LIGHT, BEAD_THEME_DARK };
-enum bead_view_kind {
-    BEAD_VIEW_BEADS,
-    BEAD_VIEW_PROFILE,
-    BEAD_VIEW_SPACETIME,
-    BEAD_VIEW_SENSORS,
-    BEAD_VIEW_MODES,
-    BEAD_VIEW_KINDS
-};
-
 enum bead_follow { BEAD_FOLLOW_ALL, BEAD_FOLLOW_FRONT };
 
 /* A text that a movie shows while something happens. */

@@ -1,4 +1,4 @@
-/* Views: each draws one aspect of one chain into a rectangle it is given, one const table a view.
+/* Views: each draws one aspect of one chain into a rectangle it is given, one const table a view. Names and traits: view_kind.h.
  *
  *   create -> place (rectangle) -> decorate (axes: once) -> feed (samples, in time order) and draw (contents at a time), repeated
  *
@@ -48,14 +48,12 @@ struct bead_view_setup {
 struct bead_view; /* each type's own */
 
 struct bead_view_type {
-    enum bead_view_kind kind;
-    const char *name, *help;
-    double height; /* wanted share of the picture's height, for layouts */
-    bool canvas;   /* draws with GL */
+    const struct bead_view_info *info;
     /* BEAD_FIELD_BITs it reads of samples. */
     unsigned (*fields)(const struct bead_view_setup *setup);
     enum bead_error (*create)(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg);
-    /* The plot rectangle (without axes) in device pixels; once, before anything is drawn. `canvas` NULL where !type->canvas. */
+    /* The plot rectangle (without axes) in device pixels; once, before anything is drawn. `canvas` is NULL without
+     * BEAD_DRAWS_ON_CANVAS. */
     enum bead_error (*place)(struct bead_view *view, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg);
     /* What never changes: frame, axes, labels, reaching out of the plot rectangle. */
     enum bead_error (*decorate)(struct bead_view *view, cairo_t *cr, struct bead_message *msg);
@@ -68,8 +66,30 @@ struct bead_view_type {
     /* The same contents into a vector file: curves as paths, rasters with nearest-neighbour filter. */
     enum bead_error (*vector)(struct bead_view *view, double time, cairo_t *cr, struct bead_message *msg);
     void (*destroy)(struct bead_view *view);
+
+    /* ---- for layouts; NULL where there is nothing to say ---- */
+
+    /* How far left and right of its plot rectangle the view draws, px. NULL: not at all. */
+    void (*margins)(const struct bead_look *look, int *left, int *right);
+    /* The view never needs more than this height in a plot of this width, px. NULL: it can use any. */
+    double (*most_height)(const struct bead_view_setup *setup, double width);
+
+    /* ---- with BEAD_SHOWS_ALL_TIMES: their range is known only after the last sample ---- */
+
+    /* Least and largest value seen, of pixels or curves; low > high where there was none. */
+    void (*extremes)(const struct bead_view *view, double *low, double *high);
+    /* Before decorate and draw. An image takes the colours, curves take `values` as the ends of their axis. */
+    void (*set_range)(struct bead_view *view, const struct bead_colours *colours, const double values[2]);
+    /* With trust: the first time at which what was drawn differs visibly from the comparison run; INFINITY: none. */
+    double (*horizon)(struct bead_view *view);
 };
 
+static inline bool bead_view_has(const struct bead_view_type *type, unsigned trait)
+{
+    return (type->info->traits & trait) != 0;
+}
+
+/* Never NULL for a kind below BEAD_VIEW_KINDS. */
 BEAD_API const struct bead_view_type *bead_view_find(enum bead_view_kind kind);
 
 #endif

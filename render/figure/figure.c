@@ -10,7 +10,7 @@
 
 bool bead_tile_collects(const struct bead_tile *panel)
 {
-    return panel->type->kind == BEAD_VIEW_SPACETIME || panel->type->kind == BEAD_VIEW_SENSORS;
+    return bead_view_has(panel->type, BEAD_SHOWS_ALL_TIMES);
 }
 
 void bead_figure_destroy(struct bead_figure *f)
@@ -52,16 +52,14 @@ static bool is_shown(const struct bead_figure *f, size_t chain, const enum bead_
     if (f->set.chain != SIZE_MAX && f->set.chain != chain)
         return false;
     (void)bead_chain_sensors(f->context.chains[chain], &sensors);
-    return sensors > 0 || view_count != 1 || views[0] != BEAD_VIEW_SENSORS;
+    return sensors > 0 || view_count != 1 || !bead_views_any(views, 1, BEAD_SHOWS_SENSORS);
 }
 
 static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, const enum bead_view_kind *views, double magnify,
                                  struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
-    bool moments = false;
-    for (size_t v = 0; v < f->view_count; v++)
-        moments = moments || (views[v] != BEAD_VIEW_SPACETIME && views[v] != BEAD_VIEW_SENSORS);
+    bool moments = !bead_views_all(views, f->view_count, BEAD_SHOWS_ALL_TIMES);
     for (size_t v = 0; !err && v < f->view_count; v++) {
         struct bead_tile *panel = &cell->panel[v];
         panel->type = bead_view_find(views[v]);
@@ -82,9 +80,9 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
                                                 .magnify = magnify,
                                                 .trust = f->output->trust};
         err = find_span(f, cell->chain, &panel->setup.beads, msg);
-        f->coloured = f->coloured || views[v] == BEAD_VIEW_SPACETIME || views[v] == BEAD_VIEW_BEADS;
-        f->collects = f->collects || bead_tile_collects(panel);
     }
+    f->coloured = bead_views_any(views, f->view_count, BEAD_SHOWS_COLOURS);
+    f->collects = bead_views_any(views, f->view_count, BEAD_SHOWS_ALL_TIMES);
     f->stills = f->stills || moments;
     return err;
 }
@@ -120,7 +118,8 @@ enum bead_error bead_figure_views(struct bead_figure *f, bool collecting, struct
                 continue;
             err = panel->type->create(&panel->setup, &panel->view, msg);
             if (!err)
-                err = panel->type->place(panel->view, panel->plot, panel->type->canvas ? canvas : NULL, msg);
+                err = panel->type->place(panel->view, panel->plot, bead_view_has(panel->type, BEAD_DRAWS_ON_CANVAS) ? canvas : NULL,
+                                         msg);
         }
     }
     return err;
@@ -131,7 +130,7 @@ static double time_pixels(const struct bead_figure *f)
 {
     for (size_t v = 0; v < f->view_count; v++) {
         const struct bead_tile *panel = &f->cells[0].panel[v];
-        if (panel->type->kind == BEAD_VIEW_SPACETIME)
+        if (bead_view_has(panel->type, BEAD_SHOWS_IMAGE))
             return panel->setup.time_down ? panel->plot.height : panel->plot.width;
     }
     return 2000;
@@ -277,7 +276,7 @@ static struct bead_span all_beads(const struct bead_figure *f)
             const struct bead_tile *panel = &f->cells[c].panel[v];
             size_t count = 0;
             const struct bead_sensor *sensors = bead_chain_sensors(panel->setup.chain, &count);
-            bool plotted = panel->type->kind == BEAD_VIEW_SENSORS;
+            bool plotted = bead_view_has(panel->type, BEAD_SHOWS_SENSORS);
             for (size_t s = 0; plotted && s < count; s++) {
                 all.first = sensors[s].bead < all.first ? sensors[s].bead : all.first;
                 all.last = sensors[s].bead > all.last ? sensors[s].bead : all.last;

@@ -212,7 +212,7 @@ static void moment_words(const struct bead_figure *f, char *markup, size_t size)
     snprintf(markup, size, BEAD_SYMBOL("t") " = %s", time);
     for (size_t v = 0; v < f->view_count; v++) {
         const struct bead_tile *panel = &f->cells[0].panel[v];
-        if (panel->type->kind != BEAD_VIEW_BEADS)
+        if (!bead_view_has(panel->type, BEAD_SHOWS_BEADS))
             continue;
         bead_round_number(panel->setup.magnify, magnify, sizeof magnify);
         size_t used = strlen(markup);
@@ -258,7 +258,7 @@ void bead_figure_bar_title(const struct bead_figure *f, char *title, size_t size
     const char *name = bead_chain_field(f->context.chains[0], f->output->field)->title;
     bool largest = false;
     for (size_t v = 0; v < f->view_count; v++)
-        largest = largest || f->cells[0].panel[v].type->kind == BEAD_VIEW_SPACETIME;
+        largest = largest || bead_view_has(f->cells[0].panel[v].type, BEAD_SHOWS_IMAGE);
     largest = largest && f->output->sampling == BEAD_SAMPLING_MAX;
     snprintf(title, size, largest ? "largest %s" : "%s", name);
 }

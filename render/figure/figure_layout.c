@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "render/figure/figure_private.h"
-#include "render/view/view_beads.h"
 
 /* Lengths in units of the label's font size. */
 static const double between_columns = 1.3, between_rows = 0.9, between_views = 0.55;
@@ -49,7 +48,7 @@ static const double ranges[] = {888, 630, 310};
 static enum bead_error measure(const struct bead_figure *f, const struct bead_tile *panel, int width, int height,
                                struct reach *reach, struct bead_message *msg)
 {
-    bool unknown = panel->type->kind != BEAD_VIEW_SPACETIME && panel->type->kind != BEAD_VIEW_BEADS && isnan(f->output->range[1]);
+    bool unknown = !bead_view_has(panel->type, BEAD_SHOWS_COLOURS) && isnan(f->output->range[1]);
     cairo_surface_t *surface = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
     cairo_t *cr = cairo_create(surface);
     enum bead_error err = BEAD_OK;
@@ -68,8 +67,8 @@ static enum bead_error measure(const struct bead_figure *f, const struct bead_ti
     cairo_destroy(cr);
     cairo_surface_destroy(surface);
     int left = 0, right = 0;
-    if (panel->type->kind == BEAD_VIEW_BEADS && panel->setup.axes)
-        bead_beads_margins(panel->setup.look, &left, &right);
+    if (panel->type->margins && panel->setup.axes)
+        panel->type->margins(panel->setup.look, &left, &right);
     *reach = (struct reach){left, 0, right, 0};
     if (w > 0 && h > 0)
         *reach = largest(*reach, (struct reach){FAR - x, FAR - y, x + w - FAR - width, y + h - FAR - height});
@@ -180,17 +179,18 @@ static enum bead_error too_small(const struct bead_figure *f, struct bead_messag
 
 static double share_of(const struct bead_figure *f, size_t view)
 {
-    return f->cells[0].panel[view].type->height;
+    return f->cells[0].panel[view].type->info->still_share;
 }
 
 /* What a view can make use of, px. */
 static double most_height(const struct bead_figure *f, const struct plan *plan, size_t view)
 {
     double most = 0;
-    if (f->view_count == 1 || f->cells[0].panel[view].type->kind != BEAD_VIEW_BEADS || f->cells[0].panel[view].setup.camera)
+    const struct bead_view_type *type = f->cells[0].panel[view].type;
+    if (f->view_count == 1 || !type->most_height)
         return INFINITY;
     for (size_t c = 0; c < f->cell_count; c++)
-        most = larger(most, bead_beads_most_height(&f->cells[c].panel[view].setup, plan->width));
+        most = larger(most, type->most_height(&f->cells[c].panel[view].setup, plan->width));
     return most;
 }
 
@@ -343,15 +343,10 @@ static enum bead_error settle(struct bead_figure *f, struct plan *plan, struct b
     return err;
 }
 
-static bool only_beads(const struct bead_figure *f)
-{
-    return f->view_count == 1 && f->cells[0].panel[0].type->kind == BEAD_VIEW_BEADS;
-}
-
 /* Columns and rows of chains whose plots have the best shape. */
 static void choose_grid(struct bead_figure *f)
 {
-    double em = f->look.label, best = INFINITY, wanted = f->view_count > 1 ? 1.9 : only_beads(f) ? 8 : 1.35;
+    double em = f->look.label, best = INFINITY, wanted = f->view_count > 1 ? 1.9 : f->cells[0].panel[0].type->info->shape;
     for (size_t columns = 1; columns <= f->cell_count; columns++) {
         size_t rows = (f->cell_count + columns - 1) / columns;
         double width = (f->area.width - 10 * em) / (double)columns - 2 * em;
@@ -381,13 +376,11 @@ static bool same_beads(const struct bead_figure *f)
     return true;
 }
 
-enum across { ACROSS_BEADS, ACROSS_TIME };
-
 /* What a panel's horizontal axis counts. */
-static enum across across(const struct bead_tile *panel)
+static enum bead_view_across across(const struct bead_tile *panel)
 {
-    bool time = panel->type->kind == BEAD_VIEW_SENSORS || (panel->type->kind == BEAD_VIEW_SPACETIME && !panel->setup.time_down);
-    return time ? ACROSS_TIME : ACROSS_BEADS;
+    bool time = bead_view_has(panel->type, BEAD_SHOWS_IMAGE) && !panel->setup.time_down;
+    return time ? BEAD_ACROSS_TIME : panel->type->info->across;
 }
 
 /* An axis is labelled where nothing below (or to the left) labels the same. */
@@ -399,13 +392,13 @@ static void share_axes(struct bead_figure *f)
         bool lowest = c + f->columns >= f->cell_count;
         for (size_t v = 0; v < f->view_count; v++) {
             struct bead_tile *panel = &cell->panel[v];
-            bool beads = across(panel) == ACROSS_BEADS, last = v + 1 == f->view_count || across(panel + 1) != across(panel);
+            bool beads = across(panel) == BEAD_ACROSS_CHAIN, last = v + 1 == f->view_count || across(panel + 1) != across(panel);
             bool lowest_of_all = lowest || f->view_count > 1;
             panel->setup.time_shared = !beads && !(last && lowest_of_all);
             panel->setup.bead_labels = beads ? last && (lowest || !same) : cell->column == 0 || !same;
             if (f->set.no_across && last && v + 1 == f->view_count)
                 *(beads ? &panel->setup.bead_labels : &panel->setup.time_shared) = !beads;
-            if (f->set.no_upwards && panel->type->kind == BEAD_VIEW_SPACETIME)
+            if (f->set.no_upwards && bead_view_has(panel->type, BEAD_SHOWS_IMAGE))
                 *(beads ? &panel->setup.time_shared : &panel->setup.bead_labels) = beads;
         }
     }
@@ -414,9 +407,9 @@ static void share_axes(struct bead_figure *f)
 struct bead_axis_kind bead_figure_axis(const struct bead_figure *f, bool upright)
 {
     const struct bead_tile *tile = &f->cells[0].panel[f->view_count - 1];
-    bool beads = (across(tile) == ACROSS_BEADS) != upright, contacts = bead_field_info(f->output->field)->of_contacts;
+    bool beads = (across(tile) == BEAD_ACROSS_CHAIN) != upright, contacts = bead_field_info(f->output->field)->of_contacts;
     const struct bead_span *span = &tile->setup.beads;
-    if ((beads && !same_beads(f)) || (upright && (f->view_count > 1 || tile->type->kind != BEAD_VIEW_SPACETIME)))
+    if ((beads && !same_beads(f)) || (upright && (f->view_count > 1 || !bead_view_has(tile->type, BEAD_SHOWS_IMAGE))))
         return (struct bead_axis_kind){NULL, 0, 0};
     if (beads)
         return (struct bead_axis_kind){contacts ? "contact" : "bead", (double)span->first, (double)span->last};

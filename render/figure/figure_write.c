@@ -4,8 +4,6 @@
 #include "beadreel/canvas.h"
 #include "render/draw/raster.h"
 #include "render/figure/figure_private.h"
-#include "render/view/view_sensors.h"
-#include "render/view/view_spacetime.h"
 
 static void widen(double low, double high, double all[2])
 {
@@ -22,14 +20,12 @@ void bead_figure_extremes(const struct bead_figure *f, double colours[2], double
         const struct bead_cell *cell = &f->cells[c];
         for (size_t v = 0; v < f->view_count; v++) {
             const struct bead_tile *panel = &cell->panel[v];
-            if (panel->type->kind == BEAD_VIEW_SPACETIME) {
-                bead_spacetime_extremes(panel->view, &low, &high);
-                widen(low, high, colours);
-                images = images || low <= high;
-            } else if (panel->type->kind == BEAD_VIEW_SENSORS) {
-                bead_sensors_extremes(panel->view, &low, &high);
-                widen(low, high, sensors);
-            }
+            bool coloured = bead_view_has(panel->type, BEAD_SHOWS_COLOURS);
+            if (!panel->type->extremes)
+                continue;
+            panel->type->extremes(panel->view, &low, &high);
+            widen(low, high, coloured ? colours : sensors);
+            images = images || (coloured && low <= high);
         }
         const double *values = cell->moments ? cell->moment[1].field[f->output->field] : NULL;
         const struct bead_span *span = &cell->panel[0].setup.beads;
@@ -49,10 +45,8 @@ void bead_figure_set_range(struct bead_figure *f, const double colours[2], const
         for (size_t v = 0; v < f->view_count; v++) {
             struct bead_tile *panel = &f->cells[c].panel[v];
             panel->setup.colours = f->colours;
-            if (panel->type->kind == BEAD_VIEW_SPACETIME)
-                bead_spacetime_recolour(panel->view, &f->colours);
-            else if (panel->type->kind == BEAD_VIEW_SENSORS)
-                bead_sensors_set_range(panel->view, sensors[0], sensors[1]);
+            if (panel->type->set_range)
+                panel->type->set_range(panel->view, &f->colours, sensors);
         }
     }
 }
@@ -65,10 +59,8 @@ static void find_horizons(struct bead_figure *f)
         cell->horizon = INFINITY;
         for (size_t v = 0; f->output->trust && v < f->view_count; v++) {
             struct bead_tile *panel = &cell->panel[v];
-            if (panel->type->kind == BEAD_VIEW_SPACETIME)
-                cell->horizon = fmin(cell->horizon, bead_spacetime_horizon(panel->view));
-            else if (panel->type->kind == BEAD_VIEW_SENSORS)
-                cell->horizon = fmin(cell->horizon, bead_sensors_horizon(panel->view));
+            if (panel->type->horizon)
+                cell->horizon = fmin(cell->horizon, panel->type->horizon(panel->view));
         }
     }
 }
@@ -139,7 +131,7 @@ static enum bead_error draw_frame(void *context, struct bead_frame *frame, struc
 bool bead_figure_needs_canvas(const struct bead_figure *f)
 {
     for (size_t v = 0; v < f->view_count; v++) {
-        if (f->cells[0].panel[v].type->canvas)
+        if (bead_view_has(f->cells[0].panel[v].type, BEAD_DRAWS_ON_CANVAS))
             return !f->page.vector;
     }
     return false;
@@ -178,9 +170,10 @@ void bead_figure_release_canvas(struct bead_figure *f)
     for (size_t c = 0; c < f->cell_count; c++) {
         for (size_t v = 0; v < f->view_count; v++) {
             struct bead_tile *panel = &f->cells[c].panel[v];
-            if (panel->type->canvas && panel->view)
-                panel->type->destroy(panel->view);
-            panel->view = panel->type->canvas ? NULL : panel->view;
+            if (!bead_view_has(panel->type, BEAD_DRAWS_ON_CANVAS) || !panel->view)
+                continue;
+            panel->type->destroy(panel->view);
+            panel->view = NULL;
         }
     }
 }

@@ -38,7 +38,7 @@ static void destroy(struct bead_sink *sink)
 static enum bead_error create_content(struct bead_sink *s, struct bead_message *msg)
 {
     const struct bead_output *output = s->output;
-    bool bare = !output->axes && output->view_count == 1 && output->views[0] == BEAD_VIEW_SPACETIME;
+    bool bare = !output->axes && output->view_count == 1 && bead_views_any(output->views, 1, BEAD_SHOWS_IMAGE);
     if (bead_sheet_wanted(output))
         return bead_sheet_create(output, &s->context, &s->sheet, msg);
     if (output->kind == BEAD_OUTPUT_PLOT && bead_schematic_is(output->show))

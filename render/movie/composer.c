@@ -10,35 +10,33 @@
 #include "render/movie/movie_card.h"
 #include "render/view/camera.h"
 #include "render/view/magnify.h"
-#include "render/view/view_beads.h"
 
-unsigned bead_composer_fields(const struct bead_output *output, const struct bead_chain *chain)
+/* Of views that show all times, or of all views. */
+static unsigned fields_of(const struct bead_output *output, const struct bead_chain *chain, bool all_times)
 {
-    struct bead_view_setup setup = {.chain = chain, .field = output->field};
+    const struct bead_view_setup setup = {.chain = chain, .field = output->field, .fill = true};
     unsigned fields = 0;
     for (size_t i = 0; i < output->view_count; i++) {
         const struct bead_view_type *type = bead_view_find(output->views[i]);
-        fields |= type ? type->fields(&setup) : 0;
-    }
-    return fields | (output->follow == BEAD_FOLLOW_FRONT ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0);
-}
-
-unsigned bead_composer_comparison(const struct bead_output *output)
-{
-    unsigned fields = 0;
-    for (size_t i = 0; output->trust && i < output->view_count; i++) {
-        fields |= output->views[i] == BEAD_VIEW_SPACETIME ? BEAD_FIELD_BIT(output->field) : 0;
-        fields |= output->views[i] == BEAD_VIEW_SENSORS ? BEAD_FIELD_BIT(BEAD_FIELD_FORCE) : 0;
+        fields |= type && (!all_times || bead_view_has(type, BEAD_SHOWS_ALL_TIMES)) ? type->fields(&setup) : 0;
     }
     return fields;
 }
 
+unsigned bead_composer_fields(const struct bead_output *output, const struct bead_chain *chain)
+{
+    unsigned fields = fields_of(output, chain, false);
+    return fields | (output->follow == BEAD_FOLLOW_FRONT ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0);
+}
+
+unsigned bead_composer_comparison(const struct bead_output *output, const struct bead_chain *chain)
+{
+    return output->trust ? fields_of(output, chain, true) : 0;
+}
+
 bool bead_composer_averages(const struct bead_output *output)
 {
-    bool averages = false;
-    for (size_t i = 0; i < output->view_count; i++)
-        averages = averages || output->views[i] == BEAD_VIEW_SPACETIME || output->views[i] == BEAD_VIEW_SENSORS;
-    return averages;
+    return bead_views_any(output->views, output->view_count, BEAD_SHOWS_ALL_TIMES);
 }
 
 static struct bead_view **view_at(const struct bead_composer *c, size_t chain, size_t view)
@@ -148,9 +146,7 @@ static enum bead_error fill_wants(struct bead_composer *c, struct bead_message *
     }
     if (w->view_count == 0)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: views: at least one is needed", output->path);
-    w->colourless = true;
-    for (size_t i = 0; i < w->view_count; i++)
-        w->colourless = w->colourless && w->views[i]->kind != BEAD_VIEW_BEADS && w->views[i]->kind != BEAD_VIEW_SPACETIME;
+    w->colourless = !bead_views_any(output->views, output->view_count, BEAD_SHOWS_COLOURS);
     for (size_t i = 0; i < w->chain_count; i++) {
         size_t sensors;
         (void)bead_chain_sensors(c->setup.chains[i], &sensors);
@@ -170,8 +166,7 @@ static enum bead_error create_views(struct bead_composer *c, struct bead_message
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++) {
         size_t chain = i / c->wants.view_count, view = i % c->wants.view_count;
-        const enum bead_view_kind kind = c->wants.views[view]->kind;
-        bool sensors = kind == BEAD_VIEW_SENSORS, labels = c->layout.chains[chain].labels[view];
+        bool time = c->wants.views[view]->info->across == BEAD_ACROSS_TIME, labels = c->layout.chains[chain].labels[view];
         struct bead_view_setup setup = {.chain = c->setup.chains[chain],
                                         .chain_index = chain,
                                         .field = output->field,
@@ -181,9 +176,9 @@ static enum bead_error create_views(struct bead_composer *c, struct bead_message
                                         .look = &c->look,
                                         .axes = c->layout.axes,
                                         .ticks_only = c->layout.ticks_only,
-                                        .bead_labels = labels && !sensors,
+                                        .bead_labels = labels && !time,
                                         .time_down = true,
-                                        .time_shared = sensors && !labels,
+                                        .time_shared = time && !labels,
                                         .fill = true,
                                         .magnify = c->magnify,
                                         .camera = c->cameras ? c->cameras[chain] : NULL,
@@ -243,17 +238,20 @@ enum bead_error bead_composer_create(const struct bead_composer_setup *setup, st
 /* As large as the largest rectangle that is drawn with it. */
 static enum bead_error create_canvas(struct bead_composer *c, struct bead_message *msg)
 {
-    int left, right, width = 0, height = 0;
-    bead_beads_margins(&c->look, &left, &right);
+    int width = 0, height = 0;
     for (size_t i = 0; i < c->wants.chain_count * c->wants.view_count; i++) {
         size_t view = i % c->wants.view_count;
         const struct bead_rect *plot = &c->layout.chains[i / c->wants.view_count].plot[view];
-        if (!c->wants.views[view]->canvas)
+        const struct bead_view_type *type = c->wants.views[view];
+        int left = 0, right = 0;
+        if (!bead_view_has(type, BEAD_DRAWS_ON_CANVAS))
             continue;
-        width = plot->width > width ? plot->width : width;
+        if (type->margins)
+            type->margins(&c->look, &left, &right);
+        width = left + plot->width + right > width ? left + plot->width + right : width;
         height = plot->height > height ? plot->height : height;
     }
-    return width ? bead_canvas_create(c->setup.canvas, width + left + right, height, &c->canvas, msg) : BEAD_OK;
+    return width ? bead_canvas_create(c->setup.canvas, width, height, &c->canvas, msg) : BEAD_OK;
 }
 
 static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, struct bead_message *msg)
@@ -262,7 +260,8 @@ static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, stru
     for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++) {
         size_t chain = i / c->wants.view_count, view = i % c->wants.view_count;
         const struct bead_view_type *type = c->wants.views[view];
-        err = type->place(c->views[i], c->layout.chains[chain].plot[view], type->canvas ? c->canvas : NULL, msg);
+        err = type->place(c->views[i], c->layout.chains[chain].plot[view],
+                          bead_view_has(type, BEAD_DRAWS_ON_CANVAS) ? c->canvas : NULL, msg);
         cairo_save(cr);
         if (!err && type->decorate)
             err = type->decorate(c->views[i], cr, msg);
@@ -273,9 +272,7 @@ static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, stru
 
 static struct bead_facts facts_of(const struct bead_composer *c)
 {
-    bool beads = false;
-    for (size_t i = 0; i < c->wants.view_count; i++)
-        beads = beads || c->wants.views[i]->kind == BEAD_VIEW_BEADS;
+    bool beads = bead_views_any(c->setup.output->views, c->setup.output->view_count, BEAD_SHOWS_BEADS);
     return (struct bead_facts){
         .slowed = c->slowed, .magnify = beads ? c->magnify : 0, .chains = c->setup.chains, .chain_count = c->setup.chain_count};
 }

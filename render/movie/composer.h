@@ -30,7 +30,7 @@ struct bead_composer_setup {
 /* BEAD_FIELD_BITs that the views of an output need. */
 unsigned bead_composer_fields(const struct bead_output *output, const struct bead_chain *chain);
 /* Those that it needs of the comparison run as well: 0 without trust. */
-unsigned bead_composer_comparison(const struct bead_output *output);
+unsigned bead_composer_comparison(const struct bead_output *output, const struct bead_chain *chain);
 /* Does an output want samples closer than its frames? */
 bool bead_composer_averages(const struct bead_output *output);
 

@@ -22,7 +22,7 @@ static double window_room(const struct bead_composer *c, double width, double la
         const struct bead_rect *plot = &c->layout.chains[0].plot[v];
         bool named = c->wants.sensors || c->layout.chains[0].labels[v];
         double names = named && plot->height > 2.6 * c->look.tick ? 1.35 * c->look.tick : 0;
-        if (c->wants.views[v]->kind == BEAD_VIEW_BEADS)
+        if (bead_view_has(c->wants.views[v], BEAD_SHOWS_BEADS))
             room = fmin(room, floor(0.9 * (plot->height - names) * width / (2 * largest)));
     }
     return room;
@@ -34,8 +34,7 @@ static void narrow_moving(struct bead_composer *c, double room)
     for (size_t i = 0; i < c->wants.chain_count * c->wants.view_count; i++) {
         size_t view = i % c->wants.view_count;
         struct bead_rect *plot = &c->layout.chains[i / c->wants.view_count].plot[view];
-        enum bead_view_kind kind = c->wants.views[view]->kind;
-        if (kind == BEAD_VIEW_BEADS || kind == BEAD_VIEW_PROFILE)
+        if (bead_view_has(c->wants.views[view], BEAD_FOLLOWS_FRONT))
             plot->width = (int)fmin(plot->width, fmax(room, 1));
     }
 }

@@ -3,8 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "render/view/view_beads.h"
-
 /* What is left out, one after the other, until the rest has room. */
 enum level { EVERYTHING, NO_WORDS, FEW_LABELS, TIGHT, NO_HEADINGS, NO_AXES, VIEWS_ONLY, LEVELS };
 
@@ -26,11 +24,22 @@ static int whole(double x)
     return (int)ceil(x);
 }
 
+/* Axes and what views draw beside their plots. */
+static double left_of_plots(const struct bead_movie_wants *w)
+{
+    double most = w->left;
+    for (size_t i = 0; i < w->view_count; i++) {
+        int left = 0, right = 0;
+        if (w->views[i]->margins)
+            w->views[i]->margins(w->look, &left, &right);
+        most = fmax(most, left);
+    }
+    return most;
+}
+
 static struct measures measure(const struct bead_movie_wants *w, enum level level)
 {
     const struct bead_look *look = w->look;
-    int beads_left, beads_right;
-    bead_beads_margins(look, &beads_left, &beads_right);
     struct measures m = {
         .level = level, .axes = w->axes && level < NO_AXES, .headings = w->axes && w->headings && level < NO_HEADINGS};
     /* Half a label stands out at the ends of vertical axes; plots that are set tight have none. */
@@ -52,8 +61,7 @@ static struct measures measure(const struct bead_movie_wants *w, enum level leve
         m.top += whole(0.5 * look->gap);
     m.left = m.right = m.margin;
     if (m.axes) {
-        double left = fmax(w->left, beads_left);
-        m.left += whole(left);
+        m.left += whole(left_of_plots(w));
         m.bar_gap = whole(1.8 * look->gap);
         m.bar_width = whole(1.3 * look->gap);
         m.right += w->colourless ? 0 : m.bar_gap + m.bar_width + whole(w->bar);
@@ -67,13 +75,17 @@ static struct measures measure(const struct bead_movie_wants *w, enum level leve
 
 static bool moves(const struct bead_movie_wants *w, size_t view)
 {
-    return w->follow && (w->views[view]->kind == BEAD_VIEW_PROFILE || w->views[view]->kind == BEAD_VIEW_BEADS);
+    return w->follow && bead_view_has(w->views[view], BEAD_FOLLOWS_FRONT);
+}
+
+static bool shows_beads(const struct bead_movie_wants *w, size_t view)
+{
+    return bead_view_has(w->views[view], BEAD_SHOWS_BEADS);
 }
 
 static bool has_bead_axis(const struct bead_movie_wants *w, size_t view)
 {
-    enum bead_view_kind kind = w->views[view]->kind;
-    return !moves(w, view) && (kind == BEAD_VIEW_PROFILE || kind == BEAD_VIEW_SPACETIME);
+    return !moves(w, view) && !shows_beads(w, view) && w->views[view]->info->across == BEAD_ACROSS_CHAIN;
 }
 
 /* Of the views that move, the last has the numbers. */
@@ -94,55 +106,44 @@ static bool labels_beads(const struct bead_movie_wants *w, size_t view)
             best = i;
     }
     for (size_t i = 0; best == w->view_count && i < w->view_count; i++)
-        best = w->views[i]->kind == BEAD_VIEW_BEADS ? i : best;
+        best = shows_beads(w, i) ? i : best;
     return view == best;
 }
 
 static bool labelled(const struct bead_movie_wants *w, const struct measures *m, size_t chain, size_t view)
 {
-    const struct bead_view_type *type = w->views[view];
     bool lowest = chain + 1 == w->chain_count;
     if (!m->axes)
         return false;
-    if (type->kind == BEAD_VIEW_SENSORS || type->kind == BEAD_VIEW_MODES)
+    if (w->views[view]->info->across != BEAD_ACROSS_CHAIN)
         return lowest;
     if (moves(w, view))
         return labels_window(w, view) && m->level < FEW_LABELS;
     bool one_for_all = w->same_beads ? lowest : m->level < FEW_LABELS;
-    return labels_beads(w, view) && (one_for_all || type->kind == BEAD_VIEW_BEADS);
+    return labels_beads(w, view) && (one_for_all || shows_beads(w, view));
 }
 
 static int below(const struct bead_movie_wants *w, const struct measures *m, size_t chain, size_t view)
 {
-    if (!labelled(w, m, chain, view) || w->views[view]->kind == BEAD_VIEW_BEADS)
+    if (!labelled(w, m, chain, view) || shows_beads(w, view))
         return 0;
     if (moves(w, view))
         return whole(w->below_moving);
-    return whole(w->views[view]->kind == BEAD_VIEW_SENSORS ? w->below_time : w->below_beads);
+    return whole(w->views[view]->info->across == BEAD_ACROSS_TIME ? w->below_time : w->below_beads);
 }
-
-/* Of a movie's height; and the most that is good for a view, in widths of the plots. */
-static const struct {
-    double share, most;
-} heights_of[BEAD_VIEW_KINDS] = {[BEAD_VIEW_BEADS] = {1.45, 0.135},
-                                 [BEAD_VIEW_PROFILE] = {0.8, 0.25},
-                                 [BEAD_VIEW_SPACETIME] = {1.25, 2},
-                                 [BEAD_VIEW_SENSORS] = {1.2, 0.5},
-                                 [BEAD_VIEW_MODES] = {1, 0.3}};
 
 /* Rows that go with the front show large beads: as high as these ask, if there is room. */
 static double share_of(const struct bead_movie_wants *w, size_t view)
 {
-    enum bead_view_kind kind = w->views[view]->kind;
-    return (moves(w, view) && kind == BEAD_VIEW_BEADS ? 1.5 : 1) * heights_of[kind].share;
+    return (moves(w, view) && shows_beads(w, view) ? 1.5 : 1) * w->views[view]->info->movie_share;
 }
 
 static int most_height(const struct bead_movie_wants *w, const struct measures *m, size_t view)
 {
-    if (moves(w, view) && w->views[view]->kind == BEAD_VIEW_BEADS)
+    if (moves(w, view) && shows_beads(w, view))
         return whole((w->sensors || labels_window(w, view) ? 1.35 * w->look->tick : 0) +
                      fmax(1.3 * w->bead_height, w->bead_height + w->look->gap));
-    return whole(heights_of[w->views[view]->kind].most * m->width);
+    return whole(w->views[view]->info->movie_most * m->width);
 }
 
 /* Heights of one chain's views from what there is: by their shares, but no more than is good for them. */

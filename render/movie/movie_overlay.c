@@ -6,8 +6,6 @@
 #include "render/movie/captions.h"
 #include "render/movie/composer_private.h"
 #include "render/view/trust_words.h"
-#include "render/view/view_sensors.h"
-#include "render/view/view_spacetime.h"
 
 void bead_overlay_draw_bar(struct bead_composer *c, cairo_t *cr)
 {
@@ -68,10 +66,8 @@ static struct bead_trust find_trust(const struct bead_composer *c)
     trust.from = c->setup.time[0];
     trust.bold = true;
     for (size_t i = 0; i < c->wants.chain_count * c->wants.view_count; i++) {
-        enum bead_view_kind kind = c->wants.views[i % c->wants.view_count]->kind;
-        double horizon = kind == BEAD_VIEW_SPACETIME ? bead_spacetime_horizon(c->views[i])
-                         : kind == BEAD_VIEW_SENSORS ? bead_sensors_horizon(c->views[i])
-                                                     : INFINITY;
+        const struct bead_view_type *type = c->wants.views[i % c->wants.view_count];
+        double horizon = type->horizon ? type->horizon(c->views[i]) : INFINITY;
         if (horizon < trust.until) {
             trust.until = horizon;
             trust.chain = c->wants.chain_count > 1 ? bead_chain_name(c->setup.chains[i / c->wants.view_count]) : "";

@@ -139,7 +139,7 @@ static enum bead_error prepare(struct bead_sink *s, struct bead_message *msg)
     settings = settings_of(s);
     err = bead_movie_check(s->output->path, &settings, msg);
     s->fields = bead_composer_fields(s->output, s->context.chains[0]);
-    s->comparison = bead_composer_comparison(s->output);
+    s->comparison = bead_composer_comparison(s->output, s->context.chains[0]);
     for (size_t c = 0; c < s->context.chain_count; c++) {
         size_t last = bead_chain_beads(s->context.chains[c]) - 1;
         s->last_bead = last > s->last_bead ? last : s->last_bead;

@@ -87,5 +87,9 @@ void bead_beads_strip(struct bead_view *v, struct bead_frame *frame, const struc
 BEAD_CHECK enum bead_error bead_beads_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg);
 /* Everything composed, as paths. */
 void bead_beads_vector(struct bead_view *v, cairo_t *cr);
+/* How far left and right of its plot rectangle the view draws (the striker flying back; the wall), px. */
+void bead_beads_margins(const struct bead_look *look, int *left, int *right);
+/* Rows of beads and their lens are never higher than this in a plot of this width, px: more is wasted. */
+double bead_beads_most_height(const struct bead_view_setup *setup, double width);
 
 #endif

@@ -5,7 +5,6 @@
 
 #include "render/draw/chain_axis.h"
 #include "render/view/beads.h"
-#include "render/view/view_beads.h"
 
 /* Rows of smaller beads are drawn as a strip, px of diameter. */
 static const double strip_below = 3;

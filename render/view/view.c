@@ -1,14 +1,13 @@
+/* Finds the functions that draw a view: one row for each row of the table of kinds. */
 #include "render/view/views.h"
 
-static const struct bead_view_type *const views[] = {
-    &bead_view_beads_type, &bead_view_profile_type, &bead_view_spacetime_type, &bead_view_sensors_type, &bead_view_modes_type, NULL,
+static const struct bead_view_type *const views[BEAD_VIEW_KINDS] = {
+#define ROW(ID, name, ...) [BEAD_VIEW_##ID] = &bead_view_##name##_type,
+    BEAD_VIEWS(ROW)
+#undef ROW
 };
 
 const struct bead_view_type *bead_view_find(enum bead_view_kind kind)
 {
-    for (const struct bead_view_type *const *view = views; *view; view++) {
-        if ((*view)->kind == kind)
-            return *view;
-    }
-    return NULL;
+    return (unsigned)kind < BEAD_VIEW_KINDS ? views[kind] : NULL;
 }

@@ -1,6 +1,4 @@
 /* View: the chain's beads, as spheres. Where they are small, a lens below the row shows those at the front. */
-#include "render/view/view_beads.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -352,11 +350,7 @@ static enum bead_error beads_vector(struct bead_view *v, double time, cairo_t *c
 }
 
 const struct bead_view_type bead_view_beads_type = {
-    .kind = BEAD_VIEW_BEADS,
-    .name = "beads",
-    .help = "the beads, coloured by the field where there is any; a lens follows the front",
-    .height = 0.34,
-    .canvas = true,
+    .info = &bead_view_infos[BEAD_VIEW_BEADS],
     .fields = beads_fields,
     .create = beads_create,
     .place = beads_place,
@@ -365,4 +359,6 @@ const struct bead_view_type bead_view_beads_type = {
     .draw = beads_draw,
     .vector = beads_vector,
     .destroy = beads_destroy,
+    .margins = bead_beads_margins,
+    .most_height = bead_beads_most_height,
 };

@@ -161,10 +161,7 @@ static enum bead_error vector(struct bead_view *v, double time, cairo_t *cr, str
 }
 
 const struct bead_view_type bead_view_modes_type = {
-    .kind = BEAD_VIEW_MODES,
-    .name = "modes",
-    .help = "energies of an equation's linear modes, in parts of those at the start",
-    .height = 0.3,
+    .info = &bead_view_infos[BEAD_VIEW_MODES],
     .fields = fields,
     .create = create,
     .place = place,

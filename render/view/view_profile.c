@@ -308,11 +308,7 @@ static enum bead_error profile_vector(struct bead_view *v, double time, cairo_t 
 }
 
 const struct bead_view_type bead_view_profile_type = {
-    .kind = BEAD_VIEW_PROFILE,
-    .name = "profile",
-    .help = "the field along the chain at one time",
-    .height = 0.22,
-    .canvas = false,
+    .info = &bead_view_infos[BEAD_VIEW_PROFILE],
     .fields = profile_fields,
     .create = profile_create,
     .place = profile_place,

@@ -1,6 +1,4 @@
 /* Sensors: the force of each against time, in one plot with the names at the curves. */
-#include "render/view/view_sensors.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,6 +47,12 @@ static void destroy(struct bead_view *v)
     free(v);
 }
 
+static void set_ends(struct bead_view *view, double low, double high)
+{
+    view->low = fmin(0, low);
+    view->high = high > view->low ? high : view->low + 1;
+}
+
 static enum bead_error create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
 {
     *view = NULL;
@@ -74,21 +78,22 @@ static enum bead_error create(const struct bead_view_setup *setup, struct bead_v
     v->count = count;
     bead_curves_init(&v->curves, count, setup->time);
     bead_curves_init(&v->differences, count, setup->time);
-    bead_sensors_set_range(v, fmin(0, setup->colours.low), setup->colours.high);
+    set_ends(v, fmin(0, setup->colours.low), setup->colours.high);
     *view = v;
     return BEAD_OK;
 }
 
-void bead_sensors_extremes(const struct bead_view *view, double *low, double *high)
+static void sensors_extremes(const struct bead_view *view, double *low, double *high)
 {
     *low = view->curves.low;
     *high = view->curves.high;
 }
 
-void bead_sensors_set_range(struct bead_view *view, double low, double high)
+/* The axis of forces; without it the range of the setup's colours. */
+static void sensors_set_range(struct bead_view *view, const struct bead_colours *colours, const double values[2])
 {
-    view->low = fmin(0, low);
-    view->high = high > view->low ? high : view->low + 1;
+    (void)colours;
+    set_ends(view, values[0], values[1]);
 }
 
 static enum bead_error place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg)
@@ -126,7 +131,8 @@ static enum bead_error feed(struct bead_view *v, const struct bead_sample *sampl
     return !err && v->setup.trust ? feed_comparison(v, sample, msg) : err;
 }
 
-double bead_sensors_horizon(const struct bead_view *v)
+/* The first time at which a force differs from the comparison run's by more than a hundredth of the axis's range. */
+static double first_difference(const struct bead_view *v)
 {
     double threshold = BEAD_HORIZON_PART * (v->high - v->low);
     for (size_t s = 0; s < v->differences.count; s++) {
@@ -137,6 +143,11 @@ double bead_sensors_horizon(const struct bead_view *v)
         }
     }
     return INFINITY;
+}
+
+static double sensors_horizon(struct bead_view *v)
+{
+    return first_difference(v);
 }
 
 static struct bead_rgb ink(const struct bead_view *v, size_t k)
@@ -286,7 +297,7 @@ static void paint_curves(const struct bead_view *v, cairo_t *cr, double from, do
 /* A line where the curves stop to be predictable; under them. */
 static void paint_horizon(const struct bead_view *v, cairo_t *cr)
 {
-    double time = v->setup.trust ? bead_sensors_horizon(v) : INFINITY;
+    double time = v->setup.trust ? first_difference(v) : INFINITY;
     if (!(time <= v->setup.time[1]))
         return;
     cairo_new_path(cr);
@@ -349,10 +360,7 @@ static enum bead_error vector(struct bead_view *v, double time, cairo_t *cr, str
 }
 
 const struct bead_view_type bead_view_sensors_type = {
-    .kind = BEAD_VIEW_SENSORS,
-    .name = "sensors",
-    .help = "force against time of every sensor",
-    .height = 0.3,
+    .info = &bead_view_infos[BEAD_VIEW_SENSORS],
     .fields = fields,
     .create = create,
     .place = place,
@@ -361,4 +369,7 @@ const struct bead_view_type bead_view_sensors_type = {
     .draw = draw,
     .vector = vector,
     .destroy = destroy,
+    .extremes = sensors_extremes,
+    .set_range = sensors_set_range,
+    .horizon = sensors_horizon,
 };

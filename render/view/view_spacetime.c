@@ -2,7 +2,6 @@
  *
  * Which way it lies: in papers and stills time runs to the right and beads go up; in movies (time_down) time runs down and beads
  * go to the right, below the beads themselves. With `fill` only what has passed is shown, with a line at the present. */
-#include "render/view/view_spacetime.h"
 #include "render/draw/chain_axis.h"
 
 #include <limits.h>
@@ -38,7 +37,7 @@ static unsigned fields(const struct bead_view_setup *setup)
     return BEAD_FIELD_BIT(setup->field);
 }
 
-void bead_spacetime_recolour(struct bead_view *view, const struct bead_colours *colours)
+static void recolour(struct bead_view *view, const struct bead_colours *colours)
 {
     view->setup.colours = *colours;
     bead_colour_table_make(&view->setup.colours, &view->table);
@@ -58,7 +57,7 @@ static enum bead_error create(const struct bead_view_setup *setup, struct bead_v
     v->setup = *setup;
     v->look = *setup->look;
     v->setup.look = &v->look;
-    bead_spacetime_recolour(v, &setup->colours);
+    recolour(v, &setup->colours);
     return BEAD_OK;
 }
 
@@ -225,7 +224,8 @@ static int find_horizon(struct bead_view *v, int to)
     return v->horizon ? bead_horizon_find(v->horizon, BEAD_HORIZON_PART * range, to) : INT_MAX;
 }
 
-double bead_spacetime_horizon(struct bead_view *view)
+/* The earliest time at which a pixel differs from the comparison run's: in stills of all, in movies of those drawn so far. */
+static double spacetime_horizon(struct bead_view *view)
 {
     if (!view->setup.fill)
         find_horizon(view, view->along);
@@ -320,7 +320,13 @@ static enum bead_error draw(struct bead_view *v, double time, struct bead_frame 
     return err;
 }
 
-void bead_spacetime_extremes(const struct bead_view *view, double *low, double *high)
+static void spacetime_set_range(struct bead_view *view, const struct bead_colours *colours, const double values[2])
+{
+    (void)values;
+    recolour(view, colours);
+}
+
+static void spacetime_extremes(const struct bead_view *view, double *low, double *high)
 {
     *low = INFINITY;
     *high = -INFINITY;
@@ -376,10 +382,7 @@ static void destroy(struct bead_view *v)
 }
 
 const struct bead_view_type bead_view_spacetime_type = {
-    .kind = BEAD_VIEW_SPACETIME,
-    .name = "spacetime",
-    .help = "the field over chain and time, area-averaged; fills as time passes in movies",
-    .height = 0.5,
+    .info = &bead_view_infos[BEAD_VIEW_SPACETIME],
     .fields = fields,
     .create = create,
     .place = place,
@@ -388,4 +391,7 @@ const struct bead_view_type bead_view_spacetime_type = {
     .draw = draw,
     .vector = vector,
     .destroy = destroy,
+    .extremes = spacetime_extremes,
+    .set_range = spacetime_set_range,
+    .horizon = spacetime_horizon,
 };

@@ -174,9 +174,7 @@ enum bead_error bead_output_check_movie(const struct bead_reader *reader, const 
                                         const struct bead_output *output)
 {
     struct bead_at where = bead_at_key(at, "window");
-    bool moves = false;
-    for (size_t i = 0; i < output->view_count; i++)
-        moves = moves || output->views[i] == BEAD_VIEW_BEADS || output->views[i] == BEAD_VIEW_PROFILE;
+    bool moves = bead_views_any(output->views, output->view_count, BEAD_FOLLOWS_FRONT);
     if (output->follow != BEAD_FOLLOW_FRONT && where.node != at->node)
         return bead_wrong(reader, &where, "belongs to `follow: front`");
     where = bead_at_key(at, "follow");

@@ -93,13 +93,10 @@ static bool is_given(const struct bead_at *at, const char *key)
 /* Keys of views that show a moment, in pictures without one. */
 static enum bead_error check_moment(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
 {
-    bool beads = false, moment = false;
+    bool beads = bead_views_any(output->views, output->view_count, BEAD_SHOWS_BEADS);
+    bool moment = !bead_views_all(output->views, output->view_count, BEAD_SHOWS_ALL_TIMES);
     if (output->kind != BEAD_OUTPUT_IMAGE || output->panel_count > 0)
         return BEAD_OK;
-    for (size_t i = 0; i < output->view_count; i++) {
-        beads = beads || output->views[i] == BEAD_VIEW_BEADS;
-        moment = moment || (output->views[i] != BEAD_VIEW_SPACETIME && output->views[i] != BEAD_VIEW_SENSORS);
-    }
     struct bead_at where = bead_at_key(at, "at");
     if (!moment && !isnan(output->at))
         return bead_wrong(reader, &where,
@@ -140,7 +137,7 @@ static void fit_equations(const struct bead_reader *reader, const struct bead_at
         return;
     size_t kept = 0;
     for (size_t i = 0; i < output->view_count; i++) {
-        if (output->views[i] != BEAD_VIEW_BEADS)
+        if (!bead_views_any(&output->views[i], 1, BEAD_SHOWS_BEADS))
             output->views[kept++] = output->views[i];
     }
     output->view_count = kept;
@@ -159,11 +156,8 @@ static enum bead_error check_equations(const struct bead_reader *reader, const s
     if (bead_scene_plain(reader->scene) && output->kind == BEAD_OUTPUT_MOVIE && output->follow == BEAD_FOLLOW_FRONT)
         return bead_wrong(reader, &where, "is set, but there is no front of a wave in a chain at rest that could be followed");
     where = bead_at_key(at, "views");
-    for (size_t i = 0; i < output->view_count; i++) {
-        if (output->views[i] == BEAD_VIEW_BEADS && !has_beads(reader->scene))
-            return bead_wrong(reader, &where,
-                              "beads are not there to be seen: the equation has none; must be profile or spacetime");
-    }
+    if (bead_views_any(output->views, output->view_count, BEAD_SHOWS_BEADS) && !has_beads(reader->scene))
+        return bead_wrong(reader, &where, "beads are not there to be seen: the equation has none; must be profile or spacetime");
     return BEAD_OK;
 }
 
@@ -259,9 +253,7 @@ static void style_size(const struct bead_reader *reader, const struct bead_at *a
 static enum bead_error check_trust(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
 {
     struct bead_at where = bead_at_key(at, "trust");
-    bool shows = output->kind == BEAD_OUTPUT_PLOT;
-    for (size_t i = 0; i < output->view_count; i++)
-        shows = shows || output->views[i] == BEAD_VIEW_SPACETIME || output->views[i] == BEAD_VIEW_SENSORS;
+    bool shows = output->kind == BEAD_OUTPUT_PLOT || bead_views_any(output->views, output->view_count, BEAD_SHOWS_ALL_TIMES);
     if (!output->trust)
         return BEAD_OK;
     if (output->kind == BEAD_OUTPUT_PLOT && output->show != BEAD_SHOW_SENSORS)

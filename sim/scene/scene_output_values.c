@@ -83,15 +83,17 @@ BEAD_OUTPUT_READER(bead_output_read_fields)
 
 BEAD_OUTPUT_READER(bead_output_read_views)
 {
-    static const char *const names[] = {"beads", "profile", "spacetime", "sensors", "modes", NULL};
+    const char *names[BEAD_VIEW_KINDS + 1] = {NULL};
     struct bead_output *output = settings;
     unsigned seen = 0, found = 0;
+    for (size_t i = 0; i < BEAD_VIEW_KINDS; i++)
+        names[i] = bead_view_infos[i].name;
     enum bead_error err = need_list(reader, at, option);
     for (size_t i = 0; !err && i < at->node->count; i++) {
         err = read_name(reader, at, i, names, &seen, &found);
         if (err)
             break;
-        if (found == BEAD_VIEW_SENSORS && !bead_scene_has_sensors(reader->scene))
+        if (bead_view_infos[found].traits & BEAD_SHOWS_SENSORS && !bead_scene_has_sensors(reader->scene))
             return bead_wrong(reader, at, "shows sensors, but no bead of the chain has a `sensor`");
         output->views[output->view_count++] = (enum bead_view_kind)found;
     }

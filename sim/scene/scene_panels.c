@@ -72,9 +72,7 @@ static enum bead_error read_panel(struct bead_reader *reader, const struct bead_
         return bead_wrong(reader, &show,
                           "panels show sensors, peaks, modes or profiles; this has a picture of its own: {plot: FILE, show: %s}",
                           show.node->text);
-    bool sensors = plot && panel->show == BEAD_SHOW_SENSORS;
-    for (size_t v = 0; !plot && v < panel->view_count; v++)
-        sensors = sensors || panel->views[v] == BEAD_VIEW_SENSORS;
+    bool sensors = plot ? panel->show == BEAD_SHOW_SENSORS : bead_views_any(panel->views, panel->view_count, BEAD_SHOWS_SENSORS);
     struct bead_at where = bead_at_key(at, "chain");
     if (!err && sensors && !has_sensors(reader->scene, panel->chain))
         err = bead_wrong(reader, &where, "has no bead with a `sensor` that could be shown");

@@ -73,9 +73,7 @@ static enum bead_error check_modes(const struct bead_reader *reader, const struc
 {
     struct bead_at views = bead_at_key(at, "views"), show = bead_at_key(at, "show");
     bool shown = output->kind == BEAD_OUTPUT_PLOT || output->kind == BEAD_OUTPUT_TABLE ? output->show == BEAD_SHOW_MODES : false;
-    bool viewed = false;
-    for (size_t i = 0; i < output->view_count; i++)
-        viewed = viewed || output->views[i] == BEAD_VIEW_MODES;
+    bool viewed = bead_views_any(output->views, output->view_count, BEAD_SHOWS_MODES);
     if (viewed && output->kind == BEAD_OUTPUT_IMAGE)
         return bead_wrong(reader, &views, "modes are a view of movies; {plot: FILE, show: modes} has their energies over time");
     if ((shown || viewed) && !has_modes(reader->scene))

@@ -69,10 +69,8 @@ static unsigned kept_fields(const struct bead_session *s)
 static unsigned fields_of(const struct bead_session *s, const struct bead_output *output)
 {
     bool shows = output->kind == BEAD_OUTPUT_TABLE || output->kind == BEAD_OUTPUT_PLOT;
-    bool modes = shows && output->show == BEAD_SHOW_MODES;
+    bool modes = (shows && output->show == BEAD_SHOW_MODES) || bead_views_any(output->views, output->view_count, BEAD_SHOWS_MODES);
     unsigned fields = shows && output->show != BEAD_SHOW_PROFILES ? 0 : BEAD_FIELD_BIT(output->field);
-    for (size_t i = 0; i < output->view_count; i++)
-        modes = modes || output->views[i] == BEAD_VIEW_MODES;
     for (size_t c = 0; modes && c < s->chain_count; c++)
         fields |= bead_chain_mode_fields(s->chains[c]);
     return fields ? fields : BEAD_FIELD_BIT(BEAD_FIELD_FORCE);

@@ -1,0 +1,66 @@
+/* The views that there are, one row each: what scenes, layouts and captions must know of a view. How it draws stands in view.h.
+ *
+ * To add a view: its row here, and its file render/view/view_NAME.c with a `const struct bead_view_type bead_view_NAME_type`. */
+#ifndef BEADREEL_VIEW_KIND_H
+#define BEADREEL_VIEW_KIND_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/api.h"
+
+/* Bits of bead_view_info.traits. */
+enum bead_view_trait {
+    BEAD_SHOWS_ALL_TIMES = 1,   /* collects all samples; a view without it shows one moment */
+    BEAD_SHOWS_BEADS = 2,       /* draws the beads: needs a chain that has some, magnifies displacements, numbers its own row */
+    BEAD_SHOWS_SENSORS = 4,     /* needs beads with a sensor, and reads only those */
+    BEAD_SHOWS_MODES = 8,       /* needs an equation with linear modes; in movies only */
+    BEAD_SHOWS_IMAGE = 16,      /* a pixel for every stretch of chain and time; alone and without axes: bare pixels */
+    BEAD_SHOWS_COLOURS = 32,    /* values as colours: the picture has a colour bar */
+    BEAD_FOLLOWS_FRONT = 64,    /* shows a window that moves, where a movie follows the front */
+    BEAD_DRAWS_ON_CANVAS = 128, /* paints beads: needs a canvas */
+};
+
+/* What the horizontal axis counts. An image's counts time where it does not run down. */
+enum bead_view_across { BEAD_ACROSS_CHAIN, BEAD_ACROSS_TIME, BEAD_ACROSS_MODES };
+
+/* Shares are of the height that all views of a picture have; `most` is the largest useful height in widths of the plot. `shape`:
+ * width / height that suits the view alone in a still. */
+#define BEAD_VIEWS(VIEW)                                                                                                       \
+    VIEW(BEADS, beads, .help = "the beads, coloured by the field where there is any; a lens follows the front",                \
+         .traits = BEAD_SHOWS_BEADS | BEAD_SHOWS_COLOURS | BEAD_FOLLOWS_FRONT | BEAD_DRAWS_ON_CANVAS, .still_share = 0.34,     \
+         .shape = 8, .movie_share = 1.45, .movie_most = 0.135)                                                                 \
+    VIEW(PROFILE, profile, .help = "the field along the chain at one time", .traits = BEAD_FOLLOWS_FRONT, .still_share = 0.22, \
+         .shape = 1.35, .movie_share = 0.8, .movie_most = 0.25)                                                                \
+    VIEW(SPACETIME, spacetime, .help = "the field over chain and time, area-averaged; fills as time passes in movies",         \
+         .traits = BEAD_SHOWS_ALL_TIMES | BEAD_SHOWS_IMAGE | BEAD_SHOWS_COLOURS, .still_share = 0.5, .shape = 1.35,            \
+         .movie_share = 1.25, .movie_most = 2)                                                                                 \
+    VIEW(SENSORS, sensors, .help = "force against time of every sensor", .traits = BEAD_SHOWS_ALL_TIMES | BEAD_SHOWS_SENSORS,  \
+         .across = BEAD_ACROSS_TIME, .still_share = 0.3, .shape = 1.35, .movie_share = 1.2, .movie_most = 0.5)                 \
+    VIEW(MODES, modes, .help = "energies of an equation's linear modes, in parts of those at the start",                       \
+         .traits = BEAD_SHOWS_MODES, .across = BEAD_ACROSS_MODES, .still_share = 0.3, .shape = 1.35, .movie_share = 1,         \
+         .movie_most = 0.3)
+
+enum bead_view_kind {
+#define BEAD_VIEW_ENUM(ID, ...) BEAD_VIEW_##ID,
+    BEAD_VIEWS(BEAD_VIEW_ENUM)
+#undef BEAD_VIEW_ENUM
+        BEAD_VIEW_KINDS
+};
+
+struct bead_view_info {
+    const char *name, *help;
+    unsigned traits;
+    enum bead_view_across across;
+    double still_share, shape;
+    double movie_share, movie_most;
+};
+
+/* By kind. */
+extern BEAD_API const struct bead_view_info bead_view_infos[BEAD_VIEW_KINDS];
+
+/* Has any of these views the trait? Have all? */
+BEAD_API bool bead_views_any(const enum bead_view_kind *views, size_t count, unsigned trait);
+BEAD_API bool bead_views_all(const enum bead_view_kind *views, size_t count, unsigned trait);
+
+#endif
