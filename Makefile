@@ -22,7 +22,7 @@ endif
 BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libfftw3-dev libpng-dev \
              libosmesa6-dev libegl-dev libavformat-dev libavcodec-dev libavutil-dev libx264-dev libcairo2-dev libpango1.0-dev fonts-stix fonts-lato
 TEST_DEPS  = libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel
-CI_DEPS    = clang-format cppcheck shellcheck ffmpeg poppler-utils man-db
+CI_DEPS    = clang-format cppcheck shellcheck ffmpeg poppler-utils man-db mandoc
 
 # Asked once, when a recipe first needs it: after `deps` has run in `make deps all`.
 once              = $(eval $(1) := $(2))$($(1))
@@ -209,15 +209,20 @@ lint: ## formatting, static analysis
 	    --suppressions-list=tests/cppcheck.txt -j $$(nproc) -i tests/bench/precision_boost.cc -Iinclude -I. -D__linux__ -D__x86_64__ -DBEAD_DATADIR='""' sim render tests
 	@echo "shellcheck" && shellcheck -S warning -e SC2034,SC2154 $(wildcard .ci/run assets/gallery/*.sh tests/*.sh tests/*/*.sh tests/*.bash)
 
-man: $(BUILD)/beadreel ## write the options into the man page again
-	@tests/man_options.sh $(BUILD)/beadreel assets/beadreel.1
+MANUALS = $(wildcard assets/man/*.[15])
+man: $(PROGRAMS) ## write options, keys and lists into the man pages again
+	@BEADREEL_ASSETS=assets assets/man/make.sh $(BUILD) $(MANUALS)
+doc: ## the man pages as HTML, into build/doc
+	@mkdir -p $(BUILD)/doc
+	@for m in $(MANUALS); do mandoc -T html -O man=%N.%S.html,toc $$m >$(BUILD)/doc/$${m##*/}.html || exit 1; done
+	@ls $(BUILD)/doc/*.html
 
-ASSETS = $(shell cd assets && find . -type f ! -name '*.png' ! -name '*.1' ! -path './completions/*' ! -path './gallery/*' | sed 's,^\./,,')
+ASSETS = $(shell cd assets && find . -type f ! -name '*.png' ! -path './man/*' ! -path './completions/*' ! -path './gallery/*' | sed 's,^\./,,')
 SHARE  = $(DESTDIR)$(PREFIX)/share
 
 install: all ## install to PREFIX (default /usr/local), below DESTDIR
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(PREFIX)/include/beadreel
-	install -d $(SHARE)/man/man1 $(SHARE)/bash-completion/completions
+	install -d $(SHARE)/man/man1 $(SHARE)/man/man5 $(SHARE)/bash-completion/completions
 	install -m 755 $(PROGRAMS) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 include/beadreel/*.h $(DESTDIR)$(PREFIX)/include/beadreel
 	for l in beadsim beadreel; do \
@@ -235,8 +240,7 @@ install: all ## install to PREFIX (default /usr/local), below DESTDIR
 	    'Requires.private: $(RENDER_PACKAGES)' 'Libs: -L$${libdir} -lbeadreel' 'Libs.private: -ldl' 'Cflags: -I$${includedir}' \
 	    > $(DESTDIR)$(LIBDIR)/pkgconfig/beadreel.pc
 	for a in $(ASSETS); do install -D -m 644 assets/$$a $(SHARE)/beadreel/$$a || exit 1; done
-	install -m 644 assets/beadreel.1 $(SHARE)/man/man1
-	echo '.so man1/beadreel.1' > $(SHARE)/man/man1/beadsim.1
+	for m in $(MANUALS); do install -m 644 $$m $(SHARE)/man/man$${m##*.} || exit 1; done
 	install -m 644 assets/completions/beadreel.bash $(SHARE)/bash-completion/completions/beadreel
 	ln -sf beadreel $(SHARE)/bash-completion/completions/beadsim
 
@@ -244,13 +248,13 @@ uninstall: ## remove what `make install` put there
 	rm -f $(DESTDIR)$(PREFIX)/bin/beadsim $(DESTDIR)$(PREFIX)/bin/beadreel
 	rm -f $(foreach l,beadsim beadreel,$(DESTDIR)$(LIBDIR)/lib$(l).a $(DESTDIR)$(LIBDIR)/lib$(l).so $(DESTDIR)$(LIBDIR)/lib$(l).so.*)
 	rm -f $(DESTDIR)$(LIBDIR)/pkgconfig/beadsim.pc $(DESTDIR)$(LIBDIR)/pkgconfig/beadreel.pc
-	rm -f $(SHARE)/man/man1/beadsim.1 $(SHARE)/man/man1/beadreel.1
+	rm -f $(foreach m,$(MANUALS),$(SHARE)/man/man$(subst .,,$(suffix $(m)))/$(notdir $(m)))
 	rm -f $(SHARE)/bash-completion/completions/beadsim $(SHARE)/bash-completion/completions/beadreel
 	rm -rf $(DESTDIR)$(PREFIX)/include/beadreel $(SHARE)/beadreel
 
 clean: ## remove what was built
 	rm -rf $(BUILD) $(BUILD)-asan
 
-.PHONY: all help deps deps-ci demo thesis gallery test golden asan bench stress lint man install uninstall clean always
+.PHONY: all help deps deps-ci demo thesis gallery test golden asan bench stress lint man doc install uninstall clean always
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

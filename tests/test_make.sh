@@ -54,7 +54,9 @@ relative() { [ "$(readlink "$root/lib/libbeadsim.so")" = libbeadsim.so.0 ] && [ 
 ok "library links are relative" relative
 no_asset_env() (cd "$T" && env -u BEADREEL_ASSETS "$@")
 ok "the installed program finds its scenes" no_asset_env "$root/bin/beadreel" --info clean-vs-delocalised
-ok "manual page" test -s "$root/share/man/man1/beadreel.1"
+for page in man1/beadreel.1 man1/beadsim.1 man5/beadreel-scene.5; do
+    ok "manual page $page" test -s "$root/share/man/$page"
+done
 compile_example() {
     local flags
     flags=$(PKG_CONFIG_PATH="$root/lib/pkgconfig" PKG_CONFIG_SYSROOT_DIR='' pkg-config --define-variable=prefix="$root" \

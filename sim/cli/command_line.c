@@ -188,9 +188,9 @@ static enum bead_error set_merge(struct command *command, const char *value, str
 
 static enum bead_error set_help(struct command *command, const char *value, struct bead_message *msg)
 {
-    if (value && strcmp(value, "man") != 0)
+    if (value && strcmp(value, "man") != 0 && strcmp(value, "man-keys") != 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--help: takes no value");
-    command->action = value ? COMMAND_MAN : COMMAND_HELP;
+    command->action = !value ? COMMAND_HELP : strcmp(value, "man") == 0 ? COMMAND_MAN : COMMAND_MAN_KEYS;
     return BEAD_OK;
 }
 
@@ -256,12 +256,14 @@ static void print_help(const struct command_program *program, FILE *out)
             program->examples);
 }
 
-/* The man page from its options to the keys of scenes. */
+/* The options as a man page has them. */
 static void print_man(const struct command_program *program, FILE *out)
 {
     char text[256];
     for (size_t i = 0; i < ROWS; i++) {
         const struct option_row *row = &rows[i];
+        if (row->apply == set_canvas && !program->canvases)
+            continue;
         fputs(".TP\n", out);
         if (row->letter)
             fprintf(out, "\\fB\\-%c\\fR, ", row->letter);
@@ -273,8 +275,6 @@ static void print_man(const struct command_program *program, FILE *out)
             fputs(*c == '-' ? "\\-" : *c == '\'' ? "\\(aq" : (char[]){*c, 0}, out);
         fputc('\n', out);
     }
-    fputs(".SH KEYS OF A SCENE\n", out);
-    bead_scene_help_man(out);
 }
 
 static void print_version(const struct command_program *program, FILE *out)
@@ -383,6 +383,9 @@ static enum bead_error act(const struct command *command, struct bead_message *m
         return BEAD_OK;
     case COMMAND_MAN:
         print_man(command->program, stdout);
+        return BEAD_OK;
+    case COMMAND_MAN_KEYS:
+        bead_scene_help_man(stdout);
         return BEAD_OK;
     case COMMAND_VERSION:
         print_version(command->program, stdout);

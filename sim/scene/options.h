@@ -55,6 +55,7 @@ struct bead_option {
     size_t offset;
     const char *unit;    /* SI, of plain numbers; NULL: numbers without unit */
     const char *initial; /* default, as in a scene; NULL: none */
+    const char *example; /* a value for the man page; flags and choices need none */
     bool required;
     double low, high; /* allowed; both 0: anything finite */
     unsigned open;

@@ -95,26 +95,48 @@ static void form_words(const struct bead_options *options, const struct bead_opt
     }
 }
 
-/* "(N, from 0 to 10 N; default 0; image, movie)". */
+/* What may stand for the value, pairs included. */
+static void value_words(const struct bead_option *row, char *text, size_t size)
+{
+    const char *pair = row->type == BEAD_OPTION_PAIR ? "[a, b], each " : "";
+    snprintf(text, size, "%s", pair);
+    bead_option_allowed(row, text + strlen(pair), size - strlen(pair));
+}
+
+/* NULL: none worth mentioning. */
+static const char *default_words(const struct bead_option *row)
+{
+    return !row->required && row->initial && *row->initial && strcmp(row->initial, "{}") != 0 ? row->initial : NULL;
+}
+
+/* "(from 0 to 10 N; default 0 N; in image, movie)". */
 static void describe(const struct bead_options *options, const struct bead_option *row, char *text, size_t size)
 {
-    char words[240];
-    bead_option_allowed(row, text, size);
-    if (row->type == BEAD_OPTION_PAIR) {
-        snprintf(words, sizeof words, "[a, b], each %s", text);
-        snprintf(text, size, "%s", words);
-    }
+    char forms[240];
+    value_words(row, text, size);
     if (row->required) {
         add(text, size, "; required");
-    } else if (row->initial && *row->initial && strcmp(row->initial, "{}") != 0) {
+    } else if (default_words(row)) {
         add(text, size, "; default ");
-        add(text, size, row->initial);
+        add(text, size, default_words(row));
     }
-    form_words(options, row, words, sizeof words);
-    if (*words) {
+    form_words(options, row, forms, sizeof forms);
+    if (*forms) {
         add(text, size, "; in ");
-        add(text, size, words);
+        add(text, size, forms);
     }
+}
+
+/* A value that is not the default: the row's own, or one that follows from its type. NULL: none. */
+static const char *example_words(const struct bead_option *row)
+{
+    if (row->example)
+        return row->example;
+    if (row->type == BEAD_OPTION_FLAG)
+        return row->initial && strcmp(row->initial, "true") == 0 ? "false" : "true";
+    if (row->type == BEAD_OPTION_CHOICE)
+        return row->initial && strcmp(row->initial, row->choices[0]) == 0 && row->choices[1] ? row->choices[1] : row->choices[0];
+    return NULL;
 }
 
 static bool hidden(const struct bead_option *row)
@@ -149,25 +171,46 @@ static void man_text(const char *text, FILE *out)
     }
 }
 
-void bead_options_man(const struct bead_options *options, FILE *out)
+/* "Value: from 0 to 10 N. Default: 0 N. In: image, movie. Example: force: 1 N." */
+static void man_row(const struct bead_options *options, const struct bead_option *row, FILE *out)
 {
     char words[400];
+    fputs(".TP\n.B ", out);
+    man_text(row->key, out);
+    fputc('\n', out);
+    man_text(row->help, out);
+    value_words(row, words, sizeof words);
+    fputs(".\n.br\nValue: ", out);
+    man_text(words, out);
+    if (row->required)
+        fputs(". Required", out);
+    if (default_words(row)) {
+        fputs(". Default: ", out);
+        man_text(default_words(row), out);
+    }
+    form_words(options, row, words, sizeof words);
+    if (*words) {
+        fputs(". In: ", out);
+        man_text(words, out);
+    }
+    if (example_words(row)) {
+        fputs(". Example: \\fB", out);
+        man_text(row->key, out);
+        fputs(": ", out);
+        man_text(example_words(row), out);
+        fputs("\\fR", out);
+    }
+    fputs(".\n", out);
+}
+
+void bead_options_man(const struct bead_options *options, FILE *out)
+{
     fputs(".SS ", out);
     man_text(options->name, out);
     fputc('\n', out);
     man_text(options->help, out);
     fputs(".\n", out);
-    for (size_t i = 0; i < options->count; i++) {
-        const struct bead_option *row = &options->rows[i];
-        if (hidden(row))
-            continue;
-        describe(options, row, words, sizeof words);
-        fputs(".TP\n\\fB", out);
-        man_text(row->key, out);
-        fputs("\\fR\n", out);
-        man_text(row->help, out);
-        fputs(" (", out);
-        man_text(words, out);
-        fputs(").\n", out);
-    }
+    for (size_t i = 0; i < options->count; i++)
+        if (!hidden(&options->rows[i]))
+            man_row(options, &options->rows[i], out);
 }

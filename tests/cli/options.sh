@@ -71,7 +71,6 @@ ok "--plan prints lines" test -s "$T/out"
 ok "--plan of an equation has times without unit" bash -c "'$beadreel' --plan fput | grep -q 'pixels, every [0-9.]*$'"
 ok "nothing was written" empty "$T/here"
 
-ok "the man page has the options of the program" "$top/tests/man_options.sh" --check "$beadreel" "$top/assets/beadreel.1"
 completion_knows() {
     "$beadreel" --help | grep -oE -- '--[a-z]+' | sort -u | while read -r option; do
         grep -q -- "$option" "$top/assets/completions/beadreel.bash" || { echo "$option"; return 1; }
