@@ -23,12 +23,12 @@ for page in "${pages[@]}"; do
         ok "$name: mandoc has no complaint" bash -c "! mandoc -T lint '$page' | grep ."
         ok "$name: as HTML" bash -c "mandoc -T html '$page' | grep -q '<h1'"
     else
-        skip "$name: mandoc has no complaint" mandoc
+        skip mandoc "$name: mandoc has no complaint"
     fi
     if command -v man >/dev/null && command -v groff >/dev/null; then
         ok "$name: man has no complaint" bash -c "! LC_ALL=C.UTF-8 MANWIDTH=80 man --warnings -E UTF-8 -l -Tutf8 -Z '$page' 2>&1 >/dev/null | grep ."
     else
-        skip "$name: man has no complaint" man
+        skip man-db "$name: man has no complaint"
     fi
 done
 

@@ -1,38 +1,52 @@
 #!/bin/bash
-# What the README shows is true: its scenes, its commands, its library example, its files.
+# What the README files show is true: scenes, commands, the library example, the gallery, links.
 source "$(dirname "$0")/shell.bash"
 readme=$top/README.md
-# block LANGUAGE NUMBER : the text of a code block
-block() { awk -v want="\`\`\`$1" -v n="$2" '/^```/ {if (inside) {inside = 0; next} if ($0 == want && ++seen == n) {inside = 1; next}} inside' "$readme"; }
-block yaml 1 >"$T/scene.yaml"
-block c 1 >"$T/minimal.c"
+# block FILE LANGUAGE NUMBER : the text of a code block
+block() { awk -v want="\`\`\`$2" -v n="$3" '/^```/ {if (inside) {inside = 0; next} if ($0 == want && ++seen == n) {inside = 1; next}} inside' "$1"; }
+block "$readme" yaml 1 >"$T/scene.yaml"
+block "$top/include/beadreel/README.md" c 1 >"$T/minimal.c"
 ok "the example is tests/examples/minimal.c" diff "$T/minimal.c" "$top/tests/examples/minimal.c"
 scenes=$(grep -c '^```yaml' "$readme")
 for ((n = 1; n <= scenes; n++)); do
-    block yaml $n >"$T/block.yaml"
+    block "$readme" yaml $n >"$T/block.yaml"
     ok "scene $n is right" exits 0 "$BUILD/beadreel" --plan "$T/block.yaml"
 done
-# Of what "Use" shows, the lines that run a scene.
-uses_plan() {
+# The commands of a section, in the order of the text.
+commands() { sed -n "/^## $1/,/^## /p" "$readme" | grep -E '^bead(reel|sim) '; }
+# Run the recipes, their pictures and sweeps made small.
+recipes_run() {
     local line count=0
     while IFS= read -r line; do
-        (cd "$T" && eval "\"$BUILD/${line%% *}\" --plan ${line#* }") >/dev/null || { echo "$line"; return 1; }
+        case $line in
+        *--info* | *--plan* | *.h5*) ;;
+        *"scene.yaml -o results"*) line+=" --set outputs.1.size='[320, 180]' --set outputs.1.duration='1 s'" ;;
+        *"beadreel sweep "*) line+=" --set sweep.configurations=1 --set sweep.cells=8 --only sweep.h5" ;;
+        esac
+        [[ $line != *" sweep/sweep.h5 "* ]] || line=${line/17/3}" --set outputs.0.size='[320, 180]' --set outputs.0.duration='1 s'"
+        (cd "$T" && eval "\"$BUILD/${line%% *}\" ${line#* }") >/dev/null || { echo "$line"; return 1; }
         count=$((count + 1))
-    done < <(sed -n '/^## Use/,/^## /p' "$readme" | sed 's/ *#.*//' | grep -E '^bead(reel|sim) (scene\.yaml|[a-z][a-z-]+ )')
-    [ $count -ge 4 ]
+    done < <(commands "Five recipes")
+    [ $count -ge 8 ] || { echo "$count commands"; return 1; }
+    for line in results/beads.mp4 fast/force.png results/sensor.pdf results/force.pdf results/measures.csv sweep/one.mp4; do
+        [ -s "$T/$line" ] || { echo "no $line"; return 1; }
+    done
 }
-ok "the commands of Use are right" uses_plan
+ok "the recipes do what they say" recipes_run
 cat >>"$T/small.yaml" <<'YAML'
 chain: {striker: {bead: large-steel, velocity: 1 m/s}, beads: [{bead: large-steel, count: 5}]}
 outputs: [{table: peaks.csv, show: peaks}]
 YAML
 ok "the example runs" exits 0 "$BUILD/tests/examples/minimal" "$T/small.yaml" "$T"
 ok "... and prints a peak" prints "chain 0: first contact's peak force"
+# Links of all documents, from where they stand.
 links_exist() {
-    local link
-    for link in $(grep -oE '\]\([A-Za-z][^):]*\)' "$readme" | tr -d '()]'); do
-        [ -e "$top/$link" ] || { echo "$link"; return 1; }
-    done
+    local file link
+    while IFS= read -r file; do
+        for link in $(grep -oE '\]\([A-Za-z.][^):]*\)' "$file" | tr -d '()]'); do
+            [ -e "$(dirname "$file")/$link" ] || { echo "$file: $link"; return 1; }
+        done
+    done < <(find "$top" -name '*.md' ! -path "$top/build*")
 }
 ok "links lead to files" links_exist
 # A picture must be one, and the gallery's are kept with the sources: small.
@@ -51,23 +65,22 @@ pictures_are_small() {
     [ $count -ge 2 ]
 }
 ok "pictures are there, and small" pictures_are_small
-gallery_is_shown() {
-    local picture
-    for picture in "$top"/assets/gallery/*.{png,gif}; do
-        grep -q "(assets/gallery/$(basename "$picture"))" "$readme" || { echo "$picture"; return 1; }
+# The gallery: what is shown is what is kept, and what the commands beside it make, in the same size.
+names() { (cd "$1" && ls -- *.png *.gif); }
+gallery_is_shown() { diff <(grep -o '(assets/gallery/[^)]*)' "$readme" | sed 's,.*/\(.*\)),\1,' | sort) <(names "$top/assets/gallery"); }
+ok "the README shows all pictures of the gallery" gallery_is_shown
+shape() { head -c 26 "$1" | tail -c +5 | od -An -tx1 -v; } # with the size of PNG and GIF
+gallery_is_made() {
+    mkdir "$T/gallery"
+    "$top/assets/gallery/make.sh" "$beadreel" "$T/gallery" >/dev/null || return 1
+    for picture in $(names "$top/assets/gallery"); do
+        cmp <(shape "$T/gallery/$picture") <(shape "$top/assets/gallery/$picture") || { echo "$picture"; return 1; }
     done
 }
-ok "all of the gallery is shown" gallery_is_shown
+ok "the commands of the gallery make its pictures" gallery_is_made
 for scene in "$top"/assets/scenes/*.yaml "$top"/assets/scenes/*/*.yaml; do
     ok "--plan of ${scene#"$top/assets/scenes/"}" exits 0 "$BUILD/beadreel" --plan "$scene"
 done
-commands_plan() {
-    local line
-    while IFS= read -r line; do
-        (cd "$T" && eval "\"$BUILD/beadreel\" --plan ${line#beadreel }") >/dev/null || { echo "$line"; return 1; }
-    done < <(sed -n '/^## Gallery/,/^## /p' "$readme" | grep -oE '`beadreel [^`]*`' | tr -d '`')
-}
-ok "the gallery's commands are right" commands_plan
 targets_exist() {
     local target
     for target in $(grep -oE '`make [a-z-]+' "$readme" | cut -d' ' -f2 | sort -u); do
