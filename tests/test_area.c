@@ -50,7 +50,7 @@ static void assert_same_index(const struct bead_colours *colours, const struct b
 static void test_table_has_the_same_colours(void **state)
 {
     (void)state;
-    static const struct bead_colours all[] = {
+    const struct bead_colours all[] = {
         {NULL, BEAD_SCALE_LINEAR, 0, 1},     {NULL, BEAD_SCALE_LINEAR, -3.7, 12.1},
         {NULL, BEAD_SCALE_SQRT, 0, 5},       {NULL, BEAD_SCALE_SQRT, -0.3, 0.8},
         {NULL, BEAD_SCALE_LOG, 1e-4, 1},     {NULL, BEAD_SCALE_LOG, 0.2, 7e9},

@@ -263,7 +263,8 @@ static void test_long_names_leave_room_for_plots(void **state)
                                     "delivered by the workshop in spring, ";
     static const double sizes[][2] = {{86, 85}, {86, 60}, {86, 40}, {60, 45}, {178, 60}};
     static struct data d;
-    char labels[CURVES][256], what[64];
+    static char labels[CURVES][256];
+    char what[64];
     make_data(&d);
     for (size_t length = 20; length <= strlen(name); length += 18) {
         for (size_t k = 0; k < CURVES; k++) {

@@ -12,8 +12,8 @@ struct bead_h5_quiet bead_h5_quiet_begin(void);
 void bead_h5_quiet_end(struct bead_h5_quiet *before);
 void bead_h5_release(hid_t *id);
 
-/* HDF5 prints nothing until the end of the block. */
-#define BEAD_H5_QUIET __attribute__((cleanup(bead_h5_quiet_end))) struct bead_h5_quiet quiet_guard = bead_h5_quiet_begin()
+/* HDF5 prints nothing until the end of the block. To clang, what only its cleanup reads is unused. */
+#define BEAD_H5_QUIET __attribute__((cleanup(bead_h5_quiet_end), unused)) struct bead_h5_quiet quiet_guard = bead_h5_quiet_begin()
 /* An identifier of any kind, closed at the end of the block. */
 #define BEAD_H5_AUTO __attribute__((cleanup(bead_h5_release))) hid_t
 

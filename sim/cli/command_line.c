@@ -90,7 +90,7 @@ static enum bead_error set_progress(struct command *command, const char *value, 
                                             {"plain", COMMAND_PROGRESS_PLAIN},
                                             {"json", COMMAND_PROGRESS_JSON},
                                             {"none", COMMAND_PROGRESS_NONE}};
-    int chosen;
+    int chosen = 0;
     enum bead_error err = choose("progress", value, choices, sizeof choices / sizeof *choices, &chosen, msg);
     if (!err)
         command->progress = (enum command_progress)chosen;
