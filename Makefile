@@ -7,7 +7,8 @@ DEMO    ?= demo
 THESIS  ?= thesis
 CC      ?= cc
 CFLAGS  ?= -O2 -g
-WERROR  ?= -Werror
+# Developers and .ci/run: make WERROR=-Werror
+WERROR  ?=
 VERSION := $(shell sed -n 's/^\#define BEADREEL_VERSION "\(.*\)"/\1/p' include/beadreel/api.h)
 SOVERSION = 0
 STRICT_LINK ?= -Wl,-z,defs
@@ -22,7 +23,7 @@ endif
 BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libfftw3-dev libpng-dev \
              libosmesa6-dev libegl-dev libavformat-dev libavcodec-dev libavutil-dev libx264-dev libcairo2-dev libpango1.0-dev fonts-stix fonts-lato
 TEST_DEPS  = libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel
-CI_DEPS    = clang-format cppcheck shellcheck ffmpeg poppler-utils man-db mandoc
+CI_DEPS    = clang-format cppcheck shellcheck ffmpeg poppler-utils man-db mandoc clang
 
 # Asked once, when a recipe first needs it: after `deps` has run in `make deps all`.
 once              = $(eval $(1) := $(2))$($(1))
@@ -95,7 +96,8 @@ endef
 
 deps: ## install the Debian packages needed to build, run and test (only what is missing)
 	$(call install_packages,$(BUILD_DEPS) $(TEST_DEPS))
-deps-ci: ## the same for lint and .ci/run
+# apt-get locks: never two of them at a time.
+deps-ci: | $(filter deps,$(MAKECMDGOALS)) ## the same for lint and .ci/run
 	$(call install_packages,$(CI_DEPS))
 
 # Where `deps` is asked for, everything waits for it; the first thing built checks that what it needs is there.
@@ -186,6 +188,8 @@ $(BENCHES) $(STRESSES): $(BUILD)/tests/%: tests/%.c $(STATIC)
 test: all $(TESTS) $(EXAMPLES) ## unit tests and tests of the programs; ends with `N passed, M failed`
 	@tests/run.sh $(BUILD)
 
+compile: all $(TESTS) $(EXAMPLES) $(BENCHES) $(STRESSES) ## everything, tests and benchmarks too, without running it
+
 golden: all $(BUILD)/tests/test_golden ## make the golden pictures of the tests anew; look at them before you commit
 	@BEADREEL_ASSETS=assets BUILD=$(BUILD) BEADREEL_GOLDEN=update $(BUILD)/tests/test_golden
 
@@ -255,6 +259,6 @@ uninstall: ## remove what `make install` put there
 clean: ## remove what was built
 	rm -rf $(BUILD) $(BUILD)-asan
 
-.PHONY: all help deps deps-ci demo thesis gallery test golden asan bench stress lint man doc install uninstall clean always
+.PHONY: all help deps deps-ci demo thesis gallery test golden asan bench stress lint man doc install uninstall clean always compile
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

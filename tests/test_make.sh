@@ -2,7 +2,7 @@
 # The Makefile: dependencies, a machine on which nothing is installed, installation.
 source "$(dirname "$0")/shell.bash"
 cd "$top" || exit 1
-unset MAKEFLAGS MAKELEVEL MFLAGS
+unset MAKEFLAGS MAKELEVEL MFLAGS WERROR
 quiet() { run "$@"; [ "$status" -eq 0 ] || { tail -n 5 "$T/out" "$T/err"; return 1; }; }
 
 # Stand-ins for a machine without packages: until apt-get has run, dpkg-query and pkg-config know nothing.
@@ -20,7 +20,10 @@ SH
 cat >"$T/bin/apt-get" <<SH
 #!/bin/sh
 echo "\$@" >>"$T/apt"
-case " \$* " in *" install "*) sleep 1; touch "$T/installed" ;; esac
+mkdir "$T/lock" || exit 100
+sleep 0.5
+case " \$* " in *" install "*) touch "$T/installed" ;; esac
+rmdir "$T/lock"
 SH
 printf '#!/bin/sh\nexec "$@"\n' >"$T/bin/sudo"
 chmod +x "$T"/bin/*
@@ -35,6 +38,8 @@ ok "... and compiled afterwards" test -s "$object"
 rm -f "$T/apt"
 ok "make deps where all is there" bare make deps
 ok "... installs nothing" test ! -e "$T/apt"
+rm -f "$T/installed"
+ok "make deps deps-ci: one apt-get at a time" bare make -j4 deps deps-ci
 ok "make help lists the targets" bash -c "make help | grep -q '^  install '"
 no_root() {
     rm -f "$T/installed" "$T/bin/sudo"
@@ -45,6 +50,12 @@ no_root() {
     ! PATH="$T/bin:$T/few" make deps >"$T/out" 2>"$T/err" && grep -q '^  apt-get .*install .*libhdf5-dev' "$T/err"
 }
 ok "make deps without root says what to run" no_root
+
+# A compiler that finds something odd stops developers, not users.
+odd() { quiet make --no-print-directory BUILD="$T/odd" CPPFLAGS='-DODD=1 -DODD=2' "$@" "$T/odd/${object#"$T/b/"}"; }
+strict() { ! odd WERROR=-Werror && grep -q 'ODD' "$T/err"; }
+ok "warnings are errors with WERROR=-Werror" strict
+ok "... and only then" odd
 
 # Installed programs, used from elsewhere.
 install_to() { quiet make --no-print-directory -o all BUILD="$BUILD" DESTDIR="$T/root" install; }
