@@ -19,9 +19,10 @@ def ok(good, what):
     print(("ok" if good else "not ok"), count, "-", what)
 
 
-def skip(what):
+def skip(missing, what):
     global count
     count += 1
+    print("# missing:", missing)
     print("ok", count, "-", what, "# SKIP")
 
 
@@ -73,7 +74,7 @@ def check_h5md(file):
 
 def check_mdanalysis(path, file):
     if not has("MDAnalysis"):
-        skip("MDAnalysis is not installed")
+        skip("MDAnalysis (python3-mdanalysis)", "MDAnalysis")
         return
     import warnings
 
@@ -83,7 +84,6 @@ def check_mdanalysis(path, file):
     chain = file["particles/chain"]
     stored = [name for name in ("position", "velocity", "force") if name in chain]
     if not stored:
-        skip("MDAnalysis: nothing for it in this file")
         return
     beads = len(chain["id"])
     universe = MDAnalysis.Universe.empty(beads, trajectory=False, velocities=True, forces=True)
@@ -102,7 +102,7 @@ def check_mdanalysis(path, file):
 
 def check_xarray(path, file):
     if not (has("xarray") and has("h5netcdf")):
-        skip("xarray with h5netcdf is not installed")
+        skip("xarray and h5netcdf (python3-xarray, python3-h5netcdf)", "xarray")
         return
     import xarray
 

@@ -1,7 +1,8 @@
 #!/bin/bash
 # Run all tests of a build and count them: tests/run.sh BUILD [NAME...]
 # Unit tests are the programs BUILD/tests/test_*, the others tests/*.sh and tests/cli/*.sh; each prints TAP.
-# Ends with `N passed, M failed`; exit status 1 if any failed. JOBS=n runs n at a time.
+# Ends with `N passed, M failed`, or `N passed, M failed, K skipped` where the machine lacks what some need; exit status 1 if any
+# failed. JOBS=n runs n at a time.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 build=$(realpath "${1:-build}")
@@ -33,25 +34,39 @@ one() {
 export -f one
 printf '%s\0' "${names[@]}" | xargs -0 -r -P "${JOBS:-$(nproc)}" -I{} bash -c 'one "$1" "$2"' - "$work" {}
 
-passed=0 failed=0
+# What a log of TAP counts: passed, failed, skipped, planned; its skips for want of what ("# missing: WHAT" stands before each)
+# are added to the file `missing`. cmocka says `not ok N # SKIP`, others `ok N ... # SKIP`. A skip that does not say why has failed.
+count() {
+    awk -v missing="$work/missing" '
+        /^# missing: / { what = substr($0, 12) }
+        /^(not )?ok .*# SKIP/ { if (what != "") { skipped++; print what >>missing } else failed++; what = ""; next }
+        /^ok / { passed++; what = "" }
+        /^not ok / { failed++; what = "" }
+        /^1\.\.[0-9]/ { planned += substr($0, 4) }
+        END { print passed + 0, failed + 0, skipped + 0, planned + 0 }' "$1"
+}
+
+passed=0 failed=0 skipped=0
 for t in "${names[@]}"; do
     log=$work/log/$(basename "$t")
     status=$(cat "$log.status" 2>/dev/null || echo 99)
-    good=$(grep -c '^ok ' "$log.out")
-    bad=$(grep -c '^not ok ' "$log.out")
-    planned=$(sed -n 's/^1\.\.\([0-9]*\).*/\1/p' "$log.out" | awk '{n += $1} END {print n + 0}')
+    read -r good bad left planned < <(count "$log.out")
     # A program that died, or said nothing of its failure, counts as one more.
-    if [ "$bad" -eq 0 ] && { [ "$status" -ne 0 ] || [ $((good + bad)) -lt "$planned" ] || [ $((good + bad)) -eq 0 ]; }; then
+    if [ "$bad" -eq 0 ] && { [ "$status" -ne 0 ] || [ $((good + left)) -lt "$planned" ] || [ $((good + left)) -eq 0 ]; }; then
         bad=1
-        echo "not ok - ended with status $status after $good of $planned tests" >>"$log.out"
+        echo "not ok - ended with status $status after $((good + left)) of $planned tests" >>"$log.out"
     fi
-    passed=$((passed + good)) failed=$((failed + bad))
-    printf '%-28s %4d passed %s %6s s\n' "$(basename "$t")" "$good" \
-        "$([ "$bad" -eq 0 ] && echo '           ' || printf '%4d failed' "$bad")" "$(cat "$log.seconds" 2>/dev/null)"
+    passed=$((passed + good)) failed=$((failed + bad)) skipped=$((skipped + left))
+    printf '%-28s %4d passed %11s %12s %6s s\n' "$(basename "$t")" "$good" "$([ "$bad" -eq 0 ] || echo "$bad failed")" \
+        "$([ "$left" -eq 0 ] || echo "$left skipped")" "$(cat "$log.seconds" 2>/dev/null)"
     if [ "$bad" -ne 0 ]; then
-        grep -A 12 '^not ok ' "$log.out" | sed 's/^/    /' | head -60
+        grep -A 12 -E '^not ok |# SKIP' "$log.out" | sed 's/^/    /' | head -60
         tail -n 30 "$log.err" | sed 's/^/    | /'
     fi
 done
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
+if [ "$skipped" -gt 0 ]; then
+    echo "Skipped, as this machine lacks:"
+    sort "$work/missing" | uniq -c | sort -k1,1nr -k2
+fi
+echo "$passed passed, $failed failed$([ "$skipped" -eq 0 ] || echo ", $skipped skipped")"
+[ "$failed" -eq 0 ] && [ $((passed + skipped)) -gt 0 ]

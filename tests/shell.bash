@@ -23,10 +23,11 @@ ok() {
         sed 's/^/#   /' "$T/.said" | head -10
     fi
 }
-# skip DESCRIPTION : counts as passed; for what this machine lacks.
+# skip MISSING DESCRIPTION : a test left out, as this machine lacks a program or library; with its Debian package.
 skip() {
     tests=$((tests + 1))
-    echo "ok $tests - $1 # SKIP"
+    echo "# missing: $1"
+    echo "ok $tests - $2 # SKIP"
 }
 # run COMMAND... : leaves $status, $T/out and $T/err.
 run() {

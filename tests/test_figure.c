@@ -16,6 +16,7 @@
 #include "render/figure/still.h"
 #include "render/view/area.h"
 #include "sessions.h"
+#include "tests/missing.h"
 #include "tests/pictures.h"
 
 /* ---- presets ---- */
@@ -244,10 +245,8 @@ static void test_long_names_leave_the_others(void **state)
     (void)state;
     static const char *const names[] = {"first", "second", "third", "fourth", "The fifth of them has a name longer than its panel"};
     char scene[4096], path[512], text[512], command[1200], *words;
-    if (system("command -v pdftotext >/dev/null 2>&1") != 0) {
-        skip();
-        return;
-    }
+    if (!has_program("pdftotext"))
+        skip_without("pdftotext (poppler-utils)");
     int used = snprintf(scene, sizeof scene, "chains:\n");
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
         used += snprintf(scene + used, sizeof scene - (size_t)used,

@@ -16,6 +16,7 @@
 #include "render/figure/still.h"
 #include "render/view/area.h"
 #include "render/view/views.h"
+#include "tests/missing.h"
 #include "tests/pictures.h"
 
 /* ---- area averages ---- */
@@ -365,13 +366,6 @@ static void test_sensors_view_without_sensors_is_refused(void **state)
     release_chain(&built);
 }
 
-static bool has_program(const char *name)
-{
-    char command[128];
-    snprintf(command, sizeof command, "command -v %s >/dev/null 2>&1", name);
-    return system(command) == 0;
-}
-
 /* Is `small` somewhere in `large`? */
 static bool contains(const struct png_file *large, const struct png_file *small)
 {
@@ -393,7 +387,7 @@ static void test_pdf_raster_is_the_png_s(void **state)
     (void)state;
     char path[512], pdf[512], command[1200], raster[512];
     if (!has_program("pdfimages"))
-        skip();
+        skip_without("pdfimages (poppler-utils)");
     struct built built = build_chain("image: f.png, size: [86 mm, 60 mm], dpi: 150");
     draw_output(&built, pulse_down_the_chain);
     release_chain(&built);

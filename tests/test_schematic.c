@@ -15,6 +15,7 @@
 
 #include "render/schematic/schematic.h"
 #include "sessions.h"
+#include "tests/missing.h"
 #include "tests/scenes.h"
 
 /* ---- drawings of many scenes ---- */
@@ -441,10 +442,8 @@ static void text_is_text(void **state)
 {
     (void)state;
     char path[512], command[1200], text[512];
-    if (system("command -v pdftotext >/dev/null 2>&1") != 0) {
-        skip();
-        return;
-    }
+    if (!has_program("pdftotext"))
+        skip_without("pdftotext (poppler-utils)");
     play(EXPERIMENT "outputs: [{plot: t.pdf, show: setup, style: paper}]\n");
     in_directory("t.pdf", path, sizeof path);
     in_directory("t.txt", text, sizeof text);

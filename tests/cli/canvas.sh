@@ -17,6 +17,7 @@ same() { cmp "$T/$1/beads.png" "$T/$2/beads.png" && cmp "$T/$1/beads.mp4" "$T/$2
 mkdir "$T/lib" && echo 'int nothing;' | cc -shared -fPIC -x c - -o "$T/lib/libOSMesa.so.8" && cp "$T/lib/libOSMesa.so.8" "$T/lib/libEGL.so.1"
 without() { LD_LIBRARY_PATH=$T/lib draw "$@"; }
 there() { "$BUILD/beadreel" "$T/scene.yaml" -o "$T/there" --only beads.png --canvas "$1" >/dev/null 2>&1; }
+declare -A package=([osmesa]="OSMesa (libosmesa6)" [egl]="EGL (libegl1, libegl-mesa0, libgl1-mesa-dri)")
 
 ok "draws" draw default
 ok "draws with --canvas plain" draw plain --canvas plain
@@ -27,11 +28,11 @@ for canvas in osmesa egl; do
     if there $canvas; then
         ok "draws with --canvas $canvas" draw $canvas --canvas $canvas
     else
-        skip "draws with --canvas $canvas: it is not installed"
+        skip "${package[$canvas]}" "draws with --canvas $canvas"
     fi
     ok "but not where it is missing" fails 1 env LD_LIBRARY_PATH="$T/lib" "$BUILD/beadreel" "$T/scene.yaml" -o "$T" --canvas $canvas
 done
-if there osmesa && there egl; then ok "the same files from both" same osmesa egl; else skip "the same files from both: one is not installed"; fi
+if there osmesa && there egl; then ok "the same files from both" same osmesa egl; else skip "OSMesa or EGL" "the same files from both"; fi
 ok "an unknown canvas is refused" fails 2 "$BUILD/beadreel" "$T/scene.yaml" --canvas etching
 ok "beadsim draws nothing" fails 2 "$BUILD/beadsim" "$T/scene.yaml" --canvas egl
 finish

@@ -36,7 +36,7 @@ if [ -n "$browser" ] && "$python" -c 1 2>/dev/null && timeout 60 "$browser" --he
     take <found
     ok "the browser's checks came to their end" grep -q '^1\.\.' found
 else
-    skip "there is no Chromium that runs here"
+    skip "a Chromium that runs here (chromium, python3)" "a browser plays movies and opens drawings"
 fi
 
 embedded() { pdffonts "$1" | tail -n +3 >fonts && [ -s fonts ] && ! awk '{print $(NF - 4)}' fonts | grep -qv yes || { cat fonts; return 1; }; }
@@ -75,9 +75,9 @@ if command -v pdffonts >/dev/null && command -v pdftotext >/dev/null && command 
     if command -v ffmpeg >/dev/null && "$python" -c 1 2>/dev/null; then
         ok "the raster in a PDF has the pixels of the PNG" same_raster
     else
-        skip "ffmpeg or python3 is not installed: rasters in PDF"
+        skip "ffmpeg or python3" "the raster in a PDF has the pixels of the PNG"
     fi
 else
-    skip "poppler-utils is not installed: PDF files"
+    skip "pdffonts, pdftotext, pdfimages (poppler-utils)" "fonts, text and rasters of PDF files"
 fi
 finish

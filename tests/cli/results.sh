@@ -61,7 +61,7 @@ for set in sse2 avx2 avx512; do
         ok "same numbers with $set" cmp all/beads.csv "$set/beads.csv"
         ok "same samples with $set" cmp <(contents all/run.h5) <(contents "$set/run.h5")
     else
-        skip "this machine has no $set"
+        skip "a processor with $set" "same numbers with $set"
     fi
 done
 
@@ -76,7 +76,7 @@ bar() { TERM=xterm script -qec "$beadsim scene.yaml -o slow --set simulate.until
 if TERM=xterm script -qec true typescript >/dev/null 2>&1; then
     ok "a bar on a terminal" bar
 else
-    skip "no terminals to be had here"
+    skip "a terminal (script, /dev/pts)" "a bar on a terminal"
 fi
 ok "stdout to a full device" fails 1 bash -c "'$beadsim' scene.yaml -o slow --only peaks.csv >/dev/full"
 ok "a closed pipe ends in order" bash -c "'$beadsim' scene.yaml -o slow --only peaks.csv 2>err2 | true; [ \${PIPESTATUS[0]} -le 1 ]"

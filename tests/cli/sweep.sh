@@ -73,7 +73,7 @@ ok "... from what was there" prints "there before"
 if command -v parallel >/dev/null && parallel --version 2>/dev/null | grep -q 'GNU parallel'; then
     ok "parts by GNU parallel" exits 0 parallel --will-cite -j 2 "$beadsim" "$T/sweep.yaml" --shard {}/4 -o "$T/parts" ::: 1 2 3 4
 else
-    skip "GNU parallel is not installed"
+    skip "GNU parallel (parallel)" "parts by GNU parallel"
     for k in 1 2 3 4; do "$beadsim" "$T/sweep.yaml" --shard $k/4 -o "$T/parts" >/dev/null; done
 fi
 p=$T/parts/sweep
@@ -102,7 +102,7 @@ ranged() {
 if command -v pdftotext >/dev/null; then
     ok "a plot of a range" ranged
 else
-    skip "pdftotext is not installed: the range of plots"
+    skip "pdftotext (poppler-utils)" "a plot of a range"
 fi
 ok "a plot again" exits 0 "$beadreel" "$T/whole/sweep.h5" -o "$T/again.png" --set 'outputs.force.png.size=[640, 400]'
 ok "a setting that would change the physics" fails 2 "$beadreel" "$T/whole/sweep.h5" -o "$T/x.png" --set sweep.seed=1
