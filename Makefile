@@ -22,8 +22,8 @@ endif
 # Debian 12 packages: to build, to build and run the tests, and what .ci/run uses beyond those.
 BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libfftw3-dev libpng-dev \
              libosmesa6-dev libegl-dev libavformat-dev libavcodec-dev libavutil-dev libx264-dev libcairo2-dev libpango1.0-dev fonts-stix fonts-lato
-TEST_DEPS  = libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel
-CI_DEPS    = clang-format cppcheck shellcheck ffmpeg poppler-utils man-db mandoc clang
+TEST_DEPS  = libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py
+CI_DEPS    = clang clang-format cppcheck shellcheck man-db mandoc
 
 # Asked once, when a recipe first needs it: after `deps` has run in `make deps all`.
 once              = $(eval $(1) := $(2))$($(1))
