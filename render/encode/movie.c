@@ -5,7 +5,8 @@
 #include <string.h>
 
 #include "beadreel/file.h"
-#include "render/encode/movie_engine.h"
+#include "render/encode/movie_av.h"
+#include "render/encode/movie_private.h"
 
 enum { MOST_PIXELS = 16384 };
 
@@ -41,14 +42,16 @@ static enum bead_error check_size(const char *path, const struct bead_codec *cod
     return BEAD_OK;
 }
 
-static enum bead_error check_engine(const char *path, const struct bead_preset *preset, struct bead_message *msg)
+static enum bead_error check_encoder(const char *path, const struct bead_preset *preset, struct bead_message *msg)
 {
     struct bead_av av;
     struct bead_message why;
     enum bead_error err = bead_av_open(&av, &why);
-    if (!err)
-        err = preset->engine->check(&av, preset->encoder, &why);
-    return err ? bead_fail(msg, err, "%s: %s", path, why.text) : BEAD_OK;
+    if (err)
+        return bead_fail(msg, err, "%s: %s", path, why.text);
+    if (av.avcodec_find_encoder_by_name(preset->encoder))
+        return BEAD_OK;
+    return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: libavcodec was built without its encoder %s", path, preset->encoder);
 }
 
 static enum bead_error check(const char *path, const struct bead_movie_settings *settings, const struct bead_codec **codec,
@@ -64,7 +67,7 @@ static enum bead_error check(const char *path, const struct bead_movie_settings 
         return err;
     if (!(settings->fps >= 0.01 && settings->fps <= 1000))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %g frames a second are not between 0.01 and 1000", path, settings->fps);
-    return (*codec)->presets ? check_engine(path, &(*codec)->presets[settings->quality], msg) : BEAD_OK;
+    return (*codec)->presets ? check_encoder(path, &(*codec)->presets[settings->quality], msg) : BEAD_OK;
 }
 
 enum bead_error bead_movie_check(const char *path, const struct bead_movie_settings *settings, struct bead_message *msg)

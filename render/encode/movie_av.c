@@ -41,3 +41,27 @@ enum bead_error bead_av_open(struct bead_av *av, struct bead_message *msg)
     memcpy(av, loaded, sizeof *av);
     return BEAD_OK;
 }
+
+#ifdef AVUTIL_VIDEO_HINT_H
+int bead_av_hint(const struct bead_av *av, AVFrame *picture, const struct bead_changes *changes)
+{
+    av->av_frame_remove_side_data(picture, AV_FRAME_DATA_VIDEO_HINT); /* slots come round */
+    if (!changes)
+        return 0;
+    AVVideoHint *hint = av->av_video_hint_create_side_data(picture, changes->count);
+    if (!hint)
+        return AVERROR(ENOMEM);
+    hint->type = AV_VIDEO_HINT_TYPE_CHANGED;
+    for (size_t i = 0; i < changes->count; i++) {
+        const struct bead_rect *r = &changes->rect[i];
+        *av_video_hint_get_rect(hint, i) = (AVVideoRect){(uint32_t)r->x, (uint32_t)r->y, (uint32_t)r->width, (uint32_t)r->height};
+    }
+    return 0;
+}
+#else
+int bead_av_hint(const struct bead_av *av, AVFrame *picture, const struct bead_changes *changes)
+{
+    (void)av, (void)picture, (void)changes;
+    return 0;
+}
+#endif

@@ -6,13 +6,22 @@
 #include <libavformat/avformat.h>
 #include <libavutil/opt.h>
 
-#include "beadreel/error.h"
+#include "beadreel/frame.h"
+
+/* From FFmpeg 6.1 on, encoders may be told what has not changed. */
+#if __has_include(<libavutil/video_hint.h>)
+#include <libavutil/video_hint.h>
+#define BEAD_AV_HINT_FUNCTIONS(X) X(av_video_hint_create_side_data) X(av_frame_remove_side_data)
+#define BEAD_AV_HINT_OPTIONS      "mb_info=1" /* of the encoders that are hinted */
+#else
+#define BEAD_AV_HINT_FUNCTIONS(X)
+#define BEAD_AV_HINT_OPTIONS ""
+#endif
 
 #define BEAD_AVUTIL_FUNCTIONS(X) \
     X(av_d2q)                    \
     X(av_dict_count)             \
     X(av_dict_free)              \
-    X(av_dict_get)               \
     X(av_dict_parse_string)      \
     X(av_dict_set)               \
     X(av_frame_alloc)            \
@@ -25,12 +34,12 @@
     X(av_frame_unref)            \
     X(av_log_get_level)          \
     X(av_log_set_level)          \
-    X(av_mallocz)                \
     X(av_mul_q)                  \
     X(av_opt_set_int)            \
     X(av_opt_set_q)              \
     X(av_rescale_q)              \
-    X(av_strerror)
+    X(av_strerror)               \
+    BEAD_AV_HINT_FUNCTIONS(X)
 
 #define BEAD_AVCODEC_FUNCTIONS(X)      \
     X(av_new_packet)                   \
@@ -72,5 +81,8 @@ struct bead_av {
 
 /* Errors: UNSUPPORTED (a library, of the version that this program was built with, or a function is missing). */
 BEAD_CHECK enum bead_error bead_av_open(struct bead_av *av, struct bead_message *msg);
+/* Tell the encoder that only `changes` of the picture differ from the one before; NULL: all may. Nothing happens where FFmpeg has
+ * no such hints. Returns 0 or libav's negative number of an error. */
+int bead_av_hint(const struct bead_av *av, AVFrame *picture, const struct bead_changes *changes);
 
 #endif

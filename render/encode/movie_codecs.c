@@ -21,37 +21,37 @@ static const struct bead_codec_info infos[CODECS + 1] = {
  * What stands still keeps what the key frames gave it: these are 12 QP better (ipratio=4; high: 9), which makes colour bars true to
  * two levels and text sharp for 1 % of the size.
  */
-#define X264_LEAN     "x264-params=bframes=0:rc-lookahead=0:sync-lookahead=0:mbtree=0:scenecut=0:weightp=0"
-#define X264_DRAFT    "preset=ultrafast qp=28 " X264_LEAN ":ipratio=4:cabac=1"
-#define X264_STANDARD "preset=ultrafast qp=26 " X264_LEAN ":ipratio=4:cabac=1:8x8dct=1:partitions=i4x4,i8x8"
-#define X264_HIGH     "preset=fast qp=17 " X264_LEAN ":ipratio=2.83"
-#define X264_LOSSLESS "preset=ultrafast qp=0 " X264_LEAN ":cabac=1"
+#define H264_LEAN     "x264-params=bframes=0:rc-lookahead=0:sync-lookahead=0:mbtree=0:scenecut=0:weightp=0"
+#define H264_DRAFT    "preset=ultrafast qp=28 " H264_LEAN ":ipratio=4:cabac=1"
+#define H264_STANDARD "preset=ultrafast qp=26 " H264_LEAN ":ipratio=4:cabac=1:8x8dct=1:partitions=i4x4,i8x8"
+#define H264_HIGH     "preset=fast qp=17 " H264_LEAN ":ipratio=2.83"
+#define H264_LOSSLESS "preset=ultrafast qp=0 " H264_LEAN ":cabac=1"
 #define VP9_LEAN      "lag-in-frames=0 auto-alt-ref=0 row-mt=0 tile-columns=0 frame-parallel=0 aq-mode=0 b=0 "
 
 /* By quality: draft, standard, high, lossless. */
-static const struct bead_preset h264[] = {{&bead_engine_x264, "libx264", AV_PIX_FMT_YUV420P, X264_DRAFT},
-                                          {&bead_engine_x264, "libx264", AV_PIX_FMT_YUV420P, X264_STANDARD},
-                                          {&bead_engine_x264, "libx264", AV_PIX_FMT_YUV420P, X264_HIGH},
-                                          {&bead_engine_av, "libx264rgb", AV_PIX_FMT_BGR0, X264_LOSSLESS}};
+static const struct bead_preset h264[] = {{"libx264", AV_PIX_FMT_YUV420P, 4, true, H264_DRAFT},
+                                          {"libx264", AV_PIX_FMT_YUV420P, 4, true, H264_STANDARD},
+                                          {"libx264", AV_PIX_FMT_YUV420P, 4, true, H264_HIGH},
+                                          {"libx264rgb", AV_PIX_FMT_BGR0, 4, true, H264_LOSSLESS}};
 static const struct bead_preset h264_or_ffv1[] = {
-    {&bead_engine_x264, "libx264", AV_PIX_FMT_YUV420P, X264_DRAFT},
-    {&bead_engine_x264, "libx264", AV_PIX_FMT_YUV420P, X264_STANDARD},
-    {&bead_engine_x264, "libx264", AV_PIX_FMT_YUV420P, X264_HIGH},
-    {&bead_engine_av, "ffv1", AV_PIX_FMT_BGR0, "level=3 coder=rice context=0 slices=4 slicecrc=1"}};
+    {"libx264", AV_PIX_FMT_YUV420P, 4, true, H264_DRAFT},
+    {"libx264", AV_PIX_FMT_YUV420P, 4, true, H264_STANDARD},
+    {"libx264", AV_PIX_FMT_YUV420P, 4, true, H264_HIGH},
+    {"ffv1", AV_PIX_FMT_BGR0, 1, false, "level=3 coder=rice context=0 slices=4 slicecrc=1"}};
 static const struct bead_preset vp9[] = {
-    {&bead_engine_av, "libvpx-vp9", AV_PIX_FMT_YUV420P, VP9_LEAN "deadline=realtime cpu-used=8 crf=32"},
-    {&bead_engine_av, "libvpx-vp9", AV_PIX_FMT_YUV420P, VP9_LEAN "deadline=realtime cpu-used=7 crf=24"},
-    {&bead_engine_av, "libvpx-vp9", AV_PIX_FMT_YUV420P, VP9_LEAN "deadline=good cpu-used=4 crf=15"},
-    {&bead_engine_av, "libvpx-vp9", AV_PIX_FMT_GBRP, VP9_LEAN "deadline=realtime cpu-used=8 lossless=1"}};
+    {"libvpx-vp9", AV_PIX_FMT_YUV420P, 1, false, VP9_LEAN "deadline=realtime cpu-used=8 crf=32"},
+    {"libvpx-vp9", AV_PIX_FMT_YUV420P, 1, false, VP9_LEAN "deadline=realtime cpu-used=7 crf=24"},
+    {"libvpx-vp9", AV_PIX_FMT_YUV420P, 1, false, VP9_LEAN "deadline=good cpu-used=4 crf=15"},
+    {"libvpx-vp9", AV_PIX_FMT_GBRP, 1, false, VP9_LEAN "deadline=realtime cpu-used=8 lossless=1"}};
 /* The same pixels at every quality: only the work on the size differs. */
-static const struct bead_preset apng[] = {{&bead_engine_av, "apng", AV_PIX_FMT_RGB24, "pred=sub compression_level=1"},
-                                          {&bead_engine_av, "apng", AV_PIX_FMT_RGB24, "pred=sub compression_level=3"},
-                                          {&bead_engine_av, "apng", AV_PIX_FMT_RGB24, "pred=sub compression_level=6"},
-                                          {&bead_engine_av, "apng", AV_PIX_FMT_RGB24, "pred=sub compression_level=6"}};
-static const struct bead_preset gif[] = {{&bead_engine_av, "gif", AV_PIX_FMT_PAL8, ""},
-                                         {&bead_engine_av, "gif", AV_PIX_FMT_PAL8, ""},
-                                         {&bead_engine_av, "gif", AV_PIX_FMT_PAL8, ""},
-                                         {&bead_engine_av, "gif", AV_PIX_FMT_PAL8, ""}};
+static const struct bead_preset apng[] = {{"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=1"},
+                                          {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=3"},
+                                          {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=6"},
+                                          {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=6"}};
+static const struct bead_preset gif[] = {{"gif", AV_PIX_FMT_PAL8, 1, false, ""},
+                                         {"gif", AV_PIX_FMT_PAL8, 1, false, ""},
+                                         {"gif", AV_PIX_FMT_PAL8, 1, false, ""},
+                                         {"gif", AV_PIX_FMT_PAL8, 1, false, ""}};
 
 static const struct bead_codec codecs[CODECS] = {
     [MP4] = {&bead_movie_libav, "mp4", "movflags=+faststart", h264, 0, true, 0},

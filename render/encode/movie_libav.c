@@ -1,18 +1,22 @@
-/* Frames into a file through libavformat: one video stream, times in frames, a picture kept and changed in place. */
+/* Frames into a file through libavcodec and libavformat: one video stream, times in frames, pictures kept and changed in place.
+ * The sink's encoding thread calls these functions; movie_pictures.c converts the pixels before. */
 #include <errno.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "beadreel/file.h"
-#include "render/encode/movie_engine.h"
+#include "render/encode/movie_av.h"
+#include "render/encode/movie_pictures.h"
+#include "render/encode/movie_private.h"
+
+enum { KEY_INTERVAL = 300 /* encoded frames from one that players can jump to, to the next */ };
 
 struct bead_encoder {
     struct bead_av av;
     AVFormatContext *format;
-    const struct bead_engine_type *type;
-    struct bead_engine *engine;
-    struct bead_blocks blocks;     /* against the picture encoded last */
+    AVCodecContext *codec;
+    struct bead_changes changes;   /* against the picture encoded last */
     struct bead_pictures pictures; /* frames as converted so far; the first is that of movies added at once */
     size_t now;                    /* the one added last */
     AVPacket *packet, *held;       /* a packet waits in `held` until the time of the next tells its duration */
@@ -52,22 +56,65 @@ static void silence(struct bead_encoder *e)
         e->av.av_log_set_level(AV_LOG_QUIET);
 }
 
-static enum bead_error open_engine(struct bead_movie *movie, struct bead_message *msg)
+/* "key=value key=value ..." */
+static int parse_options(const struct bead_av *av, const char *text, AVDictionary **options)
+{
+    return text && *text ? av->av_dict_parse_string(options, text, "=", " ", 0) : 0;
+}
+
+static void set_up(struct bead_encoder *e, const struct bead_preset *preset, const struct bead_picture_format *f)
+{
+    AVCodecContext *c = e->codec;
+    c->width = f->width;
+    c->height = f->height;
+    c->pix_fmt = f->pixels;
+    c->color_primaries = f->primaries;
+    c->color_trc = f->transfer;
+    c->colorspace = f->matrix;
+    c->color_range = f->range;
+    c->chroma_sample_location = f->chroma;
+    c->time_base = e->frame_time;
+    c->framerate = av_inv_q(e->frame_time);
+    c->sample_aspect_ratio = (AVRational){1, 1};
+    c->gop_size = KEY_INTERVAL;
+    c->max_b_frames = 0;
+    /* Never as many as there are processors: the number is part of the file. */
+    c->thread_count = preset->threads;
+    c->thread_type = FF_THREAD_FRAME;
+    c->flags |= AV_CODEC_FLAG_BITEXACT;
+    if (e->format->oformat->flags & AVFMT_GLOBALHEADER)
+        c->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+}
+
+static int start_codec(struct bead_encoder *e, const struct bead_preset *preset, const struct bead_picture_format *format)
+{
+    const AVCodec *type = e->av.avcodec_find_encoder_by_name(preset->encoder);
+    e->codec = e->av.avcodec_alloc_context3(type);
+    if (!e->codec)
+        return AVERROR(ENOMEM);
+    set_up(e, preset, format);
+    AVDictionary *options = NULL;
+    int code = parse_options(&e->av, preset->options, &options);
+    if (code >= 0 && preset->hinted)
+        code = parse_options(&e->av, BEAD_AV_HINT_OPTIONS, &options);
+    if (code >= 0)
+        code = e->av.avcodec_open2(e->codec, type, &options);
+    if (code >= 0 && e->av.av_dict_count(options))
+        code = AVERROR_OPTION_NOT_FOUND;
+    e->av.av_dict_free(&options);
+    return code;
+}
+
+static enum bead_error open_codec(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
     const struct bead_movie_settings *settings = &movie->settings;
     const struct bead_preset *preset = &movie->codec->presets[settings->quality];
-    const struct bead_engine_setup setup = {.av = &e->av,
-                                            .preset = preset,
-                                            .pictures = bead_picture_format(settings->width, settings->height, preset->format),
-                                            .frame_time = e->frame_time,
-                                            .global_header = e->format->oformat->flags & AVFMT_GLOBALHEADER};
-    e->type = preset->engine;
-    int code = e->type->open(&setup, &e->engine);
+    const struct bead_picture_format pictures = bead_picture_format(settings->width, settings->height, preset->format);
+    int code = start_codec(e, preset, &pictures);
     if (code < 0)
         return fail(movie, "the encoder cannot be opened", code, msg);
-    enum bead_error err = bead_blocks_create(settings->width, settings->height, &e->blocks, msg);
-    return err ? err : bead_pictures_open(&e->av, &setup.pictures, movie->path, &e->pictures, msg);
+    return bead_pictures_open(&e->av, &pictures, movie->path, &e->pictures, msg);
 }
 
 static enum bead_error open_packets(struct bead_movie *movie, struct bead_message *msg)
@@ -87,7 +134,7 @@ static int open_stream(struct bead_movie *movie)
     stream->time_base = e->frame_time;
     stream->avg_frame_rate = av_inv_q(e->frame_time);
     stream->sample_aspect_ratio = (AVRational){1, 1};
-    int code = e->type->describe(e->engine, stream->codecpar);
+    int code = e->av.avcodec_parameters_from_context(stream->codecpar, e->codec);
     if (code >= 0 && movie->settings.title)
         code = e->av.av_dict_set(&e->format->metadata, "title", movie->settings.title, 0);
     if (code >= 0 && movie->settings.comment)
@@ -140,7 +187,7 @@ static enum bead_error open_file(struct bead_movie *movie, struct bead_message *
         return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be written: %s", movie->path, text);
     }
     AVDictionary *options = NULL;
-    code = bead_engine_options(&e->av, movie->codec->muxer_options, &options);
+    code = parse_options(&e->av, movie->codec->muxer_options, &options);
     if (code >= 0)
         code = e->av.avformat_write_header(e->format, &options);
     e->begun = code >= 0;
@@ -184,7 +231,7 @@ static enum bead_error libav_open(struct bead_movie *movie, struct bead_message 
     e->group = e->group < 1 ? 1 : e->group;
     err = open_format(movie, msg);
     if (!err)
-        err = open_engine(movie, msg);
+        err = open_codec(movie, msg);
     if (!err)
         err = open_packets(movie, msg);
     return err ? err : open_file(movie, msg);
@@ -208,7 +255,7 @@ static enum bead_error drain(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
     for (;;) {
-        int code = e->type->receive(e->engine, e->packet);
+        int code = e->av.avcodec_receive_packet(e->codec, e->packet);
         if (code == AVERROR(EAGAIN) || code == AVERROR_EOF)
             return BEAD_OK;
         if (code < 0)
@@ -226,13 +273,16 @@ static enum bead_error drain(struct bead_movie *movie, struct bead_message *msg)
 static enum bead_error encode(struct bead_movie *movie, int64_t time, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
+    const struct bead_preset *preset = &movie->codec->presets[movie->settings.quality];
     AVFrame *picture = e->pictures.slots[e->now].picture;
     picture->pts = e->last = time;
     e->dirty = false;
-    int code = e->type->send(e->engine, picture, &e->blocks);
+    int code = bead_av_hint(&e->av, picture, preset->hinted ? &e->changes : NULL);
+    if (code >= 0)
+        code = e->av.avcodec_send_frame(e->codec, picture);
     if (code < 0)
         return fail(movie, "encoding failed", code, msg);
-    bead_blocks_encoded(&e->blocks);
+    e->changes.count = 0;
     movie->encoded++;
     return drain(movie, msg);
 }
@@ -259,7 +309,8 @@ static enum bead_error libav_add_slot(struct bead_movie *movie, size_t slot, con
     const struct bead_changes aligned = bead_pictures_align(&e->pictures, changes);
     e->now = slot;
     e->dirty = e->dirty || aligned.count > 0;
-    bead_blocks_change(&e->blocks, &aligned);
+    for (size_t i = 0; i < aligned.count; i++)
+        bead_changes_add(&e->changes, aligned.rect[i]);
     if (!e->dirty)
         return BEAD_OK;
     if (time == 0)
@@ -308,7 +359,7 @@ static enum bead_error libav_finish(struct bead_movie *movie, struct bead_messag
     enum bead_error err = last_frame(movie, msg);
     if (err)
         return err;
-    int code = e->type->send(e->engine, NULL, NULL);
+    int code = e->av.avcodec_send_frame(e->codec, NULL);
     if (code < 0)
         return fail(movie, "encoding failed", code, msg);
     err = drain(movie, msg);
@@ -338,12 +389,10 @@ static void libav_destroy(struct bead_movie *movie)
     if (!e)
         return;
     bead_pictures_close(&e->pictures);
-    bead_blocks_free(&e->blocks);
     e->av.av_packet_free(&e->cover);
     e->av.av_packet_free(&e->held);
     e->av.av_packet_free(&e->packet);
-    if (e->type)
-        e->type->close(e->engine);
+    e->av.avcodec_free_context(&e->codec);
     /* Muxers that set delays keep a packet back, and some free it only with the trailer. */
     if (e->begun && movie->codec->delay_unit)
         e->av.av_write_trailer(e->format);

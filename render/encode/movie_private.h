@@ -9,8 +9,7 @@
 
 #include "beadreel/movie.h"
 
-struct bead_encoder;     /* libav's part */
-struct bead_engine_type; /* movie_engine.h */
+struct bead_encoder; /* libav's part */
 
 /* A way to write frames. */
 struct bead_movie_way {
@@ -31,13 +30,13 @@ struct bead_movie_way {
 };
 
 extern const struct bead_movie_way bead_movie_libav, bead_movie_hashes;
-extern const struct bead_engine_type bead_engine_av, bead_engine_x264;
 
 /* How one quality is encoded. */
 struct bead_preset {
-    const struct bead_engine_type *engine;
     const char *encoder; /* libav's name */
     enum AVPixelFormat format;
+    int threads;         /* of the encoder, each with frames of its own */
+    bool hinted;         /* the encoder skips what it is told has not changed */
     const char *options; /* of the encoder, as libav has them: "key=value key=value" */
 };
 

@@ -204,7 +204,7 @@ static int print_options(const char *quality)
     }
     if (!preset)
         return complain("options: of draft, standard or high"), 2;
-    printf("-c:v %s -threads 1", preset->encoder); /* threads: as movies are opened */
+    printf("-c:v %s -threads %d", preset->encoder, preset->threads);
     bool key = true;
     for (const char *at = preset->options; *at; at++) {
         if (at == preset->options || at[-1] == ' ')

@@ -1,32 +1,34 @@
-/* What encoders are told of unchanged blocks is true: nothing that has changed stays behind on the screen. */
+/* What encoders are told of unchanged parts is true: nothing that has changed stays behind on the screen. */
 #include "movies.h"
 
 #include "decode.h"
-#include "render/encode/movie_blocks.h"
+#include "render/encode/movie_av.h"
 
-enum { ACROSS = 20, DOWN = 15, SIDE_X = ACROSS * BEAD_BLOCK - 6, SIDE_Y = DOWN * BEAD_BLOCK - 10, FRAMES = 60 };
+enum { BLOCK = 16, SIDE_X = 20 * BLOCK - 6, SIDE_Y = 15 * BLOCK - 10, FRAMES = 60 };
 
-static void blocks_touched_are_marked(void **state)
+/* Where FFmpeg has hints for encoders, a picture carries those of the last call only; where it has none, nothing happens. */
+static void pictures_carry_hints(void **state)
 {
     (void)state;
-    struct bead_blocks blocks;
-    assert_int_equal(bead_blocks_create(SIDE_X, SIDE_Y, &blocks, NULL), BEAD_OK);
-    assert_int_equal(blocks.across, ACROSS);
-    assert_int_equal(blocks.down, DOWN);
-    for (int i = 0; i < ACROSS * DOWN; i++)
-        assert_int_equal(blocks.same[i], 0);
-    bead_blocks_encoded(&blocks);
-    /* Within one block; over a corner of four; up to the padded right and the bottom edge. */
-    const struct bead_changes changes = {3, {{16, 16, 16, 16}, {95, 63, 2, 2}, {SIDE_X - 1, SIDE_Y - 1, 20, 1}}};
-    bead_blocks_change(&blocks, &changes);
-    static const int touched[][2] = {{1, 1}, {5, 3}, {6, 3}, {5, 4}, {6, 4}, {ACROSS - 1, DOWN - 1}};
-    int count = 0;
-    for (int i = 0; i < ACROSS * DOWN; i++)
-        count += !blocks.same[i];
-    assert_int_equal(count, sizeof touched / sizeof *touched);
-    for (size_t i = 0; i < sizeof touched / sizeof *touched; i++)
-        assert_int_equal(blocks.same[touched[i][1] * ACROSS + touched[i][0]], 0);
-    bead_blocks_free(&blocks);
+    const struct bead_changes changes = {2, {{16, 16, 16, 16}, {95, 63, 2, 2}}}, fewer = {1, {{0, 8, 48, 2}}};
+    struct bead_av av;
+    assert_int_equal(bead_av_open(&av, NULL), BEAD_OK);
+    AVFrame *picture = av.av_frame_alloc();
+    assert_non_null(picture);
+    assert_int_equal(bead_av_hint(&av, picture, &changes), 0);
+    assert_int_equal(bead_av_hint(&av, picture, &fewer), 0);
+#ifdef AVUTIL_VIDEO_HINT_H
+    assert_int_equal(picture->nb_side_data, 1);
+    const AVVideoHint *hint = (const AVVideoHint *)picture->side_data[0]->data;
+    assert_int_equal(hint->nb_rects, 1);
+    assert_int_equal(hint->type, AV_VIDEO_HINT_TYPE_CHANGED);
+    const AVVideoRect *r = av_video_hint_get_rect(hint, 0);
+    assert_true(r->x == 0 && r->y == 8 && r->width == 48 && r->height == 2);
+    assert_string_equal(BEAD_AV_HINT_OPTIONS, "mb_info=1");
+#endif
+    assert_int_equal(bead_av_hint(&av, picture, NULL), 0);
+    assert_int_equal(picture->nb_side_data, 0);
+    av.av_frame_free(&picture);
 }
 
 static unsigned next(unsigned *seed)
@@ -120,8 +122,8 @@ static void nothing_stays_behind(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(blocks_touched_are_marked),
+        cmocka_unit_test(pictures_carry_hints),
         cmocka_unit_test(nothing_stays_behind),
     };
-    return cmocka_run_group_tests_name("movie_blocks", tests, make_directory, remove_directory);
+    return cmocka_run_group_tests_name("movie_hints", tests, make_directory, remove_directory);
 }
