@@ -39,6 +39,7 @@
     X(PFNGLGENTEXTURESPROC, GenTextures)                         \
     X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                 \
     X(PFNGLGETERRORPROC, GetError)                               \
+    X(PFNGLGETFLOATVPROC, GetFloatv)                             \
     X(PFNGLGETINTEGERVPROC, GetIntegerv)                         \
     X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)             \
     X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                       \
@@ -53,6 +54,7 @@
     X(PFNGLSHADERSOURCEPROC, ShaderSource)                       \
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                           \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                     \
+    X(PFNGLUNIFORM1FPROC, Uniform1f)                             \
     X(PFNGLUNIFORM2FPROC, Uniform2f)                             \
     X(PFNGLUSEPROGRAMPROC, UseProgram)                           \
     X(PFNGLVERTEXATTRIBDIVISORPROC, VertexAttribDivisor)         \

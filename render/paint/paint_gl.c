@@ -7,9 +7,10 @@
 #include "render/paint/canvas_private.h"
 #include "render/paint/gl.h"
 
-/* A program and the layout of its instances. */
+/* A program and the layout of what it draws: points, a vertex each, or squares, an instance each. */
 struct brush {
     GLuint program, vertices;
+    bool points;
 };
 
 /* Fragment shaders of marks. Software renderers run all branches of a shader for every pixel: what covers many has its own. */
@@ -21,8 +22,9 @@ struct bead_painter {
     struct bead_gl gl;
     GLuint texture, framebuffer; /* row 0 of the framebuffer is the top row of the picture */
     bool ready;                  /* the shaders are there; made when first painted */
+    int margin; /* px: OpenGL drops points whose centre is not in the viewport, which is wider by this on all sides */
     GLuint buffer;
-    struct brush balls, marks[MARK_BRUSHES];
+    struct brush balls, large_balls, marks[MARK_BRUSHES]; /* large: not to be had as points */
 };
 
 /* One attribute of an instance. Canvases keep their pixels as frames do, blue first, in what OpenGL takes for red: read back, they
@@ -52,11 +54,15 @@ static enum bead_error make_brush(struct bead_canvas *canvas, const char *vertex
                                   const struct attribute *attributes, struct brush *brush, struct bead_message *msg)
 {
     const struct bead_gl *gl = &canvas->painter->gl;
+    const int margin = canvas->painter->margin;
     enum bead_error err = bead_gl_program(gl, vertex, fragment, &brush->program, msg);
     if (err)
         return err;
     gl->UseProgram(brush->program);
-    gl->Uniform2f(gl->GetUniformLocation(brush->program, "size"), (GLfloat)canvas->width, (GLfloat)canvas->height);
+    gl->Uniform2f(gl->GetUniformLocation(brush->program, "size"), (GLfloat)(canvas->width + 2 * margin),
+                  (GLfloat)(canvas->height + 2 * margin));
+    gl->Uniform1f(gl->GetUniformLocation(brush->program, "margin"), (GLfloat)margin);
+    gl->Uniform1f(gl->GetUniformLocation(brush->program, "spread"), brush->points ? 0 : 1);
     gl->GenVertexArrays(1, &brush->vertices);
     gl->BindVertexArray(brush->vertices);
     gl->BindBuffer(GL_ARRAY_BUFFER, canvas->painter->buffer);
@@ -64,7 +70,7 @@ static enum bead_error make_brush(struct bead_canvas *canvas, const char *vertex
         const struct attribute *a = &attributes[i];
         gl->EnableVertexAttribArray(i);
         gl->VertexAttribPointer(i, a->numbers, a->type, a->normalised, (GLsizei)stride, (const void *)(uintptr_t)a->offset);
-        gl->VertexAttribDivisor(i, 1);
+        gl->VertexAttribDivisor(i, brush->points ? 0 : 1);
     }
     return bead_gl_check(gl, "preparing a shader", msg);
 }
@@ -75,12 +81,13 @@ static void free_brush(const struct bead_gl *gl, struct brush *brush)
         gl->DeleteVertexArrays(1, &brush->vertices);
     if (brush->program)
         gl->DeleteProgram(brush->program);
-    *brush = (struct brush){0, 0};
+    *brush = (struct brush){0, 0, false};
 }
 
 static void free_brushes(struct bead_painter *p)
 {
     free_brush(&p->gl, &p->balls);
+    free_brush(&p->gl, &p->large_balls);
     for (int i = 0; i < MARK_BRUSHES; i++)
         free_brush(&p->gl, &p->marks[i]);
     if (p->buffer)
@@ -92,7 +99,10 @@ static enum bead_error make_brushes(struct bead_canvas *canvas, struct bead_mess
 {
     struct bead_painter *p = canvas->painter;
     p->gl.GenBuffers(1, &p->buffer);
+    p->balls.points = true;
     enum bead_error err = make_brush(canvas, "ball", "ball", sizeof(struct bead_ball), ball_attributes, &p->balls, msg);
+    if (!err)
+        err = make_brush(canvas, "ball", "ball", sizeof(struct bead_ball), ball_attributes, &p->large_balls, msg);
     for (int i = 0; !err && i < MARK_BRUSHES; i++)
         err = make_brush(canvas, "mark", mark_shaders[i], sizeof(struct bead_mark), mark_attributes, &p->marks[i], msg);
     if (err)
@@ -118,6 +128,18 @@ static void describe(struct bead_canvas *canvas, const struct bead_gl *gl)
              renderer ? renderer : "unknown renderer", version ? version : "of unknown version");
 }
 
+/* Half of the largest point; 0 where the viewport cannot be so wide. */
+static int find_margin(const struct bead_canvas *canvas)
+{
+    const struct bead_gl *gl = &canvas->painter->gl;
+    GLfloat points[2] = {0, 0};
+    GLint widest[2] = {0, 0};
+    gl->GetFloatv(GL_POINT_SIZE_RANGE, points);
+    gl->GetIntegerv(GL_MAX_VIEWPORT_DIMS, widest);
+    int margin = points[1] < 256 ? (int)(0.5F * points[1]) : 128;
+    return canvas->width + 2 * margin <= widest[0] && canvas->height + 2 * margin <= widest[1] ? margin : 0;
+}
+
 static enum bead_error fill(struct bead_canvas *canvas, struct bead_message *msg)
 {
     struct bead_painter *p = canvas->painter;
@@ -130,6 +152,7 @@ static enum bead_error fill(struct bead_canvas *canvas, struct bead_message *msg
     if (canvas->width > most || canvas->height > most)
         return bead_fail(msg, BEAD_ERROR_GRAPHICS, "a canvas of %d x %d pixels is too large: this OpenGL allows %d", canvas->width,
                          canvas->height, most);
+    p->margin = find_margin(canvas);
     return bead_gl_target(&p->gl, canvas->width, canvas->height, NULL, 0, &p->texture, &p->framebuffer, msg);
 }
 
@@ -188,14 +211,16 @@ static enum bead_error gl_begin(struct bead_canvas *canvas, struct bead_message 
         return err;
     const struct bead_gl *gl = &canvas->painter->gl;
     const struct bead_rect rect = canvas->rect;
+    const int margin = canvas->painter->margin;
     gl->Disable(GL_SCISSOR_TEST);
     gl->BindFramebuffer(GL_READ_FRAMEBUFFER, canvas->backdrop->framebuffer);
     gl->BlitFramebuffer(rect.x, rect.y, rect.x + rect.width, rect.y + rect.height, rect.x, rect.y, rect.x + rect.width,
                         rect.y + rect.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     gl->BindFramebuffer(GL_READ_FRAMEBUFFER, canvas->painter->framebuffer);
-    gl->Viewport(0, 0, canvas->width, canvas->height);
+    gl->Viewport(-margin, -margin, canvas->width + 2 * margin, canvas->height + 2 * margin);
     gl->Scissor(rect.x, rect.y, rect.width, rect.height);
     gl->Enable(GL_SCISSOR_TEST);
+    gl->Enable(GL_PROGRAM_POINT_SIZE);
     gl->Enable(GL_BLEND); /* colours are premultiplied */
     gl->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     return bead_gl_check(gl, "drawing", msg);
@@ -208,12 +233,26 @@ static void paint(struct bead_canvas *canvas, const struct brush *brush, const v
     gl->BindVertexArray(brush->vertices);
     gl->BindBuffer(GL_ARRAY_BUFFER, canvas->painter->buffer);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(count * bytes), data, GL_STREAM_DRAW);
-    gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)count);
+    if (brush->points)
+        gl->DrawArraysInstanced(GL_POINTS, 0, (GLsizei)count, 1);
+    else
+        gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)count);
+}
+
+/* A square of two triangles is shaded twice along its diagonal, a point is not. */
+static const struct brush *ball_brush(const struct bead_painter *p, const struct bead_ball *ball)
+{
+    return ball->r + 1 < (float)p->margin ? &p->balls : &p->large_balls;
 }
 
 static void gl_balls(struct bead_canvas *canvas, const struct bead_ball *balls, size_t count)
 {
-    paint(canvas, &canvas->painter->balls, balls, sizeof *balls, count);
+    for (size_t i = 0, end; i < count; i = end) {
+        const struct brush *brush = ball_brush(canvas->painter, &balls[i]);
+        for (end = i + 1; end < count && ball_brush(canvas->painter, &balls[end]) == brush;)
+            end++;
+        paint(canvas, brush, balls + i, sizeof *balls, end - i);
+    }
 }
 
 static int brush_of(const struct bead_mark *mark)
