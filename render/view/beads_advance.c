@@ -72,7 +72,9 @@ static void aim(struct bead_view *v, double time)
     double width = lens->rect.width / lens->scale;
     double lowest = v->ends[0] - (v->striker ? 2.4 : 0.2) * v->largest;
     double highest = v->ends[1] + (v->wall ? 0.8 : 0.2) * v->largest - width;
-    lens->from = bead_window_left(bead_follower_advance(&v->follower, place, time), width, lowest, highest);
+    double left = bead_window_left(bead_follower_advance(&v->follower, place, time), width, lowest, highest);
+    /* Whole pixels: what is at rest then looks the same at every place, which encoders find again. */
+    lens->from = v->ends[0] + round((left - v->ends[0]) * lens->scale) / lens->scale;
 }
 
 void bead_beads_advance(struct bead_view *v, double time)
