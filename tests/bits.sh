@@ -8,7 +8,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 build=$(realpath "$1")
 shift
-export BEADREEL_ASSETS=${BEADREEL_ASSETS:-$PWD/assets}
+export BEADREEL_ASSETS=assets # trajectories hold the path of their scene
 work=$(mktemp -d "${TMPDIR:-/tmp}/beadreel-bits.XXXXXX") || exit 1
 trap 'rm -rf "$work"' EXIT
 
