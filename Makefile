@@ -58,8 +58,9 @@ RENDER_OBJECTS  = $(RENDER_SOURCES:%.c=$(BUILD)/%.o)
 LIBRARIES       = $(BUILD)/libbeadsim.a $(BUILD)/libbeadreel.a $(BUILD)/libbeadsim.so $(BUILD)/libbeadreel.so
 PROGRAMS        = $(BUILD)/beadsim $(BUILD)/beadreel
 
-# Unit tests: every tests/test_*.c is one cmocka program; other C files there are linked into all of them.
-TESTS        = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/test_*.c))
+# Unit tests: every test_*.c in tests/ or a room of it is one cmocka program; other C files in tests/ are linked into all of them.
+TEST_ROOMS   = tests tests/sim tests/render
+TESTS        = $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(wildcard $(TEST_ROOMS:=/test_*.c))))
 TEST_SUPPORT = $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(filter-out tests/test_%.c,$(wildcard tests/*.c)))
 EXAMPLES     = $(patsubst tests/examples/%.c,$(BUILD)/tests/examples/%,$(wildcard tests/examples/*.c))
 BENCHES      = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench/*.c))
@@ -169,7 +170,8 @@ compile_test = $(CC) $(FLAGS) -Wno-write-strings -Itests $(sim_cflags) $(render_
 $(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT)
 	@mkdir -p $(@D)
 	$(call say,CC,$<) $(run) $(compile_test) -c $< -o $@
-$(TESTS): $(BUILD)/tests/%: tests/%.c $(TEST_SUPPORT) $(STATIC) | $(WAIT)
+vpath test_%.c $(TEST_ROOMS)
+$(TESTS): $(BUILD)/tests/%: %.c $(TEST_SUPPORT) $(STATIC) | $(WAIT)
 	@mkdir -p $(@D)
 	$(call say,TEST,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(TEST_SUPPORT) $(STATIC) $(render_libs) $(sim_libs) $(movie_libs) $(test_libs)
 # As a user's program: public headers and shared libraries only.

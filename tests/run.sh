@@ -1,6 +1,6 @@
 #!/bin/bash
 # Run all tests of a build and count them: tests/run.sh BUILD [NAME...]
-# Unit tests are the programs BUILD/tests/test_*, the others tests/*.sh and tests/cli/*.sh; each prints TAP.
+# Unit tests are the programs BUILD/tests/test_* (from tests/ROOM/test_*.c), the others tests/*.sh and tests/cli/*.sh; each prints TAP.
 # Ends with `N passed, M failed`, or `N passed, M failed, K skipped` where the machine lacks what some need; exit status 1 if any
 # failed. JOBS=n runs n at a time.
 set -u
@@ -19,7 +19,7 @@ for t in "$build"/tests/test_* tests/test_*.sh tests/cli/*.sh; do
     case "$t" in "$build"/tests/*.*) continue ;; esac
     name=$(basename "$t" .sh)
     # A program whose source is gone is left from an earlier build.
-    case "$t" in *.sh) ;; *) [ -e "tests/$name.c" ] || continue ;; esac
+    case "$t" in *.sh) ;; *) compgen -G "tests/$name.c" >/dev/null || compgen -G "tests/*/$name.c" >/dev/null || continue ;; esac
     [ $# -eq 0 ] || [[ " $* " == *" $name "* ]] || continue
     names+=("$t")
 done
