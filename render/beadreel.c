@@ -52,11 +52,11 @@ int main(int argc, char **argv)
     const struct bead_sweep_sink *const *const sweep_sinks[] = {bead_sweep_data_sinks(), bead_sweep_render_sinks(), NULL};
     const struct command_program program = {
         .name = "beadreel",
-        .purpose = "strikes chains of beads and makes pictures and movies of the waves in them",
+        .purpose = "compute and film waves in chains of elastic beads",
         .usage = "Usage:\n"
-                 "  beadreel [OPTION]... SCENE.yaml           make everything the scene asks for\n"
-                 "  beadreel [OPTION]... RUN.h5 -o out.png    draw an existing trajectory (png, pdf, svg, mp4, ...)\n"
-                 "  beadreel [OPTION]... SWEEP.h5 -o out.png  draw a computed sweep (png, pdf, svg, csv)\n"
+                 "  beadreel [OPTION]... SCENE.yaml           make all outputs of a scene\n"
+                 "  beadreel [OPTION]... RUN.h5 -o out.png    draw a trajectory (png, pdf, svg, mp4, ...)\n"
+                 "  beadreel [OPTION]... SWEEP.h5 -o out.png  draw the results of a sweep (png, pdf, svg, csv)\n"
                  "A name without a path is a ready scene (--list scenes).\n",
         .examples = "Examples:\n"
                     "  beadreel clean-vs-delocalised -o demo\n"

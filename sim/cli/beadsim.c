@@ -20,9 +20,9 @@ int main(int argc, char **argv)
     const struct bead_sweep_sink *const *const sweep_sinks[] = {bead_sweep_data_sinks(), NULL};
     const struct command_program program = {
         .name = "beadsim",
-        .purpose = "strikes chains of beads and writes what a scene asks for: data only, no pictures",
+        .purpose = "compute waves in chains of elastic beads: data only, no pictures",
         .usage = "Usage:\n"
-                 "  beadsim [OPTION]... SCENE.yaml      write the scene's trajectories and tables\n"
+                 "  beadsim [OPTION]... SCENE.yaml  make the trajectories and tables of a scene\n"
                  "A name without a path is a ready scene (--list scenes).\n",
         .examples = "Examples:\n"
                     "  beadsim clean-vs-delocalised -o results\n"

@@ -202,24 +202,25 @@ static enum bead_error set_version(struct command *command, const char *value, s
 }
 
 static const struct option_row rows[] = {
-    {"output", 'o', "PATH", "directory for a scene's files (default: the current one); the file for a trajectory", set_output},
-    {"set", 0, "KEY=VALUE", "change the scene: --set chain.striker.velocity='1 m/s' (repeatable)", set_setting},
-    {"only", 0, "NAME", "make only this output, by its file name (repeatable)", set_only},
-    {"plan", 0, NULL, "say what would be computed, what is skipped and why, and stop", set_plan},
+    {"output", 'o', "PATH", "directory for the files of a scene (default: the current one), or the file to draw a trajectory into",
+     set_output},
+    {"set", 0, "KEY=VALUE", "change the scene, as in --set chain.striker.velocity='1 m/s' (repeatable)", set_setting},
+    {"only", 0, "NAME", "make only this output, named by its file (repeatable)", set_only},
+    {"plan", 0, NULL, "show what would be computed, what is skipped, and why; compute nothing", set_plan},
     {"list", 0, "WHAT", "list %s", set_list},
-    {"info", 0, "FILE", "describe a scene, a trajectory or a sweep's file and stop", set_info},
-    {"configuration", 0, "N", "run chain N of a sweep (a scene or a sweep's file) alone; NAME:N of several sweeps",
+    {"info", 0, "FILE", "describe a scene, a trajectory or the results of a sweep", set_info},
+    {"configuration", 0, "N", "run only chain N of a sweep (its scene or its results); NAME:N where there are several sweeps",
      set_configuration},
-    {"sheet", 0, NULL, "draw many configurations of a sweep, or of a random chain, into the file -o, and nothing else", set_sheet},
-    {"shard", 0, "K/N", "compute part K of N of a sweep, into a file of its own: sweep.h5 -> sweep.KofN.h5", set_shard},
-    {"merge", 0, NULL, "put the parts of a sweep that are named, in any order, together into the file -o", set_merge},
-    {"threads", 0, "N", "use N threads (default 0: all cores); the results are the same for any", set_threads},
-    {"instructions", 0, "SET", "compute with vector instructions sse2, avx2 or avx512 (default: best); same results",
+    {"sheet", 0, NULL, "draw only a contact sheet, of a sweep or of a random chain, into the file -o", set_sheet},
+    {"shard", 0, "K/N", "compute part K of N of a sweep into a file of its own: sweep.h5 becomes sweep.KofN.h5", set_shard},
+    {"merge", 0, NULL, "merge the given parts of a sweep, in any order, into the file -o", set_merge},
+    {"threads", 0, "N", "use N threads (default 0: all cores); the results do not depend on N", set_threads},
+    {"instructions", 0, "SET", "compute with sse2, avx2 or avx512 (default: the best there is); the results do not depend on SET",
      set_instructions},
     {"canvas", 0, "NAME", "what paints beads: plain (default), or as a reference Mesa's OpenGL, osmesa or egl", set_canvas},
-    {"progress", 0, "HOW", "auto (default), plain, json or none; written to stderr", set_progress},
-    {"help", 'h', NULL, "show this and stop", set_help},
-    {"version", 'V', NULL, "show the version and stop", set_version},
+    {"progress", 0, "HOW", "how to show progress on stderr: auto (default), plain, json or none", set_progress},
+    {"help", 'h', NULL, "show this help", set_help},
+    {"version", 'V', NULL, "show the version and the licence", set_version},
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
@@ -252,8 +253,10 @@ static void print_help(const struct command_program *program, FILE *out)
         snprintf(left, sizeof left, "%s--%s%s%s", letter, row->name, row->argument ? " " : "", row->argument ? row->argument : "");
         fprintf(out, "  %-22s  %s\n", left, row_help(program, row, text, sizeof text));
     }
-    fprintf(out, "\n%s\nExit status: 0 done; 1 failed while running; 2 wrong command line or scene; 128+N stopped by signal N.\n",
-            program->examples);
+    fprintf(
+        out,
+        "\n%s\nExit status: 0: done; 1: the run failed; 2: the command line or the scene is wrong; 128+N: stopped by signal N.\n",
+        program->examples);
 }
 
 /* The options as a man page has them. */
