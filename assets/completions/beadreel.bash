@@ -3,14 +3,16 @@ _beadreel()
 {
     local cur prev words cword
     _init_completion -n = 2>/dev/null || { cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]}; }
-    local program=${COMP_WORDS[0]} lists="scenes materials methods laws equations measures keys"
-    [[ $program == *beadsim ]] || lists+=" colormaps codecs views"
+    local program=${COMP_WORDS[0]}
     local option=$prev value=$cur prefix=
     if [[ $cur == --*=* ]]; then
         option=${cur%%=*} value=${cur#*=} prefix=$option=
     fi
     case $option in
-        --list) mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "$lists" -- "$value"); return ;;
+        --list)
+            mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "$("$program" --help 2>/dev/null |
+                sed -n 's/^ *--list [A-Z]* *list //p' | sed 's/,/ /g; s/ or / /')" -- "$value")
+            return ;;
         --progress) mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "auto plain json none" -- "$value"); return ;;
         --instructions) mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "sse2 avx2 avx512" -- "$value"); return ;;
         --canvas) mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "plain osmesa egl" -- "$value"); return ;;

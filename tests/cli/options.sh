@@ -77,4 +77,11 @@ completion_knows() {
     done
 }
 ok "the completion knows every option" completion_knows
+completion_lists() { # what bash offers behind `--list t`
+    local offered
+    offered=$(bash -c "source '$top/assets/completions/beadreel.bash'
+        COMP_WORDS=('$beadreel' --list t) COMP_CWORD=2; _beadreel '$beadreel' t --list; echo \"\${COMPREPLY[*]}\"")
+    [ "$offered" = thresholds ] || { echo "'$offered'"; return 1; }
+}
+ok "... and what can be listed" completion_lists
 finish
