@@ -49,6 +49,18 @@ links_exist() {
     done < <(find "$top" -name '*.md' ! -path "$top/build*")
 }
 ok "links lead to files" links_exist
+# Files that comments and documents name, with or without their folder.
+names_exist() {
+    local file name missing=0
+    (cd "$top" && find sim render include tests assets .github .ci ./*.md ./Makefile -type f) | sed 's,^\./,,' >"$T/files"
+    while IFS=: read -r file name; do
+        grep -qE "(^|/)${name//./\\.}$" "$T/files" || { echo "$file: $name"; missing=1; }
+    done < <(cd "$top" && grep -oE '(^|[ (`])[a-z_0-9/]+\.([ch]|sh|md)([] ,.;:)`]|$)' -r sim render include assets ./*.md tests/*.md .github |
+        grep -v '#include' | sed -E 's/:[ (`]?([^ ,;:)`]*[a-z])[] ,.;:)`]?$/:\1/' |
+        grep -v "x264\.h")
+    return $missing
+}
+ok "files that are named exist" names_exist
 # A picture must be one, and the gallery's are kept with the sources: small.
 pictures_are_small() {
     local picture magic most count=0

@@ -116,7 +116,7 @@ struct bead_sweep_watch {
     enum bead_error (*take)(void *context, const struct bead_sample *sample, struct bead_message *msg); /* NULL: no samples */
     void *context; /* of this configuration alone: take is called from several threads, of one configuration from one */
     /* Found: when the front arrived, s (NaN: not until the end); the peak force of the sweep's (first) place, N; participation of
-     * energies at the arrival, beads, and the clean index (order.h) */
+     * energies at the arrival, beads, and the clean index (participation.h) */
     double arrival, force, participation, order;
 };
 /* Run these; results are the same for any number of threads. Errors: MEMORY, NUMBERS, SCENE, USAGE, STOPPED, those of `take`. */

@@ -1,5 +1,5 @@
 /* Coefficients of Runge-Kutta-Nystrom methods: the nearest doubles to the published rationals; where the rational is short it
- * stands in the comment of its row. Checked by the order conditions in tests/test_tableau.c. */
+ * stands in the comment of its row. tests/sim/test_accuracy.c measures their orders. */
 #include "sim/integrate/tableau.h"
 
 /* Dormand, El-Mikkawy, Prince 1987 (IMA J. Numer. Anal. 7, 235): RKN6(4)6FM, order 6 with embedded 4. */

@@ -315,7 +315,7 @@ static const struct row {
     {{"sixth pulse", "", "the same of the next"}, follower, 5},
     {{"participation of forces", "contacts", "(sum f)^2 / sum f^2 of the contact forces at the end"}, force_participation, 0},
     {{"participation of energies", "beads", "(sum e)^2 / sum e^2 of the beads' energies at the end"}, energy_participation, 0},
-    {{"clean index", "", "1: as few beads share the energy as in the clean wave; 0: all do; at the front's arrival, see order.h"},
+    {{"clean index", "", "1: as few beads share the energy as in the clean wave; 0: all do; when the front arrives"},
      clean_index,
      0},
     {{"decay rate", "1/bead", "-d ln F / d bead of the leading force, least squares over means of whole cells"}, decay_rate, 0},

@@ -66,7 +66,7 @@ void bead_passed_free(struct bead_passed *passed);
 /* A take for scouting: widens consumer->range by needs.range_field. */
 enum bead_error bead_consumer_scout(struct bead_consumer *consumer, const struct bead_sample *sample, struct bead_message *msg);
 
-/* kept by play.c for its two sources */
+/* kept by driver.c for its two sources */
 struct bead_due {
     double time;
     unsigned fields, comparison;
