@@ -180,8 +180,8 @@ static enum bead_error new_figure(const struct bead_output *output, const struct
                                   struct bead_figure **figure, struct bead_message *msg)
 {
     *figure = NULL;
-    if (view_count < 1 || view_count > FIGURE_VIEWS)
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a figure has 1 to %d views of each chain", FIGURE_VIEWS);
+    if (view_count < 1 || view_count > BEAD_STACK_VIEWS)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a figure has 1 to %d views of each chain", BEAD_STACK_VIEWS);
     struct bead_figure *f = *figure = calloc(1, sizeof *f);
     if (!f)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");

@@ -82,20 +82,20 @@ static bool has_bar(const struct bead_figure *f)
 
 /* All lengths of a layout; plots follow from them. */
 struct plan {
-    double margin, heading, trust; /* trust: of what heading includes */
-    double *left, *right;          /* [columns] */
-    struct reach *row;             /* [rows * views]: top and bottom of each line of plots */
-    double bar_room;               /* bar, gap and labels */
-    struct bead_insets least;      /* of all plots together */
-    int width, *height;            /* of plots; [views] */
+    double margin, trust;           /* trust: of what headings include */
+    double *left, *right;           /* [columns] */
+    struct bead_stack_reach *reach; /* [rows * views]: of each line of plots */
+    double bar_room;                /* bar, gap and labels */
+    struct bead_insets least;       /* of all plots together */
+    int width;                      /* of plots */
+    struct bead_stack stack;
 };
 
 static void free_plan(struct plan *plan)
 {
     free(plan->left);
     free(plan->right);
-    free(plan->row);
-    free(plan->height);
+    free(plan->reach);
 }
 
 static enum bead_error make_plan(const struct bead_figure *f, const struct bead_insets *least, struct plan *plan,
@@ -105,16 +105,17 @@ static enum bead_error make_plan(const struct bead_figure *f, const struct bead_
     bool headings = false;
     for (size_t c = 0; c < f->cell_count; c++)
         headings = headings || bead_figure_heading(f, &f->cells[c], NULL);
-    *plan = (struct plan){.margin = f->margin,
-                          .least = *least,
-                          .heading = headings ? round(1.15 * f->look.title + heading_gap * em) : 0,
-                          .trust = f->output->trust ? round(trust_line * em) : 0};
-    plan->heading += plan->trust;
+    *plan = (struct plan){.margin = f->margin, .least = *least, .trust = f->output->trust ? round(trust_line * em) : 0};
     plan->left = calloc(f->columns, sizeof *plan->left);
     plan->right = calloc(f->columns, sizeof *plan->right);
-    plan->row = calloc(f->rows * f->view_count, sizeof *plan->row);
-    plan->height = calloc(f->view_count, sizeof *plan->height);
-    if (!plan->left || !plan->right || !plan->row || !plan->height) {
+    plan->reach = calloc(f->rows * f->view_count, sizeof *plan->reach);
+    plan->stack = (struct bead_stack){.rows = f->rows,
+                                      .views = f->view_count,
+                                      .heading = plan->trust + (headings ? round(1.15 * f->look.title + heading_gap * em) : 0),
+                                      .between_rows = round(between_rows * em),
+                                      .between_views = round(between_views * em),
+                                      .reach = plan->reach};
+    if (!plan->left || !plan->right || !plan->reach) {
         free_plan(plan);
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the layout of a figure");
     }
@@ -142,20 +143,10 @@ static double bar_labels(const struct bead_figure *f, int height)
     return widest;
 }
 
-/* Rows of plots: the views of one row of cells, one below the other. */
+/* All that is not plots: margins, title, headings, axes. */
 static double fixed_height(const struct bead_figure *f, const struct plan *plan)
 {
-    double em = f->look.label, height = 2 * plan->margin + f->line.height;
-    for (size_t r = 0; r < f->rows; r++) {
-        height += plan->heading + (r > 0 ? round(between_rows * em) : 0);
-        for (size_t v = 0; v < f->view_count; v++) {
-            const struct reach *reach = &plan->row[r * f->view_count + v];
-            /* A heading takes the room above the first plot anyway. */
-            height += v > 0 ? ceil(reach->top) + round(between_views * em) : larger(0, ceil(reach->top) - plan->heading);
-            height += ceil(reach->bottom);
-        }
-    }
-    return height;
+    return 2 * plan->margin + f->line.height + bead_stack_fixed(&plan->stack);
 }
 
 static double fixed_width(const struct bead_figure *f, const struct plan *plan)
@@ -177,11 +168,6 @@ static enum bead_error too_small(const struct bead_figure *f, struct bead_messag
                      f->cell_count * f->view_count);
 }
 
-static double share_of(const struct bead_figure *f, size_t view)
-{
-    return f->cells[0].panel[view].type->info->still_share;
-}
-
 /* What a view can make use of, px. */
 static double most_height(const struct bead_figure *f, const struct plan *plan, size_t view)
 {
@@ -197,34 +183,28 @@ static double most_height(const struct bead_figure *f, const struct plan *plan, 
 /* Sizes of plots from what everything else takes. Rows of beads leave what they cannot use to the other views. */
 static enum bead_error divide(const struct bead_figure *f, struct plan *plan, struct bead_message *msg)
 {
-    double shares = 0, left = (f->area.height - fixed_height(f, plan)) / (double)f->rows, limited = 0;
-    for (size_t v = 0; v < f->view_count; v++)
-        shares += share_of(f, v);
     plan->width = (int)floor((f->area.width - fixed_width(f, plan)) / (double)f->columns);
-    bool fits = plan->width >= smallest_plot;
-    for (size_t v = 0; fits && v < f->view_count; v++) {
-        double most = most_height(f, plan, v);
-        plan->height[v] = most < left * share_of(f, v) / shares ? (int)most : 0;
-        limited += plan->height[v] > 0 ? share_of(f, v) : 0;
+    if (plan->width < smallest_plot)
+        return too_small(f, msg);
+    for (size_t v = 0; v < f->view_count; v++) {
+        plan->stack.share[v] = f->cells[0].panel[v].type->info->still_share;
+        plan->stack.most[v] = most_height(f, plan, v);
     }
-    double rest = left;
-    for (size_t v = 0; v < f->view_count; v++)
-        rest -= plan->height[v];
-    for (size_t v = 0; fits && v < f->view_count; v++) {
-        if (plan->height[v] == 0)
-            plan->height[v] = (int)floor(rest * share_of(f, v) / (shares - limited));
-        fits = plan->height[v] >= smallest_plot;
+    bead_stack_divide(&plan->stack, (f->area.height - fixed_height(f, plan)) / (double)f->rows);
+    for (size_t v = 0; v < f->view_count; v++) {
+        if (plan->stack.height[v] < smallest_plot)
+            return too_small(f, msg);
     }
-    return fits ? BEAD_OK : too_small(f, msg);
+    return BEAD_OK;
 }
 
 static void keep_least(const struct bead_figure *f, struct plan *plan)
 {
-    struct reach *first = &plan->row[0], *last = &plan->row[f->rows * f->view_count - 1];
+    struct bead_stack_reach *first = &plan->reach[0], *last = &plan->reach[f->rows * f->view_count - 1];
     double *right = &plan->right[f->columns - 1];
     plan->left[0] = larger(plan->left[0], plan->least.left);
-    first->top = larger(first->top, plan->least.top);
-    last->bottom = larger(last->bottom, plan->least.bottom);
+    first->above = larger(first->above, plan->least.top);
+    last->below = larger(last->below, plan->least.bottom);
     if (!has_bar(f))
         *right = larger(*right, plan->least.right);
 }
@@ -234,49 +214,48 @@ static enum bead_error measure_all(const struct bead_figure *f, struct plan *pla
     enum bead_error err = BEAD_OK;
     memset(plan->left, 0, f->columns * sizeof *plan->left);
     memset(plan->right, 0, f->columns * sizeof *plan->right);
-    memset(plan->row, 0, f->rows * f->view_count * sizeof *plan->row);
+    memset(plan->reach, 0, f->rows * f->view_count * sizeof *plan->reach);
     for (size_t c = 0; c < f->cell_count; c++) {
         const struct bead_cell *cell = &f->cells[c];
         for (size_t v = 0; !err && v < f->view_count; v++) {
-            struct reach reach, *row = &plan->row[cell->row * f->view_count + v];
-            err = measure(f, &cell->panel[v], plan->width, plan->height[v], &reach, msg);
+            struct bead_stack_reach *row = &plan->reach[cell->row * f->view_count + v];
+            struct reach reach;
+            err = measure(f, &cell->panel[v], plan->width, plan->stack.height[v], &reach, msg);
             plan->left[cell->column] = larger(plan->left[cell->column], reach.left);
             plan->right[cell->column] = larger(plan->right[cell->column], reach.right);
-            *row = largest(*row, reach);
+            *row = (struct bead_stack_reach){larger(row->above, reach.top), larger(row->below, reach.bottom)};
         }
     }
     keep_least(f, plan);
     return err;
 }
 
+static void put_cell(const struct bead_figure *f, const struct plan *plan, const struct bead_stack_places *places,
+                     struct bead_cell *cell)
+{
+    bool last = cell->column + 1 == f->columns; /* to the border of the page */
+    int width = last ? f->area.x + f->area.width - (int)plan->margin - cell->heading.x : cell->heading.width;
+    int trust = (int)plan->trust, above = places->plot[0] - trust;
+    for (size_t v = 0; v < f->view_count; v++) {
+        cell->panel[v].plot.y = places->plot[v];
+        cell->panel[v].plot.height = plan->stack.height[v];
+    }
+    cell->heading.y = places->heading;
+    cell->heading.height = above - places->heading;
+    cell->trust = (struct bead_rect){cell->heading.x, above, width, (int)round(trust_share * trust)};
+}
+
 static void put_rows(struct bead_figure *f, const struct plan *plan, int *bottom)
 {
-    double em = f->look.label, y = f->area.y + plan->margin + f->line.height;
+    double y = f->area.y + plan->margin + f->line.height;
     for (size_t r = 0; r < f->rows; r++) {
-        y += (r > 0 ? round(between_rows * em) : 0);
-        double heading = y;
-        y += plan->heading + larger(0, ceil(plan->row[r * f->view_count].top) - plan->heading);
-        for (size_t v = 0; v < f->view_count; v++) {
-            const struct reach *reach = &plan->row[r * f->view_count + v];
-            y += v > 0 ? ceil(reach->top) + round(between_views * em) : 0;
-            for (size_t c = 0; c < f->cell_count; c++) {
-                struct bead_cell *cell = &f->cells[c];
-                if (cell->row != r)
-                    continue;
-                cell->panel[v].plot.y = (int)y;
-                cell->panel[v].plot.height = plan->height[v];
-                cell->heading.y = (int)heading;
-                if (v > 0)
-                    continue;
-                bool last = cell->column + 1 == f->columns; /* to the border of the page */
-                int width = last ? f->area.x + f->area.width - (int)plan->margin - cell->heading.x : cell->heading.width;
-                cell->trust =
-                    (struct bead_rect){cell->heading.x, (int)(y - plan->trust), width, (int)round(trust_share * plan->trust)};
-                cell->heading.height = (int)(y - heading - plan->trust);
-            }
-            *bottom = (int)y + plan->height[v];
-            y += plan->height[v] + ceil(reach->bottom);
+        struct bead_stack_places places;
+        y = bead_stack_row(&plan->stack, r, y, &places) + plan->stack.between_rows;
+        for (size_t c = 0; c < f->cell_count; c++) {
+            if (f->cells[c].row == r)
+                put_cell(f, plan, &places, &f->cells[c]);
         }
+        *bottom = places.plot[f->view_count - 1] + plan->stack.height[f->view_count - 1];
     }
 }
 

@@ -10,8 +10,7 @@
 #include "render/draw/colour_range.h"
 #include "render/draw/page.h"
 #include "render/figure/figure.h"
-
-enum { FIGURE_VIEWS = 8 };
+#include "render/view/stack.h"
 
 /* One view of one chain. */
 struct bead_tile {
@@ -25,7 +24,7 @@ struct bead_tile {
 struct bead_cell {
     size_t chain;
     size_t column, row;
-    struct bead_tile panel[FIGURE_VIEWS];
+    struct bead_tile panel[BEAD_STACK_VIEWS];
     struct bead_rect heading;     /* height 0: none */
     struct bead_rect trust;       /* line of text about the horizon; height 0: none */
     double horizon;               /* s; INFINITY: none */

@@ -138,7 +138,7 @@ static enum bead_error fill_wants(struct bead_composer *c, struct bead_message *
                                    .follow = output->follow == BEAD_FOLLOW_FRONT,
                                    .caption_lines = bead_captions_lines(output, &c->look, c->setup.width),
                                    .caption_line = bead_caption_height(&c->look)};
-    for (size_t i = 0; i < output->view_count && i < BEAD_MOVIE_VIEWS; i++) {
+    for (size_t i = 0; i < output->view_count && i < BEAD_STACK_VIEWS; i++) {
         const struct bead_view_type *type = bead_view_find(output->views[i]);
         if (!type)
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: there is no such view in this program", output->path);

@@ -146,35 +146,6 @@ static int most_height(const struct bead_movie_wants *w, const struct measures *
     return whole(w->views[view]->info->movie_most * m->width);
 }
 
-/* Heights of one chain's views from what there is: by their shares, but no more than is good for them. */
-static int share_out(const struct bead_movie_wants *w, const struct measures *m, int height, int *heights)
-{
-    bool fixed[BEAD_MOVIE_VIEWS] = {false};
-    for (bool again = true; again;) {
-        double shares = 0;
-        int free = height;
-        again = false;
-        for (size_t i = 0; i < w->view_count; i++) {
-            shares += fixed[i] ? 0 : share_of(w, i);
-            free -= fixed[i] ? heights[i] : 0;
-        }
-        for (size_t i = 0; i < w->view_count; i++) {
-            int limit = most_height(w, m, i);
-            if (fixed[i])
-                continue;
-            heights[i] = (int)floor(free * share_of(w, i) / shares);
-            if (m->level < VIEWS_ONLY && heights[i] > limit && limit > 0) {
-                heights[i] = limit;
-                fixed[i] = again = true;
-            }
-        }
-    }
-    int used = 0;
-    for (size_t i = 0; i < w->view_count; i++)
-        used += heights[i];
-    return used;
-}
-
 /* Of a view on average: labels go before plots become too low to be read. */
 static int least_height(const struct bead_movie_wants *w, const struct measures *m)
 {
@@ -182,16 +153,22 @@ static int least_height(const struct bead_movie_wants *w, const struct measures 
     return m->level < FEW_LABELS && w->view_count > 1 && readable > least ? readable : least;
 }
 
-/* Height that is not for plots. */
-static int fixed_height(const struct bead_movie_wants *w, const struct measures *m)
+static struct bead_stack make_stack(const struct bead_movie_wants *w, const struct measures *m, struct bead_stack_reach *reach)
 {
-    int chains = (int)w->chain_count, views = (int)w->view_count;
-    int height = m->top + m->bottom + chains * (m->heading + (views - 1) * m->view_gap) + (chains - 1) * m->chain_gap;
-    for (size_t c = 0; c < w->chain_count; c++) {
-        for (size_t v = 0; v < w->view_count; v++)
-            height += below(w, m, c, v);
+    struct bead_stack stack = {.rows = w->chain_count,
+                               .views = w->view_count,
+                               .heading = m->heading,
+                               .between_rows = m->chain_gap,
+                               .between_views = m->view_gap,
+                               .reach = reach};
+    for (size_t i = 0; i < w->chain_count * w->view_count; i++)
+        reach[i] = (struct bead_stack_reach){0, below(w, m, i / w->view_count, i % w->view_count)};
+    for (size_t v = 0; v < w->view_count; v++) {
+        int most = most_height(w, m, v);
+        stack.share[v] = share_of(w, v);
+        stack.most[v] = m->level < VIEWS_ONLY && most > 0 ? most : INFINITY;
     }
-    return height;
+    return stack;
 }
 
 static void place_header(const struct bead_movie_wants *w, const struct measures *m, struct bead_movie_layout *layout)
@@ -218,26 +195,29 @@ static void place_header(const struct bead_movie_wants *w, const struct measures
         layout->trust = line;
 }
 
-static bool place_chains(const struct bead_movie_wants *w, const struct measures *m, struct bead_movie_layout *layout)
+/* False: there is no room. */
+static bool place_chains(const struct bead_movie_wants *w, const struct measures *m, struct bead_stack_reach *reach,
+                         struct bead_movie_layout *layout)
 {
-    int heights[BEAD_MOVIE_VIEWS], chains = (int)w->chain_count;
-    int room = (w->height - fixed_height(w, m)) / chains;
+    struct bead_stack stack = make_stack(w, m, reach);
+    int chains = (int)w->chain_count, room = (w->height - m->top - m->bottom - (int)bead_stack_fixed(&stack)) / chains;
     if (room < least_height(w, m) * (int)w->view_count || m->width < (m->level == VIEWS_ONLY ? 1 : 80))
         return false;
-    int spare = (room - share_out(w, m, room, heights)) * chains, y = m->top + spare / (2 * chains);
+    int spare = (room - bead_stack_divide(&stack, room)) * chains;
+    double y = m->top + spare / (2 * chains);
+    stack.between_rows += spare / chains;
     for (size_t c = 0; c < w->chain_count; c++) {
         struct bead_movie_chain *chain = &layout->chains[c];
+        struct bead_stack_places places;
+        y = bead_stack_row(&stack, c, y, &places) + stack.between_rows;
         if (m->heading)
-            chain->heading = (struct bead_rect){m->left, y, m->width, m->heading};
-        y += m->heading;
+            chain->heading = (struct bead_rect){m->left, places.heading, m->width, m->heading};
         for (size_t v = 0; v < w->view_count; v++) {
-            if (heights[v] < 1)
+            if (stack.height[v] < 1)
                 return false;
-            chain->plot[v] = (struct bead_rect){m->left, y, m->width, heights[v]};
+            chain->plot[v] = (struct bead_rect){m->left, places.plot[v], m->width, stack.height[v]};
             chain->labels[v] = labelled(w, m, c, v);
-            y += heights[v] + below(w, m, c, v) + (v + 1 < w->view_count ? m->view_gap : 0);
         }
-        y += m->chain_gap + spare / chains;
     }
     return true;
 }
@@ -254,15 +234,12 @@ static void place_bar(const struct bead_movie_wants *w, const struct measures *m
         layout->bar = (struct bead_rect){m->left + m->width + m->bar_gap, from, m->bar_width, to - from};
 }
 
-enum bead_error bead_movie_arrange(const struct bead_movie_wants *wants, struct bead_movie_layout *layout, struct bead_message *msg)
+/* With the least left out that gives the rest room. False: there is none. */
+static bool arrange(const struct bead_movie_wants *wants, struct bead_stack_reach *reach, struct bead_movie_layout *layout)
 {
-    *layout = (struct bead_movie_layout){.chain_count = wants->chain_count};
-    layout->chains = calloc(wants->chain_count + 1, sizeof *layout->chains);
-    if (!layout->chains)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a layout");
     for (enum level level = wants->axes ? EVERYTHING : VIEWS_ONLY; level < LEVELS; level++) {
         struct measures m = measure(wants, level);
-        if (wants->chain_count > 100000 || !place_chains(wants, &m, layout))
+        if (wants->chain_count > 100000 || !place_chains(wants, &m, reach, layout))
             continue;
         layout->axes = m.axes;
         layout->ticks_only = level == TIGHT;
@@ -271,11 +248,26 @@ enum bead_error bead_movie_arrange(const struct bead_movie_wants *wants, struct 
         if (m.caption > 0)
             layout->caption =
                 (struct bead_rect){m.margin, wants->height - m.margin - m.caption, wants->width - 2 * m.margin, m.caption};
-        return BEAD_OK;
+        return true;
     }
-    bead_movie_layout_free(layout);
-    return bead_fail(msg, BEAD_ERROR_SCENE, "size: %d x %d pixels are too small for %zu views of %zu chains", wants->width,
-                     wants->height, wants->view_count, wants->chain_count);
+    return false;
+}
+
+enum bead_error bead_movie_arrange(const struct bead_movie_wants *wants, struct bead_movie_layout *layout, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    struct bead_stack_reach *reach = calloc(wants->chain_count * wants->view_count + 1, sizeof *reach);
+    *layout = (struct bead_movie_layout){.chain_count = wants->chain_count};
+    layout->chains = calloc(wants->chain_count + 1, sizeof *layout->chains);
+    if (!layout->chains || !reach)
+        err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a layout");
+    else if (!arrange(wants, reach, layout))
+        err = bead_fail(msg, BEAD_ERROR_SCENE, "size: %d x %d pixels are too small for %zu views of %zu chains", wants->width,
+                        wants->height, wants->view_count, wants->chain_count);
+    if (err)
+        bead_movie_layout_free(layout);
+    free(reach);
+    return err;
 }
 
 void bead_movie_layout_free(struct bead_movie_layout *layout)

@@ -11,15 +11,14 @@
 #include "beadreel/frame.h"
 #include "beadreel/look.h"
 #include "beadreel/view.h"
-
-enum { BEAD_MOVIE_VIEWS = 8 };
+#include "render/view/stack.h"
 
 /* What is to be arranged; lengths in px. */
 struct bead_movie_wants {
     int width, height;
     const struct bead_look *look;
     size_t chain_count;
-    const struct bead_view_type *views[BEAD_MOVIE_VIEWS];
+    const struct bead_view_type *views[BEAD_STACK_VIEWS];
     size_t view_count;
     bool axes; /* false: nothing but the views */
     bool title, headings;
@@ -37,8 +36,8 @@ struct bead_movie_wants {
 
 struct bead_movie_chain {
     struct bead_rect heading; /* width 0: none, also below */
-    struct bead_rect plot[BEAD_MOVIE_VIEWS];
-    bool labels[BEAD_MOVIE_VIEWS]; /* this view labels the bead axis (sensors: the time axis) */
+    struct bead_rect plot[BEAD_STACK_VIEWS];
+    bool labels[BEAD_STACK_VIEWS]; /* this view labels the bead axis (sensors: the time axis) */
 };
 
 struct bead_movie_layout {
