@@ -1,4 +1,6 @@
-#include "render/figure/bare_image.h"
+/* Bare pixels, `axes: false`: they lie as those of imagesc, bead 0 in the top row, beads downwards, time to the right; several
+ * chains stand one below the other. The picture has exactly the size asked for, and its palette is the colour map. */
+#include "render/figure/still.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -12,7 +14,7 @@
 #include "render/view/area_colours.h"
 #include "sim/base/large.h"
 
-struct bead_bare_image {
+struct bead_still {
     const struct bead_output *output;
     struct bead_run_context context;
     struct bead_page page;
@@ -24,7 +26,13 @@ struct bead_bare_image {
     char why[96];
 };
 
-void bead_bare_image_destroy(struct bead_bare_image *b)
+static bool bare_wanted(const struct bead_output *output)
+{
+    return output->kind == BEAD_OUTPUT_IMAGE && !output->axes && output->view_count == 1 &&
+           bead_views_any(output->views, 1, BEAD_SHOWS_IMAGE);
+}
+
+static void bare_destroy(struct bead_still *b)
 {
     if (!b)
         return;
@@ -35,19 +43,19 @@ void bead_bare_image_destroy(struct bead_bare_image *b)
     free(b);
 }
 
-static enum bead_error scene_error(const struct bead_bare_image *b, const char *text, struct bead_message *msg)
+static enum bead_error scene_error(const struct bead_still *b, const char *text, struct bead_message *msg)
 {
     return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s", b->context.scene->file, b->output->place.line,
                      b->output->place.column, text);
 }
 
-static size_t count_of(const struct bead_bare_image *b, size_t chain)
+static size_t count_of(const struct bead_still *b, size_t chain)
 {
     const struct bead_chain *c = b->context.chains[chain];
     return bead_field_info(b->output->field)->of_contacts ? bead_chain_contacts(c) : bead_chain_beads(c);
 }
 
-static enum bead_error make_areas(struct bead_bare_image *b, const double time[2], struct bead_message *msg)
+static enum bead_error make_areas(struct bead_still *b, const double time[2], struct bead_message *msg)
 {
     size_t chains = b->context.chain_count;
     b->areas = calloc(chains, sizeof(struct bead_area *));
@@ -72,7 +80,7 @@ static enum bead_error make_areas(struct bead_bare_image *b, const double time[2
     return err;
 }
 
-static enum bead_error prepare(struct bead_bare_image *b, struct bead_message *msg)
+static enum bead_error prepare(struct bead_still *b, struct bead_message *msg)
 {
     const struct bead_output *output = b->output;
     double end = b->context.end;
@@ -94,7 +102,7 @@ static enum bead_error prepare(struct bead_bare_image *b, struct bead_message *m
     return BEAD_OK;
 }
 
-static struct bead_colour_range find_range(const struct bead_bare_image *b)
+static struct bead_colour_range find_range(const struct bead_still *b)
 {
     double low = INFINITY, high = -INFINITY;
     for (size_t c = 0; c < b->context.chain_count; c++) {
@@ -106,7 +114,7 @@ static struct bead_colour_range find_range(const struct bead_bare_image *b)
     return bead_colour_range_find(b->output, b->context.chains[0], low, high);
 }
 
-static enum bead_error fill_indices(const struct bead_bare_image *b, uint8_t *indices, struct bead_message *msg)
+static enum bead_error fill_indices(const struct bead_still *b, uint8_t *indices, struct bead_message *msg)
 {
     struct bead_colour_range range = find_range(b);
     struct bead_colours colours = {&b->map, b->output->scale, range.low, range.high};
@@ -152,8 +160,10 @@ static enum bead_error draw_pixels(void *context, cairo_t *cr, struct bead_messa
     return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "image: %s", cairo_status_to_string(status)) : BEAD_OK;
 }
 
-enum bead_error bead_bare_image_write(const struct bead_bare_image *b, const char *path, uint64_t *bytes, struct bead_message *msg)
+static enum bead_error bare_write(struct bead_still *b, const struct bead_outcome *outcomes, const char *path, uint64_t *bytes,
+                                  struct bead_message *msg)
 {
+    (void)outcomes;
     struct bead_picture_notes notes;
     char description[512];
     const size_t count = (size_t)b->page.width * (size_t)b->page.height;
@@ -172,29 +182,29 @@ enum bead_error bead_bare_image_write(const struct bead_bare_image *b, const cha
     return err;
 }
 
-enum bead_error bead_bare_image_create(const struct bead_output *output, const struct bead_run_context *context,
-                                       struct bead_bare_image **bare, struct bead_message *msg)
+static enum bead_error bare_create(const struct bead_output *output, const struct bead_run_context *context,
+                                   struct bead_still **still, struct bead_message *msg)
 {
-    struct bead_bare_image *b = *bare = calloc(1, sizeof *b);
+    struct bead_still *b = *still = calloc(1, sizeof *b);
     if (!b)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image");
     b->output = output;
     b->context = *context;
     enum bead_error err = prepare(b, msg);
     if (err) {
-        bead_bare_image_destroy(b);
-        *bare = NULL;
+        bare_destroy(b);
+        *still = NULL;
     }
     return err;
 }
 
-void bead_bare_image_needs(const struct bead_bare_image *b, struct bead_needs *needs)
+static void bare_needs(const struct bead_still *b, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){
         .fields = BEAD_FIELD_BIT(b->output->field), .beads = b->beads, .grid = b->grid, .until = b->grid.end, .why = b->why};
 }
 
-enum bead_error bead_bare_image_feed(struct bead_bare_image *b, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error bare_feed(struct bead_still *b, const struct bead_sample *sample, struct bead_message *msg)
 {
     const double *values = sample->field[b->output->field];
     if (!values)
@@ -202,3 +212,12 @@ enum bead_error bead_bare_image_feed(struct bead_bare_image *b, const struct bea
     bead_area_feed(b->areas[sample->chain], sample->time, values, sample->active);
     return BEAD_OK;
 }
+
+const struct bead_still_kind bead_bare_image = {
+    .wanted = bare_wanted,
+    .create = bare_create,
+    .needs = bare_needs,
+    .feed = bare_feed,
+    .write = bare_write,
+    .destroy = bare_destroy,
+};

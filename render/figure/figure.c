@@ -1,4 +1,4 @@
-/* Life of a figure: made, fed, written. */
+/* A figure is made and fed here; figure_write.c ends it. A still of its own (figure_still.c), or a panel of several. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -176,29 +176,23 @@ static enum bead_error prepare(struct bead_figure *f, const enum bead_view_kind 
     return make_cells(f, views, msg);
 }
 
-static enum bead_error new_figure(const struct bead_output *output, const struct bead_run_context *context, size_t view_count,
-                                  struct bead_figure **figure, struct bead_message *msg)
+static enum bead_error new_figure(const struct bead_output *output, const struct bead_run_context *context,
+                                  const struct bead_page *page, const struct bead_look *look, struct bead_figure **figure,
+                                  struct bead_message *msg)
 {
     *figure = NULL;
-    if (view_count < 1 || view_count > BEAD_STACK_VIEWS)
+    if (output->view_count < 1 || output->view_count > BEAD_STACK_VIEWS)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a figure has 1 to %d views of each chain", BEAD_STACK_VIEWS);
     struct bead_figure *f = *figure = calloc(1, sizeof *f);
     if (!f)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
     f->output = output;
     f->context = *context;
-    f->view_count = view_count;
+    f->view_count = output->view_count;
+    f->page = *page;
+    f->look = *look;
     f->set.chain = SIZE_MAX;
     return BEAD_OK;
-}
-
-static enum bead_error keep_or_destroy(struct bead_figure **figure, enum bead_error err)
-{
-    if (err) {
-        bead_figure_destroy(*figure);
-        *figure = NULL;
-    }
-    return err;
 }
 
 enum bead_error bead_figure_start(struct bead_figure *f, struct bead_message *msg)
@@ -210,40 +204,23 @@ enum bead_error bead_figure_start(struct bead_figure *f, struct bead_message *ms
 }
 
 enum bead_error bead_figure_create(const struct bead_output *output, const struct bead_run_context *context,
-                                   const enum bead_view_kind *views, size_t view_count, struct bead_figure **figure,
-                                   struct bead_message *msg)
+                                   const struct bead_page *page, const struct bead_look *look,
+                                   const struct bead_part_settings *settings, struct bead_figure **figure, struct bead_message *msg)
 {
-    enum bead_error err = new_figure(output, context, view_count, figure, msg);
-    struct bead_figure *f = *figure;
-    if (!err)
-        err = bead_page_find(output, context->scene->file, &f->page, msg);
-    if (!err) {
-        bead_page_look(&f->page, output, &f->look);
-        f->area = (struct bead_rect){0, 0, f->page.width, f->page.height};
-        f->margin = output->axes ? f->look.margin : 0;
-        err = prepare(f, views, msg);
-    }
-    if (!err)
-        err = bead_figure_arrange(f, &(struct bead_insets){0}, msg);
-    if (!err)
-        err = bead_figure_start(f, msg);
-    return keep_or_destroy(figure, err);
-}
-
-enum bead_error bead_figure_create_part(const struct bead_output *output, const struct bead_run_context *context,
-                                        const struct bead_page *page, const struct bead_look *look,
-                                        const struct bead_part_settings *settings, struct bead_figure **figure,
-                                        struct bead_message *msg)
-{
-    enum bead_error err = new_figure(output, context, output->view_count, figure, msg);
+    enum bead_error err = new_figure(output, context, page, look, figure, msg);
     struct bead_figure *f = *figure;
     if (err)
         return err;
-    f->part = true;
-    f->page = *page;
-    f->look = *look;
-    f->set = *settings;
-    return keep_or_destroy(figure, prepare(f, output->views, msg));
+    f->part = settings != NULL;
+    f->margin = !f->part && output->axes ? look->margin : 0;
+    if (settings)
+        f->set = *settings;
+    err = prepare(f, output->views, msg);
+    if (err) {
+        bead_figure_destroy(f);
+        *figure = NULL;
+    }
+    return err;
 }
 
 void bead_figure_change(struct bead_figure *f, const struct bead_part_settings *settings)

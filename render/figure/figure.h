@@ -1,8 +1,9 @@
-/* Figures: stills of one or more views of every chain, with axes, headings and a colour bar.
+/* Figures: one or more views of every chain, with axes, headings and a colour bar; a still of its own, or one of its panels.
  *
- *   bead_figure_create -> bead_figure_needs -> bead_figure_feed, repeated -> bead_figure_write
+ *   bead_figure_create -> bead_figure_put, repeated -> bead_figure_start -> needs, feed -> bead_figure_extremes ->
+ *   bead_figure_set_range -> bead_figure_finish -> bead_figure_decorate and bead_figure_draw (or bead_figure_vector)
  *
- * The layout is fixed when the figure is made, so that images can be summed into their pixels; colours, curves and text are
+ * The layout is fixed before the first sample, so that images can be summed into their pixels; colours, curves and text are
  * drawn at the end, when their ranges are known. PNG, PDF and SVG come from the same drawing. */
 #ifndef BEADREEL_RENDER_FIGURE_FIGURE_H
 #define BEADREEL_RENDER_FIGURE_FIGURE_H
@@ -16,21 +17,6 @@
 
 struct bead_figure;
 
-/* `views` from top to bottom. Errors: SCENE (with the output's place), MEMORY, IO and FORMAT of colour maps. */
-BEAD_CHECK enum bead_error bead_figure_create(const struct bead_output *output, const struct bead_run_context *context,
-                                              const enum bead_view_kind *views, size_t view_count, struct bead_figure **figure,
-                                              struct bead_message *msg);
-void bead_figure_needs(const struct bead_figure *figure, struct bead_needs *needs);
-BEAD_CHECK enum bead_error bead_figure_feed(struct bead_figure *figure, const struct bead_sample *sample, struct bead_message *msg);
-/* To a .png, .pdf or .svg. Errors: IO, MEMORY, GRAPHICS. */
-BEAD_CHECK enum bead_error bead_figure_write(struct bead_figure *figure, const char *path, uint64_t *bytes,
-                                             struct bead_message *msg);
-
-/* ---- figures as parts of a sheet ----
- *
- *   bead_figure_create_part -> bead_figure_put, repeated -> bead_figure_start -> needs, feed -> bead_figure_extremes ->
- *   bead_figure_set_range -> bead_figure_finish -> bead_figure_decorate and bead_figure_draw (or bead_figure_vector) */
-
 struct bead_part_settings {
     size_t chain;               /* the only one; SIZE_MAX: all */
     char letter[16];            /* "(a)"; "": none */
@@ -39,11 +25,12 @@ struct bead_part_settings {
     bool no_across, no_upwards; /* no labels at the level (the upright) axis at the outer side: another part has them */
 };
 
-/* On the sheet's page with its look. Errors: as create. */
-BEAD_CHECK enum bead_error bead_figure_create_part(const struct bead_output *output, const struct bead_run_context *context,
-                                                   const struct bead_page *page, const struct bead_look *look,
-                                                   const struct bead_part_settings *settings, struct bead_figure **figure,
-                                                   struct bead_message *msg);
+/* `settings`: of a panel; NULL: the figure has the page for itself. Errors: SCENE (with the output's place), MEMORY, IO and FORMAT
+ * of colour maps. */
+BEAD_CHECK enum bead_error bead_figure_create(const struct bead_output *output, const struct bead_run_context *context,
+                                              const struct bead_page *page, const struct bead_look *look,
+                                              const struct bead_part_settings *settings, struct bead_figure **figure,
+                                              struct bead_message *msg);
 void bead_figure_change(struct bead_figure *figure, const struct bead_part_settings *settings);
 /* Lay out in an area, plots at least `least` away from its borders; *insets: how far they are. Errors: SCENE (too small), MEMORY.
  */
@@ -51,6 +38,8 @@ BEAD_CHECK enum bead_error bead_figure_put(struct bead_figure *figure, struct be
                                            struct bead_insets *insets, struct bead_message *msg);
 /* Ready for samples. */
 BEAD_CHECK enum bead_error bead_figure_start(struct bead_figure *figure, struct bead_message *msg);
+void bead_figure_needs(const struct bead_figure *figure, struct bead_needs *needs);
+BEAD_CHECK enum bead_error bead_figure_feed(struct bead_figure *figure, const struct bead_sample *sample, struct bead_message *msg);
 /* The grid that samples really come on. */
 void bead_figure_regrid(struct bead_figure *figure, const struct bead_grid *grid);
 /* Widens the ranges of what is shown in colours and by sensors. */

@@ -37,7 +37,7 @@ struct bead_figure {
     struct bead_run_context context;
     struct bead_page page;
     struct bead_look look;
-    bool part;                     /* of a sheet, which has title, letters and caption */
+    bool part;                     /* one of several panels: the still has title and caption */
     struct bead_part_settings set; /* of a part; else nothing but `chain` */
     struct bead_rect area;         /* of plots, axes, headings and bar; the page where it is no part */
     double margin;                 /* px, within the area */

@@ -1,8 +1,6 @@
 /* The end of a figure: ranges are known now, views of one moment are made, everything is drawn. */
 #include <math.h>
 
-#include "beadreel/canvas.h"
-#include "render/draw/raster.h"
 #include "render/figure/figure_private.h"
 
 static void widen(double low, double high, double all[2])
@@ -90,13 +88,6 @@ static double moment_of(const struct bead_figure *f, const struct bead_cell *cel
     return fmin(last, fmax(first, f->at));
 }
 
-/* ---- raster ---- */
-
-static enum bead_error decorate(void *context, cairo_t *cr, struct bead_message *msg)
-{
-    return bead_figure_decorate(context, cr, msg);
-}
-
 enum bead_error bead_figure_draw(struct bead_figure *f, struct bead_frame *frame, const struct bead_frame *background,
                                  struct bead_message *msg)
 {
@@ -112,22 +103,6 @@ enum bead_error bead_figure_draw(struct bead_figure *f, struct bead_frame *frame
     return err;
 }
 
-static enum bead_error draw_frame(void *context, struct bead_frame *frame, struct bead_message *msg)
-{
-    struct bead_figure *f = context;
-    struct bead_frame background = {0};
-    enum bead_error err = bead_raster_draw(frame, decorate, f, msg);
-    if (!err && f->stills) { /* only those views draw over what was there */
-        err = bead_frame_create(frame->width, frame->height, &background, msg);
-        if (!err)
-            bead_frame_copy(&background, frame, (struct bead_rect){0, 0, frame->width, frame->height});
-    }
-    if (!err)
-        err = bead_figure_draw(f, frame, f->stills ? &background : frame, msg);
-    bead_frame_free(&background);
-    return err;
-}
-
 bool bead_figure_needs_canvas(const struct bead_figure *f)
 {
     for (size_t v = 0; v < f->view_count; v++) {
@@ -136,8 +111,6 @@ bool bead_figure_needs_canvas(const struct bead_figure *f)
     }
     return false;
 }
-
-/* ---- vector ---- */
 
 enum bead_error bead_figure_vector(struct bead_figure *f, cairo_t *cr, struct bead_message *msg)
 {
@@ -150,12 +123,6 @@ enum bead_error bead_figure_vector(struct bead_figure *f, cairo_t *cr, struct be
         }
     }
     return err;
-}
-
-static enum bead_error draw_vector(void *context, cairo_t *cr, struct bead_message *msg)
-{
-    enum bead_error err = bead_figure_decorate(context, cr, msg);
-    return err ? err : bead_figure_vector(context, cr, msg);
 }
 
 enum bead_error bead_figure_finish(struct bead_figure *f, struct bead_canvas *canvas, struct bead_message *msg)
@@ -176,22 +143,4 @@ void bead_figure_release_canvas(struct bead_figure *f)
             panel->view = NULL;
         }
     }
-}
-
-enum bead_error bead_figure_write(struct bead_figure *f, const char *path, uint64_t *bytes, struct bead_message *msg)
-{
-    struct bead_canvas *canvas = NULL;
-    const struct bead_drawing drawing = {draw_vector, draw_frame, f};
-    double colours[2] = {INFINITY, -INFINITY}, sensors[2] = {INFINITY, -INFINITY};
-    bead_figure_extremes(f, colours, sensors);
-    bead_figure_set_range(f, colours, sensors);
-    enum bead_error err =
-        bead_figure_needs_canvas(f) ? bead_canvas_create(f->context.canvas, f->page.width, f->page.height, &canvas, msg) : BEAD_OK;
-    if (!err)
-        err = bead_figure_finish(f, canvas, msg);
-    if (!err)
-        err = bead_page_write(&f->page, f->output, f->context.scene, &drawing, path, bytes, msg);
-    bead_figure_release_canvas(f);
-    bead_canvas_destroy(canvas);
-    return err;
 }

@@ -1,9 +1,27 @@
-/* Stills: one finished picture a file, as PNG, PDF or SVG. */
+/* Stills: outputs of one picture, `image:` and `plot:`. still.c picks the kind that draws an output. */
 #ifndef BEADREEL_RENDER_FIGURE_STILL_H
 #define BEADREEL_RENDER_FIGURE_STILL_H
 
+#include <stdbool.h>
+
 #include "beadreel/sink.h"
 
+struct bead_still; /* each kind's own */
+
+struct bead_still_kind {
+    bool (*wanted)(const struct bead_output *output);
+    /* `output` is borrowed. Errors: SCENE (with the place of the output or panel), MEMORY, IO and FORMAT of colour maps. */
+    enum bead_error (*create)(const struct bead_output *output, const struct bead_run_context *context, struct bead_still **still,
+                              struct bead_message *msg);
+    void (*needs)(const struct bead_still *still, struct bead_needs *needs);
+    enum bead_error (*feed)(struct bead_still *still, const struct bead_sample *sample, struct bead_message *msg);
+    /* To a .png, .pdf or .svg. Errors: UNSUPPORTED (no outcomes for peaks), IO, MEMORY, GRAPHICS. */
+    enum bead_error (*write)(struct bead_still *still, const struct bead_outcome *outcomes, const char *path, uint64_t *bytes,
+                             struct bead_message *msg);
+    void (*destroy)(struct bead_still *still);
+};
+
+extern const struct bead_still_kind bead_panels, bead_drawing_still, bead_plot_still, bead_bare_image, bead_figure_still;
 extern const struct bead_sink_type bead_image_sink, bead_plot_sink;
 
 #endif

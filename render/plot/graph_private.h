@@ -59,7 +59,7 @@ struct graph_cell {
     bool legend_outside, raised; /* raised: the y axis ends higher, to have room for the legend */
 };
 
-/* A graph that is a part of a sheet. */
+/* A graph that is one of several panels. */
 struct graph_frame {
     double margin;            /* around everything */
     struct bead_insets least; /* of plots from the borders */
@@ -72,7 +72,7 @@ struct graph_layout {
     struct graph_frame frame;
     const struct bead_look *look;
     double width, height;
-    bool part; /* of a sheet: its plots stay where they are, so legends stay inside if at all possible */
+    bool part; /* one of several panels: its plots stay where they are, so legends stay inside if at all possible */
     size_t columns, rows;
     struct graph_cell *cells;                         /* [panel_count] */
     char *title, *caption;                            /* markup; NULL: none */

@@ -1,14 +1,14 @@
-/* Where the panels of a sheet go: every panel says how far its axes reach out of its plots, then plots of a row get one width and
+/* Where panels go: every panel says how far its axes reach out of its plots, then plots of a row get one width and
  * height, and those of a column one left border. */
 #include <math.h>
 #include <string.h>
 
-#include "render/figure/sheet_private.h"
+#include "render/figure/panels_private.h"
 
 /* In units of the label's font size. */
 static const double between_columns = 1.1, between_rows = 0.9, title_gap = 0.7, caption_gap = 0.5;
 
-size_t sheet_columns(const struct bead_sheet *s, size_t row)
+size_t panels_columns(const struct bead_still *s, size_t row)
 {
     size_t columns = 0;
     for (size_t p = 0; p < s->count; p++)
@@ -16,7 +16,7 @@ size_t sheet_columns(const struct bead_sheet *s, size_t row)
     return columns;
 }
 
-struct sheet_panel *sheet_at(const struct bead_sheet *s, size_t row, size_t column)
+struct still_panel *panels_at(const struct bead_still *s, size_t row, size_t column)
 {
     for (size_t p = 0; p < s->count; p++) {
         if (s->panels[p].row == row && s->panels[p].column == column)
@@ -25,11 +25,11 @@ struct sheet_panel *sheet_at(const struct bead_sheet *s, size_t row, size_t colu
     return NULL;
 }
 
-struct bead_graph sheet_graph(const struct sheet_panel *panel, struct bead_panel *panels)
+struct bead_graph panel_graph(const struct still_panel *panel, struct bead_panel *panels)
 {
     struct bead_graph graph = {.panels = panels, .share_x = true, .share_y = true};
     const struct bead_panel *own = bead_plot_data_panels(panel->plot, &graph.panel_count);
-    graph.panel_count = graph.panel_count < SHEET_PLOTS ? graph.panel_count : SHEET_PLOTS;
+    graph.panel_count = graph.panel_count < PANEL_PLOTS ? graph.panel_count : PANEL_PLOTS;
     memcpy(panels, own, graph.panel_count * sizeof *panels);
     if (*panel->title && graph.panel_count == 1)
         panels[0].title = panel->title;
@@ -56,7 +56,7 @@ static bool same_colours(const struct bead_output *a, const struct bead_output *
            same_number(a->range[0], b->range[0]) && same_number(a->range[1], b->range[1]);
 }
 
-static void find_groups(struct bead_sheet *s)
+static void find_groups(struct bead_still *s)
 {
     for (size_t p = 0; p < s->count; p++) {
         s->panels[p].group = p;
@@ -69,23 +69,23 @@ static void find_groups(struct bead_sheet *s)
     }
 }
 
-static bool one_group(const struct sheet_panel *a, const struct sheet_panel *b)
+static bool one_group(const struct still_panel *a, const struct still_panel *b)
 {
     return a && b && a->figure && b->figure && a->group == b->group;
 }
 
 /* A bar stands right of the last panel of its group in a row; where the row above has it in the same column, that one reaches down
  * to this one. */
-static bool has_own_bar(const struct bead_sheet *s, const struct sheet_panel *panel)
+static bool has_own_bar(const struct bead_still *s, const struct still_panel *panel)
 {
-    const struct sheet_panel *above = panel->row > 0 ? sheet_at(s, panel->row - 1, panel->column) : NULL;
-    bool last = !one_group(panel, sheet_at(s, panel->row, panel->column + 1));
-    bool above_last = above && !one_group(above, sheet_at(s, above->row, above->column + 1));
-    bool aligned = above && sheet_columns(s, panel->row) == sheet_columns(s, above->row);
+    const struct still_panel *above = panel->row > 0 ? panels_at(s, panel->row - 1, panel->column) : NULL;
+    bool last = !one_group(panel, panels_at(s, panel->row, panel->column + 1));
+    bool above_last = above && !one_group(above, panels_at(s, above->row, above->column + 1));
+    bool aligned = above && panels_columns(s, panel->row) == panels_columns(s, above->row);
     return last && !(aligned && above_last && one_group(panel, above));
 }
 
-static struct bead_axis_kind axis_of(const struct sheet_panel *panel, bool upright)
+static struct bead_axis_kind axis_of(const struct still_panel *panel, bool upright)
 {
     struct bead_axis_kind none = {NULL, 0, 0};
     if (panel->figure)
@@ -95,7 +95,7 @@ static struct bead_axis_kind axis_of(const struct sheet_panel *panel, bool uprig
     return upright ? none : (struct bead_axis_kind){plots[0].x.title, plots[0].x.low, plots[0].x.high};
 }
 
-static bool same_axis(const struct sheet_panel *a, const struct sheet_panel *b, bool upright)
+static bool same_axis(const struct still_panel *a, const struct still_panel *b, bool upright)
 {
     if (!a || !b)
         return false;
@@ -103,14 +103,14 @@ static bool same_axis(const struct sheet_panel *a, const struct sheet_panel *b, 
     return x.title && y.title && strcmp(x.title, y.title) == 0 && x.low == y.low && x.high == y.high;
 }
 
-static void share(struct bead_sheet *s)
+static void share(struct bead_still *s)
 {
     find_groups(s);
     for (size_t p = 0; p < s->count; p++) {
-        struct sheet_panel *panel = &s->panels[p];
-        const struct sheet_panel *below = sheet_at(s, panel->row + 1, panel->column);
-        const struct sheet_panel *left = panel->column > 0 ? sheet_at(s, panel->row, panel->column - 1) : NULL;
-        bool aligned = below && sheet_columns(s, panel->row) == sheet_columns(s, panel->row + 1);
+        struct still_panel *panel = &s->panels[p];
+        const struct still_panel *below = panels_at(s, panel->row + 1, panel->column);
+        const struct still_panel *left = panel->column > 0 ? panels_at(s, panel->row, panel->column - 1) : NULL;
+        bool aligned = below && panels_columns(s, panel->row) == panels_columns(s, panel->row + 1);
         panel->set.no_across = aligned && same_axis(panel, below, false);
         panel->set.no_upwards = panel->figure && left && left->figure && same_axis(panel, left, true);
         panel->set.no_bar = panel->figure && !has_own_bar(s, panel);
@@ -122,11 +122,11 @@ static void share(struct bead_sheet *s)
 /* ---- places ---- */
 
 /* Before a run the ends of axes are not known: numbers as wide as they get. */
-static enum bead_error put_plot(struct bead_sheet *s, struct sheet_panel *panel, const struct bead_insets *least,
+static enum bead_error put_plot(struct bead_still *s, struct still_panel *panel, const struct bead_insets *least,
                                 struct bead_message *msg)
 {
-    struct bead_panel plots[SHEET_PLOTS];
-    struct bead_graph graph = sheet_graph(panel, plots);
+    struct bead_panel plots[PANEL_PLOTS];
+    struct bead_graph graph = panel_graph(panel, plots);
     struct graph_frame frame = {.least = *least, .letter = panel->set.letter, .no_across = panel->set.no_across};
     struct graph_layout layout;
     struct bead_message why = {""};
@@ -151,11 +151,11 @@ static enum bead_error put_plot(struct bead_sheet *s, struct sheet_panel *panel,
 }
 
 /* Into their areas. `keep`: with the insets that they have, else these are measured. */
-static enum bead_error put(struct bead_sheet *s, bool keep, struct bead_message *msg)
+static enum bead_error put(struct bead_still *s, bool keep, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
     for (size_t p = 0; !err && p < s->count; p++) {
-        struct sheet_panel *panel = &s->panels[p];
+        struct still_panel *panel = &s->panels[p];
         struct bead_insets kept = keep ? panel->insets : (struct bead_insets){0};
         err = panel->figure ? bead_figure_put(panel->figure, panel->area, &kept, &panel->insets, msg)
                             : put_plot(s, panel, &kept, msg);
@@ -171,12 +171,12 @@ static double larger(double a, double b)
 }
 
 /* Panels of one row reach up and down alike; first and last ones, and all of a column where rows are alike, left and right. */
-static void align(struct bead_sheet *s)
+static void align(struct bead_still *s)
 {
     for (size_t p = 0; p < s->count; p++) {
         for (size_t q = 0; q < s->count; q++) {
-            struct sheet_panel *a = &s->panels[p], *b = &s->panels[q];
-            bool alike = sheet_columns(s, a->row) == sheet_columns(s, b->row);
+            struct still_panel *a = &s->panels[p], *b = &s->panels[q];
+            bool alike = panels_columns(s, a->row) == panels_columns(s, b->row);
             if (a->row == b->row) {
                 a->insets.top = b->insets.top = larger(a->insets.top, b->insets.top);
                 a->insets.bottom = b->insets.bottom = larger(a->insets.bottom, b->insets.bottom);
@@ -189,7 +189,7 @@ static void align(struct bead_sheet *s)
     }
 }
 
-static struct bead_rect room_of(const struct bead_sheet *s)
+static struct bead_rect room_of(const struct bead_still *s)
 {
     double em = s->look.label, margin = s->look.margin;
     double above = s->title ? ceil(s->title_height + title_gap * em) : 0;
@@ -199,11 +199,11 @@ static struct bead_rect room_of(const struct bead_sheet *s)
 }
 
 /* Heights of rows: plots want less than images, and several views more. */
-static double weight_of(const struct bead_sheet *s, size_t row)
+static double weight_of(const struct bead_still *s, size_t row)
 {
     double weight = 0;
     for (size_t p = 0; p < s->count; p++) {
-        const struct sheet_panel *panel = &s->panels[p];
+        const struct still_panel *panel = &s->panels[p];
         if (panel->row == row)
             weight = fmax(weight, panel->plot ? 0.85 : 0.7 + 0.3 * (double)panel->output->view_count);
     }
@@ -211,23 +211,23 @@ static double weight_of(const struct bead_sheet *s, size_t row)
 }
 
 /* What is left of the page for plots of a row, and the room that each panel takes. */
-static enum bead_error divide(struct bead_sheet *s, struct bead_message *msg)
+static enum bead_error divide(struct bead_still *s, struct bead_message *msg)
 {
     static const int smallest = 24; /* px */
     double em = s->look.label, weights = 0;
     struct bead_rect room = room_of(s);
     double high = room.height - (double)(s->rows - 1) * round(between_rows * em), y = room.y;
     for (size_t r = 0; r < s->rows; r++) {
-        const struct bead_insets *first = &sheet_at(s, r, 0)->insets;
+        const struct bead_insets *first = &panels_at(s, r, 0)->insets;
         weights += weight_of(s, r);
         high -= first->top + first->bottom;
     }
     for (size_t r = 0; r < s->rows; r++) {
-        size_t columns = sheet_columns(s, r);
+        size_t columns = panels_columns(s, r);
         double wide = room.width - (double)(columns - 1) * round(between_columns * em), x = room.x;
         double height = floor(high * weight_of(s, r) / weights);
         for (size_t c = 0; c < columns; c++)
-            wide -= sheet_at(s, r, c)->insets.left + sheet_at(s, r, c)->insets.right;
+            wide -= panels_at(s, r, c)->insets.left + panels_at(s, r, c)->insets.right;
         double width = floor(wide / (double)columns);
         char words[BEAD_SIZE_WORDS];
         if (width < smallest || height < smallest)
@@ -235,19 +235,19 @@ static enum bead_error divide(struct bead_sheet *s, struct bead_message *msg)
                              s->context.scene->file, s->output->place.line, s->output->place.column,
                              bead_page_size(&s->page, words), s->count);
         for (size_t c = 0; c < columns; c++) {
-            struct sheet_panel *panel = sheet_at(s, r, c);
+            struct still_panel *panel = panels_at(s, r, c);
             const struct bead_insets *in = &panel->insets;
             panel->area =
                 (struct bead_rect){(int)x, (int)y, (int)(in->left + width + in->right), (int)(in->top + height + in->bottom)};
             x += in->left + width + in->right + round(between_columns * em);
         }
-        const struct bead_insets *first = &sheet_at(s, r, 0)->insets;
+        const struct bead_insets *first = &panels_at(s, r, 0)->insets;
         y += first->top + height + first->bottom + round(between_rows * em);
     }
     return BEAD_OK;
 }
 
-static void guess(struct bead_sheet *s)
+static void guess(struct bead_still *s)
 {
     double em = s->look.label;
     for (size_t p = 0; p < s->count; p++)
@@ -255,16 +255,16 @@ static void guess(struct bead_sheet *s)
 }
 
 /* Bars that serve several rows reach down to the last of them. */
-static void stretch_bars(struct bead_sheet *s)
+static void stretch_bars(struct bead_still *s)
 {
     for (size_t p = 0; p < s->count; p++) {
-        struct sheet_panel *panel = &s->panels[p];
+        struct still_panel *panel = &s->panels[p];
         size_t row = panel->row;
         if (!panel->figure || panel->set.no_bar)
             continue;
-        const struct sheet_panel *last = panel;
-        for (const struct sheet_panel *below; (below = sheet_at(s, ++row, panel->column)) != NULL; last = below) {
-            if (!one_group(panel, below) || one_group(below, sheet_at(s, row, panel->column + 1)) || !below->set.no_bar)
+        const struct still_panel *last = panel;
+        for (const struct still_panel *below; (below = panels_at(s, ++row, panel->column)) != NULL; last = below) {
+            if (!one_group(panel, below) || one_group(below, panels_at(s, row, panel->column + 1)) || !below->set.no_bar)
                 break;
         }
         if (last != panel)
@@ -272,7 +272,7 @@ static void stretch_bars(struct bead_sheet *s)
     }
 }
 
-static void round_up(struct bead_sheet *s)
+static void round_up(struct bead_still *s)
 {
     for (size_t p = 0; p < s->count; p++) {
         struct bead_insets *in = &s->panels[p].insets;
@@ -280,7 +280,7 @@ static void round_up(struct bead_sheet *s)
     }
 }
 
-enum bead_error sheet_arrange(struct bead_sheet *s, struct bead_message *msg)
+enum bead_error panels_arrange(struct bead_still *s, struct bead_message *msg)
 {
     struct bead_text_style style = graph_text(&s->look);
     double wrap = s->page.width - 2 * s->look.margin, width;

@@ -1,5 +1,5 @@
-/* Life of a sheet. */
-#include "render/figure/sheet_private.h"
+/* Stills of several panels, and images with a caption: made, fed. The kind that still.c asks first. */
+#include "render/figure/panels_private.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -8,27 +8,27 @@
 
 #include "render/draw/markup.h"
 
-bool bead_sheet_wanted(const struct bead_output *output)
+static bool panels_wanted(const struct bead_output *output)
 {
     return output->panel_count > 0 || (output->caption && output->kind == BEAD_OUTPUT_IMAGE);
 }
 
-void bead_sheet_destroy(struct bead_sheet *sheet)
+static void panels_destroy(struct bead_still *still)
 {
-    if (!sheet)
+    if (!still)
         return;
-    for (size_t p = 0; sheet->panels && p < sheet->count; p++) {
-        bead_figure_destroy(sheet->panels[p].figure);
-        bead_plot_data_destroy(sheet->panels[p].plot);
+    for (size_t p = 0; still->panels && p < still->count; p++) {
+        bead_figure_destroy(still->panels[p].figure);
+        bead_plot_data_destroy(still->panels[p].plot);
     }
-    free(sheet->panels);
-    free(sheet->title);
-    free(sheet->caption);
-    free(sheet);
+    free(still->panels);
+    free(still->title);
+    free(still->caption);
+    free(still);
 }
 
 /* Title of screens, and caption. */
-static enum bead_error make_words(struct bead_sheet *s, struct bead_message *msg)
+static enum bead_error make_words(struct bead_still *s, struct bead_message *msg)
 {
     const int least = 240; /* px of height where a title is worth its room */
     const char *title = s->context.scene->title, *caption = s->output->caption;
@@ -45,7 +45,7 @@ static enum bead_error make_words(struct bead_sheet *s, struct bead_message *msg
     return !caption || !*caption || s->caption ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
 }
 
-static void make_letter(const struct bead_sheet *s, size_t index, char *letter, size_t size)
+static void make_letter(const struct bead_still *s, size_t index, char *letter, size_t size)
 {
     letter[0] = '\0';
     if (!s->output->letters || s->count < 2)
@@ -56,9 +56,9 @@ static void make_letter(const struct bead_sheet *s, size_t index, char *letter, 
         snprintf(letter, size, "(%c%c)", (char)('a' + index / 26 - 1), (char)('a' + index % 26));
 }
 
-static enum bead_error make_panel(struct bead_sheet *s, size_t index, struct bead_message *msg)
+static enum bead_error make_panel(struct bead_still *s, size_t index, struct bead_message *msg)
 {
-    struct sheet_panel *panel = &s->panels[index];
+    struct still_panel *panel = &s->panels[index];
     bool own = s->output->panel_count == 0; /* an image with a caption is its only panel */
     panel->output = own ? s->output : &s->output->panels[index];
     panel->row = own ? 0 : panel->output->row;
@@ -71,12 +71,12 @@ static enum bead_error make_panel(struct bead_sheet *s, size_t index, struct bea
         snprintf(panel->title, sizeof panel->title, "%s", panel->output->panel_title);
     if (panel->output->kind == BEAD_OUTPUT_PLOT)
         return bead_plot_data_create(panel->output, &s->context, panel->set.chain, &panel->plot, msg);
-    return bead_figure_create_part(panel->output, &s->context, &s->page, &s->look, &panel->set, &panel->figure, msg);
+    return bead_figure_create(panel->output, &s->context, &s->page, &s->look, &panel->set, &panel->figure, msg);
 }
 
 /* One grid for all: as close as the finest, from the first to the last time that anything shows. Profiles lie between its times, on
  * straight lines. */
-static void join_grids(struct bead_sheet *s)
+static void join_grids(struct bead_still *s)
 {
     struct bead_grid all = {INFINITY, INFINITY, -INFINITY};
     bool profiles = false;
@@ -100,16 +100,16 @@ static void join_grids(struct bead_sheet *s)
     }
 }
 
-enum bead_error bead_sheet_create(const struct bead_output *output, const struct bead_run_context *context,
-                                  struct bead_sheet **sheet, struct bead_message *msg)
+static enum bead_error panels_create(const struct bead_output *output, const struct bead_run_context *context,
+                                     struct bead_still **still, struct bead_message *msg)
 {
-    struct bead_sheet *s = *sheet = calloc(1, sizeof *s);
+    struct bead_still *s = *still = calloc(1, sizeof *s);
     size_t count = output->panel_count > 0 ? output->panel_count : 1;
     if (s)
         s->panels = calloc(count, sizeof *s->panels);
     if (!s || !s->panels) {
-        bead_sheet_destroy(s);
-        *sheet = NULL;
+        panels_destroy(s);
+        *still = NULL;
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
     }
     s->output = output;
@@ -123,9 +123,9 @@ enum bead_error bead_sheet_create(const struct bead_output *output, const struct
     for (size_t p = 0; !err && p < count; p++)
         err = make_panel(s, p, msg);
     if (!err)
-        err = sheet_arrange(s, msg);
+        err = panels_arrange(s, msg);
     for (size_t p = 0; !err && p < count; p++) {
-        struct sheet_panel *panel = &s->panels[p];
+        struct still_panel *panel = &s->panels[p];
         if (panel->figure) {
             err = bead_figure_start(panel->figure, msg);
             bead_figure_needs(panel->figure, &panel->needs);
@@ -134,8 +134,8 @@ enum bead_error bead_sheet_create(const struct bead_output *output, const struct
         }
     }
     if (err) {
-        bead_sheet_destroy(s);
-        *sheet = NULL;
+        panels_destroy(s);
+        *still = NULL;
         return err;
     }
     join_grids(s);
@@ -143,11 +143,11 @@ enum bead_error bead_sheet_create(const struct bead_output *output, const struct
     return BEAD_OK;
 }
 
-void bead_sheet_needs(const struct bead_sheet *sheet, struct bead_needs *needs)
+static void panels_needs(const struct bead_still *still, struct bead_needs *needs)
 {
-    *needs = (struct bead_needs){.beads = {SIZE_MAX, 0}, .grid = sheet->grid, .why = sheet->why};
-    for (size_t p = 0; p < sheet->count; p++) {
-        const struct bead_needs *more = &sheet->panels[p].needs;
+    *needs = (struct bead_needs){.beads = {SIZE_MAX, 0}, .grid = still->grid, .why = still->why};
+    for (size_t p = 0; p < still->count; p++) {
+        const struct bead_needs *more = &still->panels[p].needs;
         needs->fields |= more->fields;
         needs->comparison |= more->comparison;
         needs->contact_peaks = needs->contact_peaks || more->contact_peaks;
@@ -161,16 +161,25 @@ void bead_sheet_needs(const struct bead_sheet *sheet, struct bead_needs *needs)
         needs->beads = (struct bead_span){0, 0};
 }
 
-enum bead_error bead_sheet_feed(struct bead_sheet *sheet, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error panels_feed(struct bead_still *still, const struct bead_sample *sample, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
-    for (size_t p = 0; !err && p < sheet->count; p++) {
-        struct sheet_panel *panel = &sheet->panels[p];
+    for (size_t p = 0; !err && p < still->count; p++) {
+        struct still_panel *panel = &still->panels[p];
         const struct bead_grid *grid = &panel->needs.grid;
-        double slack = 1.5 * sheet->grid.every; /* one sample before and behind */
+        double slack = 1.5 * still->grid.every; /* one sample before and behind */
         if (!panel->needs.fields || sample->time < grid->start - slack || sample->time > grid->end + slack)
             continue;
         err = panel->figure ? bead_figure_feed(panel->figure, sample, msg) : bead_plot_data_feed(panel->plot, sample, msg);
     }
     return err;
 }
+
+const struct bead_still_kind bead_panels = {
+    .wanted = panels_wanted,
+    .create = panels_create,
+    .needs = panels_needs,
+    .feed = panels_feed,
+    .write = panels_write,
+    .destroy = panels_destroy,
+};

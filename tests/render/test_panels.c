@@ -12,29 +12,29 @@
 
 #include "pictures.h"
 #include "render/figure/figure_private.h"
-#include "render/figure/sheet_private.h"
+#include "render/figure/panels_private.h"
 #include "sessions.h"
 
-static struct bead_sheet *make_sheet(struct built *built, const char *settings)
+static struct bead_still *make_panels(struct built *built, const char *settings)
 {
     char output[900];
     struct bead_message msg = {""};
-    struct bead_sheet *sheet;
+    struct bead_still *still;
     snprintf(output, sizeof output, "image: a.png, %s", settings);
     *built = build_chain(output);
     struct bead_run_context context = make_stage(built);
-    if (bead_sheet_create(&built->scene->outputs[0], &context, &sheet, &msg))
+    if (bead_panels.create(&built->scene->outputs[0], &context, &still, &msg))
         fail_msg("%s", msg.text);
-    return sheet;
+    return still;
 }
 
-static void release(struct built *built, struct bead_sheet *sheet)
+static void release(struct built *built, struct bead_still *still)
 {
-    bead_sheet_destroy(sheet);
+    bead_panels.destroy(still);
     release_chain(built);
 }
 
-static struct bead_rect plot_of(const struct sheet_panel *panel)
+static struct bead_rect plot_of(const struct still_panel *panel)
 {
     const struct bead_insets *in = &panel->insets;
     const struct bead_rect *area = &panel->area;
@@ -60,54 +60,54 @@ static void test_plots_stand_in_rows_and_columns(void **state)
             settings, sizeof settings,
             "%s, panels: [[{field: force}, {field: force}], [{field: velocity}, {field: energy}], [{show: peaks}, {field: force}]]",
             styles[s]);
-        struct bead_sheet *sheet = make_sheet(&built, settings);
-        struct bead_rect page = {0, 0, sheet->page.width, sheet->page.height};
-        for (size_t p = 0; p < sheet->count; p++) {
-            const struct sheet_panel *panel = &sheet->panels[p];
-            struct bead_rect plot = plot_of(panel), left = plot_of(sheet_at(sheet, panel->row, 0));
-            struct bead_rect top = plot_of(sheet_at(sheet, 0, panel->column));
+        struct bead_still *still = make_panels(&built, settings);
+        struct bead_rect page = {0, 0, still->page.width, still->page.height};
+        for (size_t p = 0; p < still->count; p++) {
+            const struct still_panel *panel = &still->panels[p];
+            struct bead_rect plot = plot_of(panel), left = plot_of(panels_at(still, panel->row, 0));
+            struct bead_rect top = plot_of(panels_at(still, 0, panel->column));
             const struct bead_rect *area = &panel->area;
             assert_true(plot.y == left.y && plot.height == left.height); /* one row */
             assert_true(plot.x == top.x && plot.width == top.width);     /* one column */
             assert_true(area->x >= 0 && area->y >= 0 && area->x + area->width <= page.width &&
                         area->y + area->height <= page.height);
             for (size_t q = 0; q < p; q++) {
-                const struct bead_rect *other = &sheet->panels[q].area;
+                const struct bead_rect *other = &still->panels[q].area;
                 assert_false(area->x < other->x + other->width && other->x < area->x + area->width &&
                              area->y < other->y + other->height && other->y < area->y + area->height);
             }
         }
-        release(&built, sheet);
+        release(&built, still);
     }
 }
 
-static bool labelled_across(const struct bead_sheet *sheet, size_t panel)
+static bool labelled_across(const struct bead_still *still, size_t panel)
 {
-    return !sheet->panels[panel].set.no_across;
+    return !still->panels[panel].set.no_across;
 }
 
 static void test_labels_and_bars_are_shared(void **state)
 {
     (void)state;
     struct built built;
-    struct bead_sheet *sheet =
-        make_sheet(&built, "size: [1280, 900], panels: [[{field: force}, {field: force}], [{field: velocity}, "
-                           "{field: velocity, time: [0, 0.5 ms]}], [{field: velocity}, {show: peaks}]]");
-    assert_false(labelled_across(sheet, 0)); /* the same time below */
-    assert_true(labelled_across(sheet, 1));  /* another below */
-    assert_false(labelled_across(sheet, 2));
-    assert_true(labelled_across(sheet, 3)); /* contacts below */
-    assert_true(labelled_across(sheet, 4) && labelled_across(sheet, 5));
-    assert_true(sheet->panels[1].set.no_upwards && !sheet->panels[0].set.no_upwards); /* the same beads at the left */
-    assert_true(sheet->panels[0].set.no_bar && !sheet->panels[1].set.no_bar);
-    assert_true(sheet->panels[2].set.no_bar && !sheet->panels[3].set.no_bar && !sheet->panels[4].set.no_bar);
-    release(&built, sheet);
-    sheet = make_sheet(&built, "size: [700, 900], panels: [[{field: force}], [{field: force}], [{field: force, range: [0, 9]}]]");
-    const struct bead_rect *bar = &sheet->panels[0].figure->bar;
-    assert_true(sheet->panels[1].set.no_bar && !sheet->panels[2].set.no_bar); /* a range of its own */
-    assert_int_equal(bar->y, plot_of(&sheet->panels[0]).y);
-    assert_int_equal(bar->y + bar->height, plot_of(&sheet->panels[1]).y + plot_of(&sheet->panels[1]).height);
-    release(&built, sheet);
+    struct bead_still *still =
+        make_panels(&built, "size: [1280, 900], panels: [[{field: force}, {field: force}], [{field: velocity}, "
+                            "{field: velocity, time: [0, 0.5 ms]}], [{field: velocity}, {show: peaks}]]");
+    assert_false(labelled_across(still, 0)); /* the same time below */
+    assert_true(labelled_across(still, 1));  /* another below */
+    assert_false(labelled_across(still, 2));
+    assert_true(labelled_across(still, 3)); /* contacts below */
+    assert_true(labelled_across(still, 4) && labelled_across(still, 5));
+    assert_true(still->panels[1].set.no_upwards && !still->panels[0].set.no_upwards); /* the same beads at the left */
+    assert_true(still->panels[0].set.no_bar && !still->panels[1].set.no_bar);
+    assert_true(still->panels[2].set.no_bar && !still->panels[3].set.no_bar && !still->panels[4].set.no_bar);
+    release(&built, still);
+    still = make_panels(&built, "size: [700, 900], panels: [[{field: force}], [{field: force}], [{field: force, range: [0, 9]}]]");
+    const struct bead_rect *bar = &still->panels[0].figure->bar;
+    assert_true(still->panels[1].set.no_bar && !still->panels[2].set.no_bar); /* a range of its own */
+    assert_int_equal(bar->y, plot_of(&still->panels[0]).y);
+    assert_int_equal(bar->y + bar->height, plot_of(&still->panels[1]).y + plot_of(&still->panels[1]).height);
+    release(&built, still);
 }
 
 /* Panels of one field have one range; one that asks for another, or for other colours, has its own. */
@@ -117,23 +117,23 @@ static void test_ranges_are_those_of_the_field(void **state)
     struct built built;
     struct bead_message msg = {""};
     char path[512];
-    struct bead_sheet *sheet =
-        make_sheet(&built, "size: [900, 600], panels: [[{field: force}, {field: force, beads: [0, 4], time: [0, 0.3 "
-                           "ms]}, {field: force, time: [0, 0.3 ms], colormap: inferno}]]");
+    struct bead_still *still =
+        make_panels(&built, "size: [900, 600], panels: [[{field: force}, {field: force, beads: [0, 4], time: [0, 0.3 "
+                            "ms]}, {field: force, time: [0, 0.3 ms], colormap: inferno}]]");
     for (size_t i = 0; i <= 200; i++) {
         double values[16] = {0}, time = 1e-3 * (double)i / 200;
         struct bead_sample sample = {.time = time, .index = i, .active = 10};
         for (size_t b = 0; b < 10; b++)
             values[b] = 100 * time * 1e3 * (double)(b + 1); /* largest at the end */
         sample.field[BEAD_FIELD_FORCE] = values;
-        assert_int_equal(bead_sheet_feed(sheet, &sample, &msg), BEAD_OK);
+        assert_int_equal(bead_panels.feed(still, &sample, &msg), BEAD_OK);
     }
     in_directory("a.png", path, sizeof path);
-    assert_int_equal(bead_sheet_write(sheet, NULL, path, NULL, &msg), BEAD_OK);
-    double all = sheet->panels[0].figure->range.high, part = sheet->panels[1].figure->range.high,
-           own = sheet->panels[2].figure->range.high;
+    assert_int_equal(panels_write(still, NULL, path, NULL, &msg), BEAD_OK);
+    double all = still->panels[0].figure->range.high, part = still->panels[1].figure->range.high,
+           own = still->panels[2].figure->range.high;
     assert_true(all > 980 && part == all && own > 280 && own < 310);
-    release(&built, sheet);
+    release(&built, still);
 }
 
 /* The moment of the other views is a light line in the space-time image; rows of beads take no more height than they use. */
@@ -143,17 +143,17 @@ static void test_stills_mark_their_moment(void **state)
     struct built built;
     struct bead_message msg = {""};
     char path[512];
-    struct bead_sheet *sheet =
-        make_sheet(&built, "size: [700, 900], caption: c, views: [beads, profile, spacetime], at: 0.5 ms, time: [0, 1 ms]");
+    struct bead_still *still =
+        make_panels(&built, "size: [700, 900], caption: c, views: [beads, profile, spacetime], at: 0.5 ms, time: [0, 1 ms]");
     for (size_t i = 0; i <= 1000; i++) {
         struct bead_sample *sample = make_sample(&built, 1e-6 * (double)i);
         sample->index = i;
-        assert_int_equal(bead_sheet_feed(sheet, sample, &msg), BEAD_OK);
+        assert_int_equal(bead_panels.feed(still, sample, &msg), BEAD_OK);
         free_sample(sample);
     }
     in_directory("a.png", path, sizeof path);
-    assert_int_equal(bead_sheet_write(sheet, NULL, path, NULL, &msg), BEAD_OK);
-    const struct bead_tile *tiles = sheet->panels[0].figure->cells[0].panel;
+    assert_int_equal(panels_write(still, NULL, path, NULL, &msg), BEAD_OK);
+    const struct bead_tile *tiles = still->panels[0].figure->cells[0].panel;
     struct png_file png = read_png(path);
     const struct bead_rect *plot = &tiles[2].plot;
     int white = 0, first = 0;
@@ -166,12 +166,12 @@ static void test_stills_mark_their_moment(void **state)
         first = row == plot->width && white == 0 ? y : first;
         white += row == plot->width;
     }
-    assert_int_equal(white, (int)sheet->look.line);
+    assert_int_equal(white, (int)still->look.line);
     assert_true(abs(first - plot->y - plot->height / 2) <= 2);
     assert_true(tiles[0].plot.height <= tiles[0].type->most_height(&tiles[0].setup, tiles[0].plot.width));
     assert_true(tiles[0].plot.height < plot->height / 2);
     free(png.rgb);
-    release(&built, sheet);
+    release(&built, still);
 }
 
 static void run_job(const char *input, const char *output)
@@ -215,11 +215,11 @@ static void test_profiles_are_panels(void **state)
     struct built built;
     struct bead_message msg = {""};
     char path[512];
-    struct bead_sheet *sheet =
-        make_sheet(&built, "size: [900, 500], panels: [[{field: velocity, time: [0, 1 ms]}, {show: profiles, field: "
-                           "velocity, at: [0.25 ms, 0.7003 ms]}]]");
+    struct bead_still *still =
+        make_panels(&built, "size: [900, 500], panels: [[{field: velocity, time: [0, 1 ms]}, {show: profiles, field: "
+                            "velocity, at: [0.25 ms, 0.7003 ms]}]]");
     struct bead_needs needs;
-    bead_sheet_needs(sheet, &needs);
+    bead_panels.needs(still, &needs);
     assert_true(needs.grid.every > 0 && needs.grid.start == 0 && needs.grid.end >= 1e-3);
     const size_t count = bead_grid_count(&needs.grid);
     for (size_t i = 0; i < count; i++) {
@@ -228,18 +228,18 @@ static void test_profiles_are_panels(void **state)
         for (size_t b = 0; b < 10; b++)
             values[b] = 1e3 * time * (double)(b + 1);
         sample.field[BEAD_FIELD_VELOCITY] = values;
-        assert_int_equal(bead_sheet_feed(sheet, &sample, &msg), BEAD_OK);
+        assert_int_equal(bead_panels.feed(still, &sample, &msg), BEAD_OK);
     }
     in_directory("a.png", path, sizeof path);
-    assert_int_equal(bead_sheet_write(sheet, NULL, path, NULL, &msg), BEAD_OK);
+    assert_int_equal(panels_write(still, NULL, path, NULL, &msg), BEAD_OK);
     size_t panels;
-    const struct bead_panel *panel = bead_plot_data_panels(sheet->panels[1].plot, &panels);
+    const struct bead_panel *panel = bead_plot_data_panels(still->panels[1].plot, &panels);
     assert_true(panels == 1 && panel->series_count == 2 && panel->series[0].count == 10);
     for (size_t b = 0; b < 10; b++) {
         assert_true(fabs(panel->series[0].y[b] - 0.25 * (double)(b + 1)) < 1e-9);
         assert_true(fabs(panel->series[1].y[b] - 0.7003 * (double)(b + 1)) < 1e-9);
     }
-    release(&built, sheet);
+    release(&built, still);
 }
 
 /* Energies of modes at the times asked for, of samples that other panels want closer. */

@@ -1,13 +1,13 @@
-/* The end of a sheet: ranges are known now, everything is drawn. */
+/* The end of a still of panels: ranges are known now, everything is drawn. */
 #include <math.h>
 #include <string.h>
 
 #include "beadreel/canvas.h"
 #include "render/draw/raster.h"
-#include "render/figure/sheet_private.h"
+#include "render/figure/panels_private.h"
 
 /* Panels of one group have one range. */
-static void set_ranges(struct bead_sheet *s)
+static void set_ranges(struct bead_still *s)
 {
     for (size_t p = 0; p < s->count; p++) {
         double colours[2] = {INFINITY, -INFINITY}, sensors[2] = {INFINITY, -INFINITY};
@@ -20,10 +20,10 @@ static void set_ranges(struct bead_sheet *s)
     }
 }
 
-static enum bead_error draw_plot(const struct bead_sheet *s, const struct sheet_panel *panel, cairo_t *cr, struct bead_message *msg)
+static enum bead_error draw_plot(const struct bead_still *s, const struct still_panel *panel, cairo_t *cr, struct bead_message *msg)
 {
-    struct bead_panel plots[SHEET_PLOTS];
-    struct bead_graph graph = sheet_graph(panel, plots);
+    struct bead_panel plots[PANEL_PLOTS];
+    struct bead_graph graph = panel_graph(panel, plots);
     struct graph_frame frame = {.least = panel->insets, .letter = panel->set.letter, .no_across = panel->set.no_across};
     struct graph_layout layout;
     enum bead_error err = graph_layout_make(&graph, &s->look, panel->area.width, panel->area.height, &frame, &layout, msg);
@@ -37,7 +37,7 @@ static enum bead_error draw_plot(const struct bead_sheet *s, const struct sheet_
     return BEAD_OK;
 }
 
-static void draw_words(const struct bead_sheet *s, cairo_t *cr)
+static void draw_words(const struct bead_still *s, cairo_t *cr)
 {
     double margin = s->look.margin, wrap = s->page.width - 2 * margin;
     struct bead_text_style style = graph_text(&s->look);
@@ -51,13 +51,13 @@ static void draw_words(const struct bead_sheet *s, cairo_t *cr)
 
 static enum bead_error decorate(void *context, cairo_t *cr, struct bead_message *msg)
 {
-    const struct bead_sheet *s = context;
+    const struct bead_still *s = context;
     enum bead_error err = BEAD_OK;
     graph_set_colour(cr, s->look.background);
     cairo_paint(cr);
     draw_words(s, cr);
     for (size_t p = 0; !err && p < s->count; p++) {
-        const struct sheet_panel *panel = &s->panels[p];
+        const struct still_panel *panel = &s->panels[p];
         err = panel->figure ? bead_figure_decorate(panel->figure, cr, msg) : draw_plot(s, panel, cr, msg);
     }
     cairo_status_t status = cairo_status(cr);
@@ -66,7 +66,7 @@ static enum bead_error decorate(void *context, cairo_t *cr, struct bead_message 
 
 static enum bead_error draw_vector(void *context, cairo_t *cr, struct bead_message *msg)
 {
-    const struct bead_sheet *s = context;
+    const struct bead_still *s = context;
     enum bead_error err = decorate(context, cr, msg);
     for (size_t p = 0; !err && p < s->count; p++) {
         if (s->panels[p].figure)
@@ -77,7 +77,7 @@ static enum bead_error draw_vector(void *context, cairo_t *cr, struct bead_messa
 
 static enum bead_error draw_frame(void *context, struct bead_frame *frame, struct bead_message *msg)
 {
-    struct bead_sheet *s = context;
+    struct bead_still *s = context;
     struct bead_frame background = {0};
     enum bead_error err = bead_raster_draw(frame, decorate, s, msg);
     if (!err)
@@ -92,13 +92,13 @@ static enum bead_error draw_frame(void *context, struct bead_frame *frame, struc
     return err;
 }
 
-static enum bead_error finish(struct bead_sheet *s, const struct bead_outcome *outcomes, struct bead_canvas **canvas,
+static enum bead_error finish(struct bead_still *s, const struct bead_outcome *outcomes, struct bead_canvas **canvas,
                               struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
     set_ranges(s);
     for (size_t p = 0; !err && p < s->count; p++) {
-        struct sheet_panel *panel = &s->panels[p];
+        struct still_panel *panel = &s->panels[p];
         if (panel->figure && bead_figure_needs_canvas(panel->figure) && !*canvas)
             err = bead_canvas_create(s->context.canvas, s->page.width, s->page.height, canvas, msg);
         if (!err)
@@ -108,8 +108,8 @@ static enum bead_error finish(struct bead_sheet *s, const struct bead_outcome *o
     return err;
 }
 
-enum bead_error bead_sheet_write(struct bead_sheet *s, const struct bead_outcome *outcomes, const char *path, uint64_t *bytes,
-                                 struct bead_message *msg)
+enum bead_error panels_write(struct bead_still *s, const struct bead_outcome *outcomes, const char *path, uint64_t *bytes,
+                             struct bead_message *msg)
 {
     struct bead_canvas *canvas = NULL;
     const struct bead_drawing drawing = {draw_vector, draw_frame, s};

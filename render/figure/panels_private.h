@@ -1,0 +1,51 @@
+/* Stills with a caption or of several panels, images and plots side by side. One table of rows; plots of a row are equally high,
+ * those of a column stand above each other, panels of one field have one range of colours and one bar.
+ * panels.c (made and fed), panels_layout.c (where they go), panels_write.c (the end). */
+#ifndef BEADREEL_RENDER_FIGURE_PANELS_PRIVATE_H
+#define BEADREEL_RENDER_FIGURE_PANELS_PRIVATE_H
+
+#include "render/figure/figure.h"
+#include "render/figure/still.h"
+#include "render/plot/graph_private.h"
+#include "render/plot/plot_data.h"
+
+struct still_panel {
+    const struct bead_output *output;
+    size_t row, column;
+    struct bead_part_settings set;
+    struct bead_figure *figure;  /* or */
+    struct bead_plot_data *plot; /* with */
+    struct bead_needs needs;
+    char title[600];       /* of a plot, in place of the chain's name */
+    size_t group;          /* of one range of colours; figures only */
+    struct bead_rect area; /* px */
+    struct bead_insets insets;
+};
+
+struct bead_still {
+    const struct bead_output *output;
+    struct bead_run_context context;
+    struct bead_page page;
+    struct bead_look look;
+    struct still_panel *panels;
+    size_t count, rows;
+    struct bead_grid grid;
+    char *title, *caption; /* markup; NULL: none */
+    double title_height, caption_height;
+    char why[96];
+};
+
+/* Number of panels in a row. */
+size_t panels_columns(const struct bead_still *still, size_t row);
+/* The panel at a place, or NULL. */
+struct still_panel *panels_at(const struct bead_still *still, size_t row, size_t column);
+/* To a .png, .pdf or .svg. Errors: UNSUPPORTED (no outcomes for peaks), IO, MEMORY, GRAPHICS. */
+BEAD_CHECK enum bead_error panels_write(struct bead_still *still, const struct bead_outcome *outcomes, const char *path,
+                                        uint64_t *bytes, struct bead_message *msg);
+/* Groups, shared axes, areas. Errors: SCENE, MEMORY. */
+BEAD_CHECK enum bead_error panels_arrange(struct bead_still *still, struct bead_message *msg);
+/* The panels of a plot as a graph; `panels` has room for all of them. */
+struct bead_graph panel_graph(const struct still_panel *panel, struct bead_panel *panels);
+enum { PANEL_PLOTS = 64 };
+
+#endif
