@@ -21,7 +21,7 @@ endif
 
 # Debian 12 packages: to build, to build and run the tests, and what .ci/run uses beyond those.
 BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libfftw3-dev libpng-dev \
-             libosmesa6-dev libegl-dev libavformat-dev libavcodec-dev libavutil-dev libcairo2-dev libpango1.0-dev fonts-stix fonts-lato
+             libosmesa6-dev libegl-dev libavformat-dev libavcodec-dev libavutil-dev libcairo2-dev libpango1.0-dev libfontconfig-dev fonts-stix fonts-lato
 TEST_DEPS  = libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py
 CI_DEPS    = clang clang-format cppcheck shellcheck man-db mandoc
 
@@ -33,7 +33,7 @@ SIM_PACKAGES      = $(hdf5) yaml-0.1 udunits
 # Opened at run time where they are, linked by nothing; only their headers are needed.
 SIM_OPENED        = fftw3
 OPENED_PACKAGES   = osmesa egl libavformat libavcodec libavutil
-RENDER_PACKAGES   = libpng cairo pangocairo
+RENDER_PACKAGES   = libpng cairo pangocairo fontconfig
 sim_cflags        = $(call once,sim_cflags,$(shell pkg-config --cflags $(SIM_PACKAGES) $(SIM_OPENED)))
 # The loader looks names up in this order: HDF5 and what hangs on it need most, and all need the C library.
 sim_libs          = $(call once,sim_libs,$(shell pkg-config --libs $(hdf5)) -lc $(shell pkg-config --libs $(SIM_PACKAGES)) -lhdf5_hl -lm -ldl -pthread)

@@ -46,6 +46,8 @@ struct bead_text_style {
     bool upwards;                 /* turned by 90 degrees, read from bottom to top; across/down then mean the screen's axes */
 };
 /* BEAD_ALIGN_MIDDLE of `down` is the middle of digits and capitals, which looks right beside ticks. */
+/* Is there any font to write with? Errors: GRAPHICS. */
+BEAD_API BEAD_CHECK enum bead_error bead_text_check(struct bead_message *msg);
 /* Draw Pango markup at (x, y). */
 BEAD_API void bead_text_draw(cairo_t *cr, const struct bead_text_style *style, double x, double y, const char *markup);
 /* Size of its logical box, before turning. */

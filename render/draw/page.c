@@ -6,6 +6,7 @@
 #include <strings.h>
 
 #include "render/draw/raster.h"
+#include "render/draw/warnings.h"
 
 const char *const bead_still_extensions[] = {"png", "pdf", "svg", NULL};
 
@@ -24,6 +25,9 @@ static const double inch = 0.0254;
 enum bead_error bead_page_find(const struct bead_output *output, const char *file, struct bead_page *page, struct bead_message *msg)
 {
     double size[2];
+    enum bead_error err = output->axes ? bead_text_check(msg) : BEAD_OK;
+    if (err)
+        return err;
     bool vector = is_vector(output->path), length = output->size_is_length;
     for (int i = 0; i < 2; i++)
         size[i] = round(length ? output->size[i] / inch * output->dpi : output->size[i]);
@@ -109,8 +113,11 @@ static enum bead_error write_raster(const struct bead_page *page, const struct b
     enum bead_error err = bead_frame_create(page->width, page->height, &frame, msg);
     if (err)
         return err;
+    bead_warnings_watch();
     err = drawing->raster ? drawing->raster(drawing->context, &frame, msg)
                           : bead_raster_draw(&frame, drawing->draw, drawing->context, msg);
+    if (!err)
+        err = bead_warnings_check(msg);
     if (!err)
         err = bead_png_write(path, &frame, notes, bytes, msg);
     bead_frame_free(&frame);

@@ -1,9 +1,12 @@
 /* Text through Pango, laid out without regard to the pixel grid, so that it is the same in rasters and vector files. */
+#include <fcntl.h>
+#include <fontconfig/fontconfig.h>
 #include <math.h>
 #include <pango/pangocairo.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "beadreel/look.h"
 
@@ -166,6 +169,36 @@ void bead_text_draw_lines(cairo_t *cr, const struct bead_text_style *style, doub
 }
 
 /* A context to measure with where there is none to draw with: the layout does not depend on it. */
+/* Can as many files be opened as fonts and their configuration may need at once? fontconfig silently leaves out what it cannot
+ * open.
+ */
+static bool descriptors_are_left(void)
+{
+    enum { NEEDED = 8 };
+    int opened[NEEDED], count = 0;
+    while (count < NEEDED && (opened[count] = open("/dev/null", O_RDONLY | O_CLOEXEC)) >= 0)
+        count++;
+    for (int i = 0; i < count; i++)
+        close(opened[i]);
+    return count == NEEDED;
+}
+
+enum bead_error bead_text_check(struct bead_message *msg)
+{
+    const char *missing = NULL;
+    if (!descriptors_are_left())
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "there are too few file descriptors for fonts (see ulimit -n)");
+    FcStrList *files = FcInit() ? FcConfigGetConfigFiles(NULL) : NULL;
+    FcFontSet *fonts = files ? FcConfigGetFonts(NULL, FcSetSystem) : NULL;
+    if (!files || !FcStrListNext(files))
+        missing = "fontconfig cannot read its configuration";
+    else if (!fonts || fonts->nfont == 0)
+        missing = "fontconfig finds no font; install some (fonts-stix and fonts-lato of Debian, say)";
+    if (files)
+        FcStrListDone(files);
+    return missing ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "there is nothing to write with: %s", missing) : BEAD_OK;
+}
+
 static cairo_t *measuring_context(void)
 {
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);

@@ -12,6 +12,7 @@
 #include "beadreel/file.h"
 #include "beadreel/picture.h"
 #include "render/draw/svg_ids.h"
+#include "render/draw/warnings.h"
 
 struct format {
     const char *extension;
@@ -91,9 +92,12 @@ static enum bead_error draw_page(cairo_surface_t *surface, double scale, const s
 {
     cairo_t *cr = cairo_create(surface);
     cairo_scale(cr, scale, scale);
+    bead_warnings_watch();
     enum bead_error err = page->draw(page->context, cr, msg);
     if (!err)
         cairo_show_page(cr);
+    if (!err)
+        err = bead_warnings_check(msg);
     cairo_destroy(cr);
     return err;
 }

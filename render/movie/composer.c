@@ -6,6 +6,7 @@
 
 #include "render/draw/colour_range.h"
 #include "render/draw/raster.h"
+#include "render/draw/warnings.h"
 #include "render/movie/captions.h"
 #include "render/movie/movie_card.h"
 #include "render/view/camera.h"
@@ -227,7 +228,9 @@ enum bead_error bead_composer_create(const struct bead_composer_setup *setup, st
     if (!c)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
     c->setup = *setup;
-    enum bead_error err = fill(c, msg);
+    enum bead_error err = setup->output->axes ? bead_text_check(msg) : BEAD_OK;
+    if (!err)
+        err = fill(c, msg);
     if (err)
         bead_composer_destroy(c);
     else
@@ -311,6 +314,7 @@ static enum bead_error draw_background(struct bead_composer *c, struct bead_mess
 
 enum bead_error bead_composer_open(struct bead_composer *c, struct bead_message *msg)
 {
+    bead_warnings_watch();
     enum bead_error err = create_canvas(c, msg);
     if (!err)
         err = draw_background(c, msg);
@@ -321,7 +325,7 @@ enum bead_error bead_composer_open(struct bead_composer *c, struct bead_message 
     c->cr = cairo_create(c->surface);
     if (cairo_status(c->cr) != CAIRO_STATUS_SUCCESS)
         return bead_fail(msg, BEAD_ERROR_GRAPHICS, "drawing: %s", cairo_status_to_string(cairo_status(c->cr)));
-    return BEAD_OK;
+    return bead_warnings_check(msg);
 }
 
 /* Are there values that the colours do not tell apart? */
@@ -382,7 +386,8 @@ enum bead_error bead_composer_card(struct bead_composer *c, struct bead_changes 
     bead_changes_add(changes, (struct bead_rect){0, 0, c->frame.width, c->frame.height});
     c->carded = true;
     cairo_status_t status = cairo_status(c->cr);
-    return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "drawing the title card: %s", cairo_status_to_string(status)) : BEAD_OK;
+    return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "drawing the title card: %s", cairo_status_to_string(status))
+                  : bead_warnings_check(msg);
 }
 
 enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct bead_changes *changes, struct bead_message *msg)
@@ -405,7 +410,7 @@ enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct 
     bead_overlay_trust(c, time, changes);
     bead_overlay_caption(c, time, changes);
     bead_overlay_bar(c, changes);
-    return BEAD_OK;
+    return bead_warnings_check(msg);
 }
 
 const struct bead_frame *bead_composer_frame(const struct bead_composer *c)
