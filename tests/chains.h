@@ -37,7 +37,7 @@ static inline void describe(struct setup *x, size_t cell_beads, size_t first, si
                                        .segment_count = 1,
                                        .wall = BEAD_WALL_MATERIAL,
                                        .wall_material = BRASS,
-                                       .law = {.kind = BEAD_LAW_HERTZ, .power = 1.5}};
+                                       .law = {.row = bead_law_find("hertz")}};
     x->scene =
         (struct bead_scene){.file = (char *)(uintptr_t) "test", .materials = materials, .material_count = 4, .chain_count = 1};
 }

@@ -1,4 +1,7 @@
-/* Pair forces: one const row each. Compression d > 0 pushes the beads apart with force f(d). */
+/* Pair forces: one const row each. Compression d > 0 pushes the beads apart with force f(d).
+ *
+ * Everything that depends on the law is asked of its row. To add a law: a row in sim/chain/law.c and, if it has settings, its keys
+ * in sim/scene/scene_chain.c. Every row has all functions but `exponent`. */
 #ifndef BEADREEL_LAW_H
 #define BEADREEL_LAW_H
 
@@ -9,17 +12,26 @@
 #include "beadreel/scene.h"
 
 struct bead_law {
-    const char *name;                                                            /* as in scenes */
-    const char *description;                                                     /* with the source of the formula */
-    bool one_sided;                                                              /* no force at d <= 0: contacts open and close */
-    double (*energy)(double a, const struct bead_law_spec *spec, double d);      /* J */
-    double (*force)(double a, const struct bead_law_spec *spec, double d);       /* N */
-    double (*stiffness)(double a, const struct bead_law_spec *spec, double d);   /* N/m, df/dd */
-    double (*compression)(double a, const struct bead_law_spec *spec, double f); /* m, inverse of force */
+    const char *name;        /* as in scenes */
+    const char *description; /* with the source of the formula */
+    bool one_sided;          /* no force at d <= 0: contacts open and close */
+    bool hertz;              /* the force is a d^{3/2}: kernels may take square roots instead of calling `force` */
+    bool as_printed;         /* in the order of operations of the thesis's program, where the last bit matters */
+    /* p where the force is a d^p at d > 0. NULL: it is no such power; contact events, which must know how the force begins, are
+     * then not corrected, and measures that follow from the power are left out. */
+    double (*exponent)(const struct bead_law_spec *spec);
+    /* The coefficient a of a contact between two beads, or of a bead and a wall; right NULL: a rigid wall. */
+    double (*coefficient)(const struct bead_law_spec *spec, const struct bead_material *left, const struct bead_material *right,
+                          bool wall);
+    double (*energy)(double a, const struct bead_law_spec *spec, double d);             /* J */
+    double (*force)(double a, const struct bead_law_spec *spec, double d);              /* N */
+    double (*stiffness)(double a, const struct bead_law_spec *spec, double d);          /* N/m, df/dd */
+    double (*compression)(double a, const struct bead_law_spec *spec, double f);        /* m, inverse of force */
     double (*energy_compression)(double a, const struct bead_law_spec *spec, double e); /* m, inverse of energy */
 };
 
-BEAD_API const struct bead_law *bead_law_find(enum bead_law_kind kind);
+/* NULL: there is no such law. */
+BEAD_API const struct bead_law *bead_law_find(const char *name);
 /* Row `index`, NULL behind the last. */
 BEAD_API const struct bead_law *bead_law_info(size_t index);
 
@@ -29,7 +41,7 @@ BEAD_API double bead_hertz_spheres(const struct bead_material *a, const struct b
 /* The same for a sphere and a flat wall, sqrt(R) instead; wall NULL: rigid. */
 BEAD_API double bead_hertz_wall(const struct bead_material *bead, const struct bead_material *wall);
 /* Both as the program of the thesis's Appendix 4 has them, operation by operation; between spheres it takes
- * sqrt(R1 R2) / (R1 + R2) for the square root of R1 R2 / (R1 + R2), N/m^{3/2}. `wall` is not NULL. */
+ * sqrt(R1 R2) / (R1 + R2) for the square root of R1 R2 / (R1 + R2), N/m^{3/2}. */
 BEAD_API double bead_printed_spheres(const struct bead_material *a, const struct bead_material *b);
 BEAD_API double bead_printed_wall(const struct bead_material *bead, const struct bead_material *wall);
 

@@ -51,13 +51,14 @@ struct bead_segment {
 };
 
 enum bead_wall { BEAD_WALL_NONE, BEAD_WALL_RIGID, BEAD_WALL_MATERIAL };
-enum bead_law_kind { BEAD_LAW_HERTZ, BEAD_LAW_POWER, BEAD_LAW_FPU_ALPHA, BEAD_LAW_THESIS_APPENDIX };
 
+struct bead_law; /* law.h */
+
+/* A pair force and the numbers that its row asks for. */
 struct bead_law_spec {
-    enum bead_law_kind kind;
-    double power;       /* exponent of the compression, BEAD_LAW_POWER */
-    double coefficient; /* N/m^power for BEAD_LAW_POWER (of every contact); N/m for BEAD_LAW_FPU_ALPHA */
-    double alpha;       /* 1/m, BEAD_LAW_FPU_ALPHA: force k d (1 - alpha d), two-sided */
+    const struct bead_law *row; /* NULL: an equation, which has no contacts */
+    double power, coefficient;  /* of power: the exponent, and the force at a compression of 1 m, N/m^power */
+    double alpha, stiffness;    /* of fpu-alpha: 1/m, N/m */
 };
 
 /* A system that is not a chain of beads: sim/equation/equation.h has the tables. All numbers are those of the equation, without

@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "beadreel/law.h"
 #include "render/draw/markup.h"
 #include "render/schematic/schematic.h"
 
@@ -309,6 +310,7 @@ static size_t write_pieces(const struct contact *c, struct bead_piece pieces[PIE
     const struct bead_chain *chain = c->d->context->chains[0];
     char length[48], number[64];
     size_t n = 0;
+    const struct bead_law *law = bead_chain_spec(chain)->law.row;
     bool two = a->index > 0;
     const char *of_small = !two ? "" : small == a ? "_1" : "_2";
     put_piece(&pieces[n++], two ? "*r̃*^2 + (*R_i* − *δ_i*)^2 = *R_i*^2" : "*r̃*^2 + (*R* − *δ*)^2 = *R*^2");
@@ -319,7 +321,7 @@ static size_t write_pieces(const struct contact *c, struct bead_piece pieces[PIE
     }
     put_piece(&pieces[n++], "*δ*%s = %.3g *R*%s", of_small, c->d->output->compression, of_small);
     put_piece(&pieces[n++], "*r̃* = %.3g *R*%s", c->half_chord / small->radius, of_small);
-    if (bead_chain_spec(chain)->law.kind == BEAD_LAW_HERTZ) {
+    if (law->hertz && !law->as_printed) {
         power_of_ten(bead_chain_stiffness(chain)[c->number], number, sizeof number);
         put_piece(&pieces[n++], "*F* = *A* %s^{3/2}, *A* = %s N/m^{3/2}",
                   two       ? "(*δ*_1 + *δ*_2)"

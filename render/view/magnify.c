@@ -20,7 +20,7 @@ static double hit_energy(const struct bead_chain *chain)
 static double compression(const struct bead_chain *chain, size_t contact, double energy)
 {
     const struct bead_law_spec *spec = &bead_chain_spec(chain)->law;
-    const struct bead_law *law = bead_law_find(spec->kind);
+    const struct bead_law *law = spec->row;
     double d = law && energy > 0 ? law->energy_compression(bead_chain_stiffness(chain)[contact], spec, energy) : 0;
     return isfinite(d) && d > 0 ? d : 0;
 }

@@ -129,17 +129,13 @@ static double stiffness_of(const struct bead_chain *chain, size_t k)
 {
     const struct bead_law_spec *law = &chain->spec->law;
     const struct bead_material *materials = chain->scene->materials, *left = &materials[chain->material[k]];
-    bool at_wall = k + 1 == chain->beads, printed = law->kind == BEAD_LAW_THESIS_APPENDIX;
+    bool at_wall = k + 1 == chain->beads;
     if (at_wall && chain->spec->wall == BEAD_WALL_NONE)
         return 0;
-    if (law->kind == BEAD_LAW_POWER || law->kind == BEAD_LAW_FPU_ALPHA)
-        return law->coefficient;
     if (at_wall && chain->spec->wall == BEAD_WALL_RIGID)
-        return bead_hertz_wall(left, NULL);
+        return law->row->coefficient(law, left, NULL, true);
     const struct bead_material *right = &materials[at_wall ? chain->spec->wall_material : chain->material[k + 1]];
-    if (at_wall)
-        return printed ? bead_printed_wall(left, right) : bead_hertz_wall(left, right);
-    return printed ? bead_printed_spheres(left, right) : bead_hertz_spheres(left, right);
+    return law->row->coefficient(law, left, right, at_wall);
 }
 
 /* Static force: precompression, and on a tilt the weight of the beads above (the striker has not landed yet,
@@ -221,7 +217,7 @@ enum bead_error bead_chain_create(const struct bead_scene *scene, size_t index, 
         return out_of_memory(msg);
     made->scene = scene;
     made->spec = &scene->chains[index];
-    made->law = bead_law_find(made->spec->law.kind);
+    made->law = made->spec->law.row;
     made->system = made->spec->equation.system;
     enum bead_error err = fill(made, msg);
     if (err)

@@ -10,7 +10,7 @@ struct bead_system;
 struct bead_chain {
     const struct bead_scene *scene;
     const struct bead_chain_spec *spec;
-    const struct bead_law *law;
+    const struct bead_law *law;       /* NULL: an equation */
     const struct bead_system *system; /* NULL: beads; else only beads (points), position, mass and radius mean anything */
     size_t beads, contacts;
     size_t *material;           /* [beads] */

@@ -1,7 +1,52 @@
+/* The table of pair forces: a chain takes its row from the scene and asks it for forces, energies and coefficients. */
 #include "beadreel/law.h"
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
+
+static double three_halves(const struct bead_law_spec *spec)
+{
+    (void)spec;
+    return 1.5;
+}
+
+static double power_exponent(const struct bead_law_spec *spec)
+{
+    return spec->power;
+}
+
+static double power_coefficient(const struct bead_law_spec *spec, const struct bead_material *left,
+                                const struct bead_material *right, bool wall)
+{
+    (void)left;
+    (void)right;
+    (void)wall;
+    return spec->coefficient;
+}
+
+static double fpu_coefficient(const struct bead_law_spec *spec, const struct bead_material *left, const struct bead_material *right,
+                              bool wall)
+{
+    (void)left;
+    (void)right;
+    (void)wall;
+    return spec->stiffness;
+}
+
+static double hertz_coefficient(const struct bead_law_spec *spec, const struct bead_material *left,
+                                const struct bead_material *right, bool wall)
+{
+    (void)spec;
+    return wall ? bead_hertz_wall(left, right) : bead_hertz_spheres(left, right);
+}
+
+static double printed_coefficient(const struct bead_law_spec *spec, const struct bead_material *left,
+                                  const struct bead_material *right, bool wall)
+{
+    (void)spec;
+    return wall ? bead_printed_wall(left, right) : bead_printed_spheres(left, right);
+}
 
 /* f = A d^{3/2}; Hertz 1881, thesis Eq. 13. */
 static double hertz_energy(double a, const struct bead_law_spec *spec, double d)
@@ -99,25 +144,61 @@ static double fpu_energy_compression(double a, const struct bead_law_spec *spec,
 }
 
 static const struct bead_law laws[] = {
-    [BEAD_LAW_HERTZ] = {"hertz", "A d^(3/2), Hertz's contact of spheres (thesis Eq. 13)", true, hertz_energy, hertz_force,
-                        hertz_stiffness, hertz_compression, hertz_energy_compression},
-    [BEAD_LAW_POWER] = {"power", "coefficient d^power in every contact, one-sided", true, power_energy, power_force,
-                        power_stiffness, power_compression, power_energy_compression},
-    [BEAD_LAW_FPU_ALPHA] = {"fpu-alpha", "k d (1 - alpha d), two-sided (Fermi, Pasta, Ulam, Tsingou 1955; thesis Eq. 5)", false,
-                            fpu_energy, fpu_force, fpu_stiffness, fpu_compression, fpu_energy_compression},
-    [BEAD_LAW_THESIS_APPENDIX] =
-        {"thesis-appendix", "Hertz with A as printed in Appendix 4, 4 sqrt(R1 R2)/(R1+R2): too stiff by 10.25 for 4.76 mm beads",
-         true, hertz_energy, printed_force, hertz_stiffness, hertz_compression, hertz_energy_compression},
+    {.name = "hertz",
+     .description = "A d^(3/2), Hertz's contact of spheres (thesis Eq. 13)",
+     .one_sided = true,
+     .hertz = true,
+     .exponent = three_halves,
+     .coefficient = hertz_coefficient,
+     .energy = hertz_energy,
+     .force = hertz_force,
+     .stiffness = hertz_stiffness,
+     .compression = hertz_compression,
+     .energy_compression = hertz_energy_compression},
+    {.name = "power",
+     .description = "coefficient d^power in every contact, one-sided",
+     .one_sided = true,
+     .exponent = power_exponent,
+     .coefficient = power_coefficient,
+     .energy = power_energy,
+     .force = power_force,
+     .stiffness = power_stiffness,
+     .compression = power_compression,
+     .energy_compression = power_energy_compression},
+    {.name = "fpu-alpha",
+     .description = "k d (1 - alpha d), two-sided (Fermi, Pasta, Ulam, Tsingou 1955; thesis Eq. 5)",
+     .coefficient = fpu_coefficient,
+     .energy = fpu_energy,
+     .force = fpu_force,
+     .stiffness = fpu_stiffness,
+     .compression = fpu_compression,
+     .energy_compression = fpu_energy_compression},
+    {.name = "thesis-appendix",
+     .description = "Hertz with A as printed in Appendix 4, 4 sqrt(R1 R2)/(R1+R2): too stiff by 10.25 for 4.76 mm beads",
+     .one_sided = true,
+     .hertz = true,
+     .as_printed = true,
+     .exponent = three_halves,
+     .coefficient = printed_coefficient,
+     .energy = hertz_energy,
+     .force = printed_force,
+     .stiffness = hertz_stiffness,
+     .compression = hertz_compression,
+     .energy_compression = hertz_energy_compression},
 };
-
-const struct bead_law *bead_law_find(enum bead_law_kind kind)
-{
-    return &laws[kind];
-}
 
 const struct bead_law *bead_law_info(size_t index)
 {
     return index < sizeof laws / sizeof *laws ? &laws[index] : NULL;
+}
+
+const struct bead_law *bead_law_find(const char *name)
+{
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
+        if (strcmp(laws[i].name, name) == 0)
+            return &laws[i];
+    }
+    return NULL;
 }
 
 /* Elastic part of A: 4 E1 E2 / (3 [E2 (1 - nu1^2) + E1 (1 - nu2^2)]). */
@@ -148,6 +229,8 @@ double bead_printed_spheres(const struct bead_material *a, const struct bead_mat
 
 double bead_printed_wall(const struct bead_material *bead, const struct bead_material *wall)
 {
+    if (!wall)
+        return bead_hertz_wall(bead, NULL);
     double flat_bead = 1 - bead->poisson * bead->poisson, flat_wall = 1 - wall->poisson * wall->poisson;
     return 4 * bead->modulus * wall->modulus * sqrt(bead->radius) / (3 * wall->modulus * flat_bead + 3 * bead->modulus * flat_wall);
 }

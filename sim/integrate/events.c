@@ -52,7 +52,7 @@ static bool make_block(struct bead_events *e, size_t beads)
 enum bead_error bead_events_create(const struct bead_stepper *s, struct bead_events **events, struct bead_message *msg)
 {
     *events = NULL;
-    if (!s->chain->law->one_sided)
+    if (!s->chain->law->one_sided || !s->chain->law->exponent)
         return BEAD_OK;
     struct bead_events *e = calloc(1, sizeof *e);
     if (!e || !copy_constants(e, s) || !make_block(e, s->chain->beads)) {
@@ -60,7 +60,7 @@ enum bead_error bead_events_create(const struct bead_stepper *s, struct bead_eve
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contact events of %zu beads", s->beads);
     }
     e->rule = bead_patch_rule_make(s->chain->law, &s->chain->spec->law);
-    e->kinks_known = bead_kinks_known(s->method->tableau) && s->chain->spec->law.kind == BEAD_LAW_HERTZ;
+    e->kinks_known = bead_kinks_known(s->method->tableau) && s->chain->law->hertz && !s->chain->law->as_printed;
     if (e->kinks_known)
         e->method = bead_kink_method_make(s->method->tableau);
     bead_events_bound(e, s);

@@ -34,7 +34,7 @@ void bead_events_bound(struct bead_events *e, const struct bead_stepper *s)
 
 static double force_power(const struct bead_patch_rule *rule, double r)
 {
-    return rule->hertz ? r * sqrt(r) : pow(r, rule->spec->power);
+    return rule->hertz ? r * sqrt(r) : pow(r, rule->exponent);
 }
 
 /* Effect in units of A (h r)^p h/m of a branch point x steps outside. */
@@ -52,14 +52,13 @@ static const double alike = 0.9;
 static void find_limits(struct bead_events *e, double h, double tolerance)
 {
     const double worst = e->hardest * h * force_power(&e->rule, h * e->fastest);
-    const double power = e->rule.hertz ? 1.5 : e->rule.spec->power;
     double low = 0, high = BEAD_EVENTS_REACH;
     while (e->fastest > 0 && high - low > 1e-3) {
         double x = 0.5 * (low + high);
         *(worst * loss_outside(x) > tolerance ? &low : &high) = x;
     }
     e->limits.reach = high;
-    e->limits.slow = alike * pow(tolerance / (BEAD_EFFECT_INSIDE * e->hardest * h), 1 / power);
+    e->limits.slow = alike * pow(tolerance / (BEAD_EFFECT_INSIDE * e->hardest * h), 1 / e->rule.exponent);
     e->limits.tolerance = tolerance;
     e->limits_h = h;
 }

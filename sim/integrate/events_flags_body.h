@@ -49,7 +49,7 @@ static inline lanes force_power(const struct bead_patch_rule *rule, lanes r)
     if (__builtin_expect(rule->hertz, 1))
         return r * ROOT_OF(r);
     for (size_t i = 0; i < LANES; i++)
-        r[i] = pow(r[i], rule->spec->power);
+        r[i] = pow(r[i], rule->exponent);
     return r;
 }
 

@@ -76,7 +76,8 @@ struct bead_event_flags {
 
 /* How s = tau +- x^m takes the branch point out of (s - tau)^p: m p should be a whole number. For Hertz's p = 3/2, m = 2. */
 struct bead_patch_rule {
-    int power; /* m */
+    int power;       /* m */
+    double exponent; /* p */
     const struct bead_law *law;
     const struct bead_law_spec *spec;
     bool hertz; /* A d^{3/2}, without calling the law */

@@ -9,13 +9,11 @@ static const double same_exponent = 1e-9;
 
 struct bead_patch_rule bead_patch_rule_make(const struct bead_law *law, const struct bead_law_spec *spec)
 {
-    struct bead_patch_rule rule = {2, law, spec, spec->kind != BEAD_LAW_POWER};
-    if (rule.hertz)
-        return rule;
+    struct bead_patch_rule rule = {2, law->exponent(spec), law, spec, law->hertz};
     /* The smallest m that makes m p whole. Where none does, x^{m p + m - 1}, the integrand's first term, has with m = 4 enough
      * derivatives that 8 nodes do not feel the rest. */
     for (rule.power = 1; rule.power <= POWER_MAX; rule.power++) {
-        double product = rule.power * spec->power;
+        double product = rule.power * rule.exponent;
         if (fabs(product - round(product)) < same_exponent)
             return rule;
     }

@@ -43,7 +43,7 @@ const struct bead_kernels *bead_kernels_find(const char *name)
 
 void bead_force_general(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f)
 {
-    const struct bead_law *law = bead_law_find(table->law->kind);
+    const struct bead_law *law = table->law->row;
     (void)v;
     for (size_t k = 0; k < n; k++) {
         double d = table->static_compression[k] + (u[k] - u[k + 1]);
@@ -55,7 +55,7 @@ void bead_force_general(size_t n, const struct bead_contact_table *table, const 
  * stick: where damping would pull, the contact is without force. */
 void bead_force_damped(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f)
 {
-    const struct bead_law *law = bead_law_find(table->law->kind);
+    const struct bead_law *law = table->law->row;
     for (size_t k = 0; k < n; k++) {
         double d = table->static_compression[k] + (u[k] - u[k + 1]);
         double a = table->stiffness[k], force = law->force(a, table->law, d), rate = v[k] - v[k + 1];

@@ -73,12 +73,11 @@ static bool has_static(const struct bead_chain *chain)
 
 static bead_force_kernel choose_force(const struct bead_chain *chain, const struct bead_kernels *kernels)
 {
-    enum bead_law_kind law = chain->spec->law.kind;
     if (chain->spec->damping_coefficient > 0)
         return bead_force_damped;
-    if (law == BEAD_LAW_THESIS_APPENDIX)
+    if (chain->law->as_printed)
         return bead_force_printed;
-    if (law != BEAD_LAW_HERTZ)
+    if (!chain->law->hertz)
         return bead_force_general;
     return has_static(chain) ? kernels->hertz_static : kernels->hertz;
 }

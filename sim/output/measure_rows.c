@@ -94,7 +94,7 @@ static double ahead(const struct reading *r, int n)
 {
     const struct bead_measures *m = r->m;
     const struct bead_law_spec *spec = &bead_chain_spec(m->chain)->law;
-    const struct bead_law *law = bead_law_find(spec->kind);
+    const struct bead_law *law = spec->row;
     const double *a = bead_chain_stiffness(m->chain);
     size_t probe = m->places.probe, contact = probe + (size_t)n;
     double force = m->pulses->ahead[n - 1], first = bead_pulses_first(m->pulses, probe).force;
@@ -121,8 +121,7 @@ static double force_of(const struct bead_measures *m, size_t k)
     const struct bead_law_spec *spec = &bead_chain_spec(m->chain)->law;
     double next = k + 1 < bead_chain_beads(m->chain) ? m->u[k + 1] : 0;
     double compression = bead_chain_static_compression(m->chain)[k] + (m->u[k] - next);
-    return bead_law_find(spec->kind)->force(bead_chain_stiffness(m->chain)[k], spec, compression) -
-           bead_chain_static_force(m->chain)[k];
+    return spec->row->force(bead_chain_stiffness(m->chain)[k], spec, compression) - bead_chain_static_force(m->chain)[k];
 }
 
 static double force_participation(const struct reading *r, int n)
@@ -232,13 +231,14 @@ static double past_defect(const struct reading *r, int energy)
 {
     const struct bead_places *places = &r->m->places;
     const struct bead_law_spec *law = &bead_chain_spec(r->m->chain)->law;
-    double power = law->kind == BEAD_LAW_POWER ? law->power : 1.5, before = 0, after = 0;
-    if (!places->defect || law->kind == BEAD_LAW_FPU_ALPHA)
+    double before = 0, after = 0;
+    if (!places->defect || !law->row->exponent)
         return NAN;
     for (size_t i = 0; i < places->cell; i++) {
         before += bead_pulses_first(r->m->pulses, places->before + i).force;
         after += bead_pulses_first(r->m->pulses, places->probe + i).force;
     }
+    const double power = law->row->exponent(law);
     return energy ? pow(after / before, (power + 1) / power) : after / before;
 }
 
@@ -257,7 +257,7 @@ static double at_wall(const struct reading *r, int reflected)
 
 static bool one_sided(const struct reading *r)
 {
-    return bead_law_find(bead_chain_spec(r->m->chain)->law.kind)->one_sided;
+    return bead_chain_spec(r->m->chain)->law.row->one_sided;
 }
 
 static double strike_compression(const struct reading *r, int n)

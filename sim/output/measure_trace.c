@@ -105,7 +105,7 @@ static double potential(const struct bead_measures *m, size_t i, size_t sample)
 {
     const struct bead_trace *t = &m->trace;
     const struct bead_law_spec *spec = &bead_chain_spec(m->chain)->law;
-    const struct bead_law *law = bead_law_find(spec->kind);
+    const struct bead_law *law = spec->row;
     size_t contact = m->places.probe + i;
     double a = bead_chain_stiffness(m->chain)[contact], d0 = bead_chain_static_compression(m->chain)[contact];
     double d = t->displacement[i][sample] - t->displacement[i + 1][sample];
@@ -170,8 +170,7 @@ static void read_contact(const struct bead_measures *m, size_t i, struct bead_pu
         found->force = first.force;
         found->force_time[0] = width(t->force[i], end, t->spacing, 0.5);
         found->force_time[1] = width(t->force[i], end, t->spacing, 0.01);
-        found->compression =
-            bead_law_find(spec->kind)->compression(a, spec, first.force + rest) - bead_chain_static_compression(m->chain)[contact];
+        found->compression = spec->row->compression(a, spec, first.force + rest) - bead_chain_static_compression(m->chain)[contact];
     }
 }
 

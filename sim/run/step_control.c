@@ -11,8 +11,6 @@ static const double growth = 4;
 static double stiffness(const struct bead_stepper *s, size_t k, double d)
 {
     double a = s->table.stiffness[k];
-    if (s->table.law->kind == BEAD_LAW_HERTZ)
-        return d > 0 ? 1.5 * a * sqrt(d) : 0;
     double here = s->chain->law->stiffness(a, s->table.law, d);
     return s->chain->law->one_sided ? here : fmax(here, s->chain->law->stiffness(a, s->table.law, -d));
 }
@@ -69,7 +67,7 @@ static double allowed(const struct bead_step_control *control, const struct bead
 {
     size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
     const double ahead = EVERY * h;
-    double worst = s->table.law->kind == BEAD_LAW_HERTZ ? hertz_circles(s, n, ahead) : circles(s, n, ahead, false);
+    double worst = s->chain->law->hertz ? hertz_circles(s, n, ahead) : circles(s, n, ahead, false);
     double omega = fmax(sqrt(worst), control->static_omega);
     return omega * control->longest > control->theta ? control->theta / omega : control->longest;
 }

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "beadreel/law.h"
 #include "sim/base/suggest.h"
 #include "sim/chain/system.h"
 #include "sim/scene/scene_private.h"
@@ -35,29 +36,35 @@ static enum bead_error read_wall(struct bead_reader *reader, const struct bead_a
     return chain->wall == BEAD_WALL_MATERIAL ? bead_scene_find_material(reader, at, false, &chain->wall_material) : BEAD_OK;
 }
 
+/* The laws with settings: a map with the law's name as its first key. The others are a word alone. */
+static const char *const law_forms[] = {"power", "fpu-alpha", NULL};
+enum { OF_POWER = 1, OF_FPU = 2 };
+
+static unsigned law_form(const char *name)
+{
+    for (unsigned i = 0; law_forms[i]; i++) {
+        if (strcmp(law_forms[i], name) == 0)
+            return 1u << i;
+    }
+    return 0;
+}
+
 static enum bead_error read_law(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
                                 void *settings)
 {
-    static const struct {
-        const char *word;
-        enum bead_law_kind kind;
-        const struct bead_options *options; /* NULL: a word alone */
-    } laws[] = {{"hertz", BEAD_LAW_HERTZ, NULL},
-                {"thesis-appendix", BEAD_LAW_THESIS_APPENDIX, NULL},
-                {"power", BEAD_LAW_POWER, &bead_power_options},
-                {"fpu-alpha", BEAD_LAW_FPU_ALPHA, &bead_fpu_options}};
     struct bead_chain_spec *chain = settings;
     struct bead_suggest search;
     char shown[64], near[96];
     bool map = at->node->kind == BEAD_NODE_MAP, word = at->node->kind == BEAD_NODE_SCALAR;
     bead_suggest_begin(&search, word ? at->node->text : map && at->node->count ? at->node->items[0]->text : "");
-    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
-        chain->law.kind = laws[i].kind;
-        if (map && laws[i].options && bead_node_get(at->node, laws[i].word, NULL))
-            return bead_options_read(reader, at, laws[i].options, 0, &chain->law);
-        if (word && !laws[i].options && strcmp(at->node->text, laws[i].word) == 0)
+    for (size_t i = 0; (chain->law.row = bead_law_info(i)); i++) {
+        const char *name = chain->law.row->name;
+        const unsigned form = law_form(name);
+        if (map && form && bead_node_get(at->node, name, NULL))
+            return bead_options_read(reader, at, &bead_law_options, form, &chain->law);
+        if (word && !form && strcmp(at->node->text, name) == 0)
             return BEAD_OK;
-        bead_suggest_try(&search, laws[i].word);
+        bead_suggest_try(&search, name);
     }
     if (search.best && strcmp(search.best, search.word) == 0)
         search.best = NULL; /* the right word, the wrong way */
@@ -103,21 +110,24 @@ const struct bead_options bead_damping_options = {"chain.damping", "forces again
                                                   BEAD_OPTIONS(damping_rows), NULL, NULL};
 
 #define LAW(member) offsetof(struct bead_law_spec, member)
-static const struct bead_option power_rows[] = {
-    {.key = "power", .offset = LAW(power), .required = true, .low = 1, .high = 10, .help = "exponent of the compression"},
+static const struct bead_option law_rows[] = {
+    {.key = "power",
+     .forms = OF_POWER,
+     .offset = LAW(power),
+     .required = true,
+     .low = 1,
+     .high = 10,
+     .help = "exponent of the compression"},
     {.key = "coefficient",
+     .forms = OF_POWER,
      .offset = LAW(coefficient),
      .required = true,
      .low = 0,
      .high = 1e30,
      .open = BEAD_OPEN_LOW,
      .help = "force at a compression of 1 m, of every contact; in N/m^power"},
-};
-const struct bead_options bead_power_options = {"chain.law (power)", "force = coefficient * compression^power, one-sided",
-                                                BEAD_OPTIONS(power_rows), NULL, NULL};
-
-static const struct bead_option fpu_rows[] = {
     {.key = "fpu-alpha",
+     .forms = OF_FPU,
      .offset = LAW(alpha),
      .unit = "1/m",
      .required = true,
@@ -125,7 +135,8 @@ static const struct bead_option fpu_rows[] = {
      .high = 1e12,
      .help = "alpha in the force k d (1 - alpha d) of every spring"},
     {.key = "stiffness",
-     .offset = LAW(coefficient),
+     .forms = OF_FPU,
+     .offset = LAW(stiffness),
      .unit = "N/m",
      .initial = "1 N/m",
      .low = 0,
@@ -133,8 +144,8 @@ static const struct bead_option fpu_rows[] = {
      .open = BEAD_OPEN_LOW,
      .help = "k in that force"},
 };
-const struct bead_options bead_fpu_options = {"chain.law (fpu-alpha)", "springs of Fermi, Pasta, Ulam and Tsingou, two-sided",
-                                              BEAD_OPTIONS(fpu_rows), NULL, NULL};
+const struct bead_options bead_law_options = {"chain.law", "the laws that have settings, as maps; see --list laws",
+                                              BEAD_OPTIONS(law_rows), law_forms, "laws"};
 
 static const struct bead_option chain_rows[] = {
     {.key = "name",

@@ -2,12 +2,11 @@
 #include "sim/scene/scene_private.h"
 
 static const struct bead_options *const all[] = {
-    &bead_scene_options,         &bead_chain_options,        &bead_striker_options,    &bead_segment_options,
-    &bead_power_options,         &bead_fpu_options,          &bead_damping_options,    &bead_material_options,
-    &bead_simulate_options,      &bead_output_options,       &bead_equation_options,   &bead_start_mode_options,
-    &bead_start_pulse_options,   &bead_start_cosine_options, &bead_start_wave_options, &bead_start_solitons_options,
-    &bead_soliton_options,       &bead_caption_options,      &bead_card_options,       &bead_sweep_options,
-    &bead_sweep_measure_options,
+    &bead_scene_options,        &bead_chain_options,      &bead_striker_options,        &bead_segment_options,
+    &bead_law_options,          &bead_damping_options,    &bead_material_options,       &bead_simulate_options,
+    &bead_output_options,       &bead_equation_options,   &bead_start_mode_options,     &bead_start_pulse_options,
+    &bead_start_cosine_options, &bead_start_wave_options, &bead_start_solitons_options, &bead_soliton_options,
+    &bead_caption_options,      &bead_card_options,       &bead_sweep_options,          &bead_sweep_measure_options,
 };
 
 void bead_scene_help(FILE *out)

@@ -11,7 +11,7 @@ static void the_printed_program_is_reproduced(void **state)
     if (bead_scene_load("assets/scenes/thesis/imagesc.yaml", NULL, 0, &built.scene, &msg) ||
         bead_chain_create(built.scene, 0, &built.chain, &msg))
         fail_msg("%s", msg.text);
-    assert_int_equal(built.chain->spec->law.kind, BEAD_LAW_THESIS_APPENDIX);
+    assert_string_equal(built.chain->law->name, "thesis-appendix");
     assert_int_equal(built.chain->beads, BEADS + 1);
     struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = 3e-3});
     struct table table = read_table("appendix4.csv", BEADS + 1);

@@ -1,6 +1,8 @@
 /* Scenes: what they mean, their numbers, ready scenes and assets. */
 #include "scenes.h"
 
+#include "beadreel/law.h"
+
 /* ---- meaning and defaults ---- */
 
 static void everything_has_a_default_but_a_chain_and_an_output(void **state)
@@ -17,7 +19,7 @@ static void everything_has_a_default_but_a_chain_and_an_output(void **state)
     assert_string_equal(scene->materials[chain->striker_material].name, "large-steel");
     assert_true(chain->striker_velocity == 0.443);
     assert_int_equal(chain->wall, BEAD_WALL_NONE);
-    assert_int_equal(chain->law.kind, BEAD_LAW_HERTZ);
+    assert_string_equal(chain->law.row->name, "hertz");
     assert_true(chain->precompression == 0 && chain->tilt == 0 && chain->damping_coefficient == 0 &&
                 chain->damping_exponent == 1.8);
     assert_int_equal(chain->segment_count, 1);
@@ -139,7 +141,7 @@ static void the_contract_s_example_is_read(void **state)
     assert_string_equal(scene->materials[chain->segments[5].cell[2]].name, "ptfe");
     assert_int_equal(chain->wall, BEAD_WALL_MATERIAL);
     assert_string_equal(scene->materials[chain->wall_material].name, "brass");
-    assert_int_equal(chain->law.kind, BEAD_LAW_POWER);
+    assert_string_equal(chain->law.row->name, "power");
     assert_true(chain->law.power == 1.5 && chain->law.coefficient == 6.9e9);
     assert_true(chain->precompression == 10 && fabs(chain->tilt - 0.061086523819801536) < 1e-17);
     assert_true(chain->damping_coefficient == 0.1 && chain->damping_exponent == 1.5);
@@ -156,10 +158,10 @@ static void laws_and_walls(void **state)
                                      "  - {name: c, law: {fpu-alpha: -2, stiffness: 3 N/mm}, beads: *b}\n" OUTPUTS);
     assert_int_equal(scene->chain_count, 3);
     assert_int_equal(scene->chains[0].wall, BEAD_WALL_RIGID);
-    assert_int_equal(scene->chains[0].law.kind, BEAD_LAW_THESIS_APPENDIX);
-    assert_int_equal(scene->chains[1].law.kind, BEAD_LAW_FPU_ALPHA);
-    assert_true(scene->chains[1].law.alpha == 0.25 && scene->chains[1].law.coefficient == 1);
-    assert_true(scene->chains[2].law.alpha == -2 && scene->chains[2].law.coefficient == 3000);
+    assert_string_equal(scene->chains[0].law.row->name, "thesis-appendix");
+    assert_string_equal(scene->chains[1].law.row->name, "fpu-alpha");
+    assert_true(scene->chains[1].law.alpha == 0.25 && scene->chains[1].law.stiffness == 1);
+    assert_true(scene->chains[2].law.alpha == -2 && scene->chains[2].law.stiffness == 3000);
     assert_string_equal(scene->chains[1].label, "two");
     assert_int_equal(scene->chains[2].segments[0].count, 3);
     bead_scene_free(scene);
