@@ -1,6 +1,8 @@
 /* Text through Pango, laid out without regard to the pixel grid, so that it is the same in rasters and vector files. */
 #include <fcntl.h>
 #include <fontconfig/fontconfig.h>
+#include <hb.h>
+#include <limits.h>
 #include <math.h>
 #include <pango/pangocairo.h>
 #include <stdio.h>
@@ -12,6 +14,13 @@
 
 /* Middle of digits and capitals above the baseline, in units of the font size (STIX 0.34, Lato 0.36). */
 static const double digit_middle = 0.35;
+
+/* How high lines of a family are, above and below the baseline, in units of the font size. Lato 2.0 says so itself, Lato 2.015
+ * says 0.987 and 0.213: pictures are laid out alike with either. */
+static const struct line_metrics {
+    const char *family;
+    double above, below;
+} line_metrics[] = {{"Lato", 0.805, 0.195}};
 
 /* Symbols are set in STIX, whose letters are lower than Lato's by this. */
 static const char symbols[] = "STIX";
@@ -95,14 +104,109 @@ static PangoLayout *make_layout(cairo_t *cr, const struct bead_text_style *style
     return layout;
 }
 
-/* Returns how far right of the layout's origin its text begins, px: more than 0 for centred lines. */
-static double layout_size(PangoLayout *layout, double *width, double *height)
+/* A line of a layout, in Pango's units: where it is drawn from, and what it reaches above and below that baseline. */
+struct line {
+    PangoLayoutLine *line;
+    PangoRectangle ink; /* right of and below the layout's origin */
+    int x, baseline, above, below;
+};
+
+struct laid_out {
+    PangoLayout *layout;
+    struct line *lines;
+    int count;
+    bool moved; /* lines are not where Pango puts them */
+    /* px: how far right of the layout's origin its text begins (more than 0 for centred lines), its box, its first baseline. */
+    double begins, width, height, baseline;
+};
+
+/* Puts what is to count into above and below, in Pango's units; false: they are that already, as near as files of fonts round. */
+static bool count_metrics(const char *family, double size, int *above, int *below)
+{
+    const double same = 0.02 * size;
+    for (size_t i = 0; i < sizeof line_metrics / sizeof line_metrics[0]; i++) {
+        const struct line_metrics *metrics = &line_metrics[i];
+        int up = (int)lround(metrics->above * size), down = (int)lround(metrics->below * size);
+        if (strcmp(family, metrics->family) != 0 || (abs(up - *above) < same && abs(down - *below) < same))
+            continue;
+        *above = up, *below = down;
+        return true;
+    }
+    return false;
+}
+
+/* The same for the run at `runs`, which may be raised or lowered. */
+static bool run_metrics(PangoLayoutIter *runs, int *above, int *below)
 {
     PangoRectangle box;
-    pango_layout_get_extents(layout, NULL, &box);
-    *width = (double)box.width / PANGO_SCALE;
-    *height = (double)box.height / PANGO_SCALE;
-    return (double)box.x / PANGO_SCALE;
+    pango_layout_iter_get_run_extents(runs, NULL, &box);
+    int baseline = pango_layout_iter_get_run_baseline(runs), rise = pango_layout_iter_get_baseline(runs) - baseline;
+    *above = baseline - box.y, *below = box.y + box.height - baseline;
+    PangoFont *font = pango_layout_iter_get_run_readonly(runs)->item->analysis.font;
+    PangoFontDescription *description = pango_font_describe(font);
+    int width, size; /* as laid out; the description's is that of the drawing */
+    hb_font_get_scale(pango_font_get_hb_font(font), &width, &size);
+    bool other = count_metrics(pango_font_description_get_family(description), size, above, below);
+    pango_font_description_free(description);
+    *above += rise, *below -= rise;
+    return other;
+}
+
+/* A line reaches as far as any of its runs; `iter` is at it. */
+static bool measure_line(const struct bead_text_style *style, PangoLayoutIter *iter, struct line *line)
+{
+    PangoRectangle box;
+    bool moved = false, any = false;
+    pango_layout_iter_get_line_extents(iter, &line->ink, &box);
+    line->line = pango_layout_iter_get_line_readonly(iter);
+    line->x = box.x, line->baseline = pango_layout_iter_get_baseline(iter);
+    line->above = line->baseline - box.y, line->below = box.y + box.height - line->baseline;
+    int highest = INT_MIN, lowest = INT_MIN;
+    PangoLayoutIter *runs = pango_layout_iter_copy(iter);
+    do {
+        int above, below;
+        if (!pango_layout_iter_get_run_readonly(runs))
+            continue;
+        moved |= run_metrics(runs, &above, &below);
+        highest = above > highest ? above : highest, lowest = below > lowest ? below : lowest;
+        any = true;
+    } while (pango_layout_iter_next_run(runs) && pango_layout_iter_get_line_readonly(runs) == line->line);
+    pango_layout_iter_free(runs);
+    if (!any)
+        return count_metrics(style->family, style->size * PANGO_SCALE, &line->above, &line->below);
+    if (moved)
+        line->above = highest, line->below = lowest;
+    return moved;
+}
+
+static struct laid_out lay_out(cairo_t *cr, const struct bead_text_style *style, double wrap, const char *markup)
+{
+    struct laid_out text = {.layout = make_layout(cr, style, wrap, markup)};
+    PangoRectangle box;
+    pango_layout_get_extents(text.layout, NULL, &box);
+    text.begins = (double)box.x / PANGO_SCALE, text.width = (double)box.width / PANGO_SCALE;
+    text.lines = g_new0(struct line, pango_layout_get_line_count(text.layout));
+    PangoLayoutIter *iter = pango_layout_get_iter(text.layout);
+    do {
+        text.moved |= measure_line(style, iter, &text.lines[text.count++]);
+    } while (pango_layout_iter_next_line(iter));
+    pango_layout_iter_free(iter);
+    int height = 0;
+    for (int i = 0; i < text.count; i++) {
+        struct line *line = &text.lines[i];
+        line->ink.y += height + line->above - line->baseline;
+        line->baseline = height + line->above;
+        height += line->above + line->below;
+    }
+    text.height = (double)(text.moved ? height : box.height) / PANGO_SCALE;
+    text.baseline = (double)(text.moved ? text.lines[0].baseline : pango_layout_get_baseline(text.layout)) / PANGO_SCALE;
+    return text;
+}
+
+static void lay_away(struct laid_out *text)
+{
+    g_free(text->lines);
+    g_object_unref(text->layout);
 }
 
 static const cairo_user_data_key_t watch_key;
@@ -112,16 +216,20 @@ bool bead_text_watch(cairo_surface_t *surface, const struct bead_text_watch *wat
     return cairo_surface_set_user_data(surface, &watch_key, (void *)watch, NULL) == CAIRO_STATUS_SUCCESS;
 }
 
-/* Tell of the layout at the context's origin. */
-static void tell(cairo_t *cr, PangoLayout *layout, const char *markup)
+/* Tell of the text at the context's origin. */
+static void tell(cairo_t *cr, const struct laid_out *text, const char *markup)
 {
     const struct bead_text_watch *watch = cairo_surface_get_user_data(cairo_get_target(cr), &watch_key);
-    PangoRectangle ink;
     if (!watch)
         return;
-    pango_layout_get_extents(layout, &ink, NULL);
-    double low[2] = {(double)ink.x / PANGO_SCALE, (double)ink.y / PANGO_SCALE};
-    double high[2] = {(double)(ink.x + ink.width) / PANGO_SCALE, (double)(ink.y + ink.height) / PANGO_SCALE};
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    for (int i = 0; i < text->count; i++) {
+        const PangoRectangle *ink = &text->lines[i].ink;
+        if (!ink->width && !ink->height && text->count > 1)
+            continue;
+        low[0] = fmin(low[0], (double)ink->x / PANGO_SCALE), high[0] = fmax(high[0], (double)(ink->x + ink->width) / PANGO_SCALE);
+        low[1] = fmin(low[1], (double)ink->y / PANGO_SCALE), high[1] = fmax(high[1], (double)(ink->y + ink->height) / PANGO_SCALE);
+    }
     cairo_user_to_device(cr, &low[0], &low[1]);
     cairo_user_to_device(cr, &high[0], &high[1]);
     watch->seen(watch->context, markup, fmin(low[0], high[0]), fmin(low[1], high[1]), fabs(high[0] - low[0]),
@@ -134,6 +242,20 @@ static double aligned(enum bead_align align, double extent)
     return align == BEAD_ALIGN_MIDDLE ? extent / 2 : align == BEAD_ALIGN_END ? extent : 0;
 }
 
+/* At the context's origin. */
+static void show(cairo_t *cr, const struct laid_out *text)
+{
+    cairo_move_to(cr, 0, 0);
+    pango_cairo_update_layout(cr, text->layout);
+    if (!text->moved)
+        pango_cairo_show_layout(cr, text->layout);
+    for (int i = 0; text->moved && i < text->count; i++) {
+        const struct line *line = &text->lines[i];
+        cairo_move_to(cr, (double)line->x / PANGO_SCALE, (double)line->baseline / PANGO_SCALE);
+        pango_cairo_show_layout_line(cr, line->line);
+    }
+}
+
 void bead_text_draw(cairo_t *cr, const struct bead_text_style *style, double x, double y, const char *markup)
 {
     bead_text_draw_lines(cr, style, 0, x, y, markup);
@@ -141,31 +263,26 @@ void bead_text_draw(cairo_t *cr, const struct bead_text_style *style, double x, 
 
 void bead_text_draw_lines(cairo_t *cr, const struct bead_text_style *style, double wrap, double x, double y, const char *markup)
 {
-    double width, height;
-    PangoLayout *layout = make_layout(cr, style, wrap, markup);
-    double begins = layout_size(layout, &width, &height);
-    double baseline = (double)pango_layout_get_baseline(layout) / PANGO_SCALE;
+    struct laid_out text = lay_out(cr, style, wrap, markup);
     cairo_save(cr);
     cairo_set_source_rgb(cr, style->colour.r, style->colour.g, style->colour.b);
     if (style->upwards) {
         double down = style->down == BEAD_ALIGN_BASELINE ? BEAD_ALIGN_MIDDLE : style->down;
-        cairo_translate(cr, x - aligned(style->across, height), y - aligned((enum bead_align)down, width) + width);
+        cairo_translate(cr, x - aligned(style->across, text.height), y - aligned((enum bead_align)down, text.width) + text.width);
         cairo_rotate(cr, -G_PI / 2);
     } else {
-        double up = aligned(style->down, height);
+        double up = aligned(style->down, text.height);
         if (style->down == BEAD_ALIGN_MIDDLE)
-            up = baseline - digit_middle * style->size;
+            up = text.baseline - digit_middle * style->size;
         if (style->down == BEAD_ALIGN_BASELINE)
-            up = baseline;
-        cairo_translate(cr, x - aligned(style->across, width), y - up);
+            up = text.baseline;
+        cairo_translate(cr, x - aligned(style->across, text.width), y - up);
     }
-    cairo_translate(cr, -begins, 0);
-    tell(cr, layout, markup);
-    cairo_move_to(cr, 0, 0);
-    pango_cairo_update_layout(cr, layout);
-    pango_cairo_show_layout(cr, layout);
+    cairo_translate(cr, -text.begins, 0);
+    tell(cr, &text, markup);
+    show(cr, &text);
     cairo_restore(cr);
-    g_object_unref(layout);
+    lay_away(&text);
 }
 
 /* A context to measure with where there is none to draw with: the layout does not depend on it. */
@@ -216,8 +333,8 @@ void bead_text_size_lines(cairo_t *cr, const struct bead_text_style *style, doub
                           double *height)
 {
     cairo_t *used = cr ? cairo_reference(cr) : measuring_context();
-    PangoLayout *layout = make_layout(used, style, wrap, markup);
-    (void)layout_size(layout, width, height);
-    g_object_unref(layout);
+    struct laid_out text = lay_out(used, style, wrap, markup);
+    *width = text.width, *height = text.height;
+    lay_away(&text);
     cairo_destroy(used);
 }

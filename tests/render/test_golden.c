@@ -1,5 +1,6 @@
 /* Golden pictures: every tests/golden/NAME.yaml is run and its picture, or the middle frame of its movie, compared with NAME.png.
- * Fonts differ a little from one release to the next, so a few pixels may differ, the more the less. Where too many do,
+ * Fonts differ a little from one release to the next, so a few pixels may differ, the more the less. The pictures are made with
+ * cairo 1.16: from 1.18 on it puts glyphs between pixels, so that with others text may be off by one. Where too many pixels differ,
  * BUILD/golden/NAME.png shows what was expected, what came and the difference, side by side.
  * `make golden` (BEADREEL_GOLDEN=update) makes the pictures anew; look at them before they are committed. */
 /* clang-format off: cmocka wants these first */
@@ -9,6 +10,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 /* clang-format on */
+#include <cairo.h>
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,40 +23,72 @@
 #include "pictures.h"
 #include "sessions.h"
 
-/* Of all pixels, at most `share` may differ by more than `levels` of 255 in some colour. */
-static const struct grade {
-    int levels;
-    double share;
-} grades[] = {{2, 0.02}, {16, 0.006}, {64, 0.001}};
-enum { GRADES = sizeof grades / sizeof *grades };
+/* A pixel may be `reach` from where it was, and of all pixels at most `share` may differ by more than `levels` of 255 in some
+ * colour from all those near it. */
+enum { GRADES = 3 };
+static const struct tolerance {
+    int reach;
+    struct grade {
+        int levels;
+        double share;
+    } grades[GRADES];
+} same_text = {0, {{2, 0.02}, {16, 0.006}, {64, 0.001}}}, other_text = {1, {{2, 0.006}, {16, 0.003}, {64, 0.0005}}};
 
 struct raster {
     int width, height;
     uint8_t *rgb;
 };
 
-static int difference(const uint8_t *a, const uint8_t *b)
+static const uint8_t *pixel(const struct raster *r, int x, int y)
+{
+    return r->rgb + 3 * ((size_t)y * (size_t)r->width + (size_t)x);
+}
+
+/* By how much the pixel of `a` is out of what those of `b` within `reach` of it span. */
+static int outside(const struct raster *a, const struct raster *b, int x, int y, int reach)
 {
     int most = 0;
-    for (int i = 0; i < 3; i++)
-        most = abs(a[i] - b[i]) > most ? abs(a[i] - b[i]) : most;
+    for (int i = 0; i < 3; i++) {
+        int value = pixel(a, x, y)[i], low = 255, high = 0;
+        for (int v = y - reach; v <= y + reach; v++) {
+            for (int u = x - reach; u <= x + reach; u++) {
+                if (u < 0 || v < 0 || u >= b->width || v >= b->height)
+                    continue;
+                int other = pixel(b, u, v)[i];
+                low = other < low ? other : low, high = other > high ? other : high;
+            }
+        }
+        int out = value < low ? low - value : value > high ? value - high : 0;
+        most = out > most ? out : most;
+    }
     return most;
 }
 
-/* The grade that is missed, or NULL. */
-static const struct grade *missed(const struct raster *a, const struct raster *b, double *share)
+static int difference(const struct raster *a, const struct raster *b, int x, int y, int reach)
 {
-    size_t pixels = (size_t)a->width * (size_t)a->height;
+    int one = outside(a, b, x, y, reach), other = outside(b, a, x, y, reach);
+    return one > other ? one : other;
+}
+
+/* The grade that is missed, or NULL. */
+static const struct grade *missed(const struct tolerance *tolerance, const struct raster *a, const struct raster *b, double *share)
+{
+    double pixels = (double)a->width * a->height;
+    size_t count[GRADES] = {0};
     *share = 1;
     if (a->width != b->width || a->height != b->height)
-        return &grades[GRADES - 1];
+        return &tolerance->grades[GRADES - 1];
+    for (int y = 0; y < a->height; y++) {
+        for (int x = 0; x < a->width; x++) {
+            int levels = difference(a, b, x, y, tolerance->reach);
+            for (size_t g = 0; g < GRADES; g++)
+                count[g] += levels > tolerance->grades[g].levels;
+        }
+    }
     for (size_t g = 0; g < GRADES; g++) {
-        size_t count = 0;
-        for (size_t i = 0; i < pixels; i++)
-            count += difference(a->rgb + 3 * i, b->rgb + 3 * i) > grades[g].levels;
-        *share = (double)count / (double)pixels;
-        if (*share > grades[g].share)
-            return &grades[g];
+        *share = (double)count[g] / pixels;
+        if (*share > tolerance->grades[g].share)
+            return &tolerance->grades[g];
     }
     return NULL;
 }
@@ -77,8 +111,7 @@ static struct raster differences(const struct raster *a, const struct raster *b)
     d.rgb = test_calloc((size_t)d.width * (size_t)d.height, 3);
     for (int y = 0; y < d.height; y++) {
         for (int x = 0; x < d.width; x++) {
-            int value = difference(a->rgb + 3 * ((size_t)y * (size_t)a->width + (size_t)x),
-                                   b->rgb + 3 * ((size_t)y * (size_t)b->width + (size_t)x));
+            int value = difference(a, b, x, y, 0);
             memset(d.rgb + 3 * ((size_t)y * (size_t)d.width + (size_t)x), value ? (value < 64 ? 64 + 3 * value : 255) : 0, 3);
         }
     }
@@ -176,7 +209,8 @@ static bool compare(const char *name, bool update)
     if (update)
         keep(golden, &got);
     struct raster expected = from_png(golden);
-    const struct grade *grade = missed(&expected, &got, &share);
+    bool same = strncmp(cairo_version_string(), "1.16.", 5) == 0;
+    const struct grade *grade = missed(same ? &same_text : &other_text, &expected, &got, &share);
     if (grade) {
         show_difference(name, &expected, &got, shown);
         print_error("%s: %.2f %% of the pixels differ by more than %d levels: see %s; is it better? make golden\n", name,
@@ -217,20 +251,20 @@ static void test_differences_are_seen(void **state)
     double share;
     for (size_t i = 0; i < 3 * WIDTH * HEIGHT; i++)
         a.rgb[i] = b.rgb[i] = (uint8_t)(i * 7 % 200);
-    assert_null(missed(&a, &b, &share));
+    assert_null(missed(&same_text, &a, &b, &share));
     for (size_t i = 0; i < 3 * WIDTH * HEIGHT; i++)
         b.rgb[i] = (uint8_t)(a.rgb[i] + 2);
-    assert_null(missed(&a, &b, &share));
+    assert_null(missed(&same_text, &a, &b, &share));
     b.rgb[0] = (uint8_t)(a.rgb[0] + 40); /* one pixel */
-    assert_null(missed(&a, &b, &share));
+    assert_null(missed(&same_text, &a, &b, &share));
     for (size_t i = 0; i < 60; i++)
         b.rgb[3 * i] = (uint8_t)(a.rgb[3 * i] + 40); /* 0.75 % */
-    assert_ptr_equal(missed(&a, &b, &share), &grades[1]);
+    assert_ptr_equal(missed(&same_text, &a, &b, &share), &same_text.grades[1]);
     for (size_t i = 0; i < 10; i++)
         b.rgb[3 * i] = (uint8_t)(a.rgb[3 * i] + 100);
     for (size_t i = 10; i < 60; i++)
         b.rgb[3 * i] = a.rgb[3 * i];
-    assert_ptr_equal(missed(&a, &b, &share), &grades[2]);
+    assert_ptr_equal(missed(&same_text, &a, &b, &share), &same_text.grades[2]);
     char shown[512], *build = getenv("BUILD") ? strdup(getenv("BUILD")) : NULL;
     in_directory("", shown, sizeof shown);
     setenv("BUILD", shown, 1);
@@ -249,7 +283,30 @@ static void test_differences_are_seen(void **state)
         unsetenv("BUILD");
     free(build);
     b.width--;
-    assert_non_null(missed(&a, &b, &share));
+    assert_non_null(missed(&same_text, &a, &b, &share));
+    test_free(a.rgb);
+    test_free(b.rgb);
+}
+
+/* Text between pixels passes where it may; a line that is two pixels off, or of another colour, does not. */
+static void test_moved_lines_are_seen(void **state)
+{
+    (void)state;
+    enum { SIZE = 100, AT = 40 };
+    static const struct {
+        int at, value;
+        bool passes;
+    } lines[] = {{AT, 0, true}, {AT + 1, 0, true}, {AT + 2, 0, false}, {AT + 1, 100, false}, {AT, 100, false}};
+    struct raster a = {SIZE, SIZE, test_malloc(3 * SIZE * SIZE)}, b = {SIZE, SIZE, test_malloc(3 * SIZE * SIZE)};
+    double share;
+    memset(a.rgb, 255, 3 * SIZE * SIZE);
+    memset(a.rgb + 3 * SIZE * AT, 0, 3 * SIZE);
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        memset(b.rgb, 255, 3 * SIZE * SIZE);
+        memset(b.rgb + 3 * SIZE * lines[i].at, lines[i].value, 3 * SIZE);
+        assert_int_equal(missed(&other_text, &a, &b, &share) == NULL, lines[i].passes);
+        assert_int_equal(missed(&same_text, &a, &b, &share) == NULL, i == 0);
+    }
     test_free(a.rgb);
     test_free(b.rgb);
 }
@@ -259,6 +316,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_golden_pictures),
         cmocka_unit_test(test_differences_are_seen),
+        cmocka_unit_test(test_moved_lines_are_seen),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

@@ -441,6 +441,23 @@ static void test_changes_stay_small(void **state)
     assert_true(pixels < 22 * 10 + 20 * 11 + 41 * 40 * 2);
 }
 
+/* Lines are as high as the style says, whatever the installed version of the font does; symbols and indices need more. */
+static void test_lines_have_their_height(void **state)
+{
+    (void)state;
+    const struct bead_text_style style = {.family = "Lato", .size = 100};
+    static const char *const texts[] = {"time", "one\ntwo\n\nfour", "one <b>two</b>"};
+    static const double heights[] = {100, 400, 100};
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        double width, height;
+        bead_text_size_lines(NULL, &style, 1000, texts[i], &width, &height);
+        assert_true(fabs(height - heights[i]) < 0.5);
+    }
+    double width, height;
+    bead_text_size(NULL, &style, "<span face=\"STIX\"><i>M</i></span>", &width, &height);
+    assert_true(height > 120);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -453,6 +470,7 @@ int main(void)
         cmocka_unit_test(test_quantities),
         cmocka_unit_test(test_escapes),
         cmocka_unit_test(test_text_is_measured_alike_everywhere),
+        cmocka_unit_test(test_lines_have_their_height),
         cmocka_unit_test(test_lightness_rises),
         cmocka_unit_test(test_maps_are_uniform),
         cmocka_unit_test(test_diverging_map_is_symmetric),
