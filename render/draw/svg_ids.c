@@ -10,7 +10,7 @@ struct names {
     size_t count;
 };
 
-static const char *const kinds[] = {"surface", "image"};
+static const char *const kinds[] = {"surface", "image", "source-"}; /* the last by cairo 1.18 */
 
 /* Length of a kind's name at `at` with a digit behind it, where it is a name: id="surface604", "#surface604", url(#image607). */
 static size_t name_length(const char *begin, const char *at, const char *end)
