@@ -49,7 +49,8 @@ ok "the current directory is the default" bash -c "mkdir here && cd here && '$be
 ok "--info of a trajectory" exits 0 "$beadreel" --info all/run.h5
 ok "... measures it" grep -qE '^  peak contact force +[0-9.]+ N$' out
 
-contents() { h5dump -d /particles/chain/velocity/value -d /particles/chain/force/value "$1" | tail -n +2; }
+# References to other datasets are addresses in h5dump 1.14, and their names.
+contents() { h5dump -d /particles/chain/velocity/value -d /particles/chain/force/value "$1" | tail -n +2 | sed 's/(DATASET [0-9]* /(DATASET /'; }
 for n in 1 2 3; do
     "$beadreel" scene.yaml -o "threads$n" --threads $n >/dev/null || continue
     ok "same pictures with $n threads" cmp all/force.png "threads$n/force.png"
