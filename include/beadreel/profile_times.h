@@ -7,8 +7,8 @@
 
 struct bead_profile_times;
 
-/* For output->field at output->moments. The stage is copied, what it points to must outlive the moments. Errors: MEMORY; SCENE
- * where the run ends before the last moment. */
+/* For output->shown.field at output->curves.profile_times. The stage is copied, what it points to must outlive the moments. Errors:
+ * MEMORY; SCENE where the run ends before the last moment. */
 BEAD_API BEAD_CHECK enum bead_error bead_profile_times_create(const struct bead_output *output,
                                                               const struct bead_run_context *context,
                                                               struct bead_profile_times **moments, struct bead_message *msg);

@@ -193,6 +193,81 @@ enum bead_style { BEAD_STYLE_AUTO, BEAD_STYLE_PAPER, BEAD_STYLE_SLIDE, BEAD_STYL
 enum bead_theme { BEAD_THEME_AUTO, BEAD_THEME_LIGHT, BEAD_THEME_DARK };
 enum bead_follow { BEAD_FOLLOW_ALL, BEAD_FOLLOW_FRONT };
 
+/* ---- outputs: groups of settings that several kinds share ---- */
+
+/* What of the chains is shown or stored. */
+struct bead_shown {
+    enum bead_field field;
+    struct bead_span beads; /* {0, SIZE_MAX}: all */
+    double time[2];         /* s; NaN: start or end of the run */
+    double every;           /* s between samples; 0: what the output needs */
+    bool trust;             /* say from when on two runs of different accuracy differ: image, movie, plot */
+};
+
+/* What is drawn, from top to bottom: image, movie. */
+struct bead_views_asked {
+    enum bead_view_kind kinds[8];
+    size_t count;
+    bool axes;      /* false: bare pixels */
+    double magnify; /* factor on displacements; 0: automatic */
+};
+
+/* From values to colours: image, movie, sheet. */
+struct bead_colours_asked {
+    char *colormap; /* NULL or "auto": automatic */
+    enum bead_scale scale;
+    double range[2]; /* SI; NaN: automatic */
+};
+
+/* Size and style of a picture or of a movie's frames. */
+struct bead_paper {
+    double size[2]; /* pixels, or metres where size_is_length */
+    bool size_is_length;
+    double dpi; /* of lengths, and of rasters in vector files */
+    enum bead_style style;
+    enum bead_theme theme;
+};
+
+/* Pictures, image and plot, of one or several panels. */
+struct bead_still_asked {
+    char *caption;              /* text below, or NULL */
+    struct bead_output *panels; /* row by row: each an image or a plot without a path; NULL: none */
+    size_t panel_count;
+    bool letters; /* (a), (b), ... at the panels */
+};
+
+/* Of an output that is a panel. */
+struct bead_panel_asked {
+    size_t row;   /* from 0 */
+    size_t chain; /* number of the only chain shown; SIZE_MAX: all */
+    char *title;  /* or NULL */
+};
+
+/* Curves and their numbers: plot, table. */
+struct bead_curves_asked {
+    enum bead_show show;
+    size_t modes;                             /* how many, `show: modes` */
+    double profile_times[BEAD_PROFILE_TIMES]; /* s, rising: `show: profiles` */
+    size_t profile_time_count;
+};
+
+/* What plots and tables of sweeps show. */
+struct bead_sweep_curves_asked {
+    enum bead_sweep_show show;
+    char *threshold; /* how the threshold is found: a name of statistics.h */
+};
+
+/* ---- outputs: settings of one kind ---- */
+
+struct bead_trajectory_asked {
+    unsigned fields; /* BEAD_FIELD_BITs */
+};
+
+struct bead_image_asked {
+    enum bead_sampling sampling; /* what of the samples within a pixel is shown: mean or largest */
+    double at;                   /* s; time of a still with views other than spacetime; NaN: end */
+};
+
 /* A text that a movie shows while something happens. */
 struct bead_caption {
     double at;    /* s of the motion: from when on */
@@ -209,60 +284,52 @@ struct bead_card {
     char *text;     /* below the title, or "" */
 };
 
-/* One entry of `outputs`. A key that does not belong to the kind is an error in the scene; the
- * field here then has its default. */
-struct bead_output {
-    enum bead_output_kind kind;
-    char *path;      /* as written; relative to the output directory */
-    unsigned fields; /* BEAD_FIELD_BITs: trajectory */
-    enum bead_field field;
-    double time[2];         /* s; NaN: start or end of the run */
-    struct bead_span beads; /* {0, SIZE_MAX}: all */
-    double every;           /* s; 0: what the output needs */
-    enum bead_show show;
-    enum bead_sweep_show sweep_show; /* of sweeps, instead of show */
-    char *threshold;                 /* how a sweep's threshold is found: a name of statistics.h */
-    size_t configurations;           /* sheets: how many of each magnetism at most; 0: as many as have room */
-    double *magnetism;               /* sheets: the rows, as asked; NULL: as many as have room */
-    size_t magnetism_count;
-    double size[2]; /* pixels, or metres where size_is_length; 0: the kind's own default */
-    bool size_is_length;
-    double dpi; /* of lengths, and of rasters in vector files */
-    char *colormap;
-    enum bead_scale scale;
-    double range[2];               /* SI; NaN: automatic */
-    enum bead_normalise normalise; /* plots of sensors */
-    char *caption;                 /* text below a plot or image, or NULL */
-    struct bead_output *panels;    /* of image and plot, row by row: each an image or a plot without a path; NULL: none */
-    size_t panel_count;
-    bool letters;                /* (a), (b), ... at the panels */
-    size_t row;                  /* of a panel, from 0 */
-    size_t chain;                /* of a panel: number of the only chain shown; SIZE_MAX: all */
-    char *panel_title;           /* of a panel, or NULL */
-    enum bead_sampling sampling; /* what of the samples within a pixel is shown: mean or largest */
-    bool axes;
-    bool trust;           /* say from when on two runs of different accuracy differ: image, movie, plot */
-    double fps, duration; /* 1/s, s: movie; duration is that of the film, not of the motion */
-    enum bead_view_kind views[8];
-    size_t view_count;
+struct bead_movie_asked {
+    double fps, duration; /* 1/s, s; duration is that of the film, not of the motion */
     enum bead_quality quality;
-    enum bead_style style; /* preset of image and plot: size, type, colours */
-    enum bead_theme theme;
-    double magnify;     /* factor on displacements; 0: automatic */
-    size_t contact;     /* `show: contact`: which; BEAD_CONTACT_AUTO: the first between beads of the chain, if it has one */
-    double compression; /* the same: of the smaller bead, as a part of its radius */
-    double at;          /* s; time of a still with views other than spacetime; NaN: end */
-    struct bead_caption *captions; /* by rising times: movie */
+    struct bead_caption *captions; /* by rising times */
     size_t caption_count;
     struct bead_card card;
-    enum bead_follow follow; /* what beads and profile show of a movie: all beads, or a window that moves with the front */
+    enum bead_follow follow; /* what beads and profile show: all beads, or a window that moves with the front */
     size_t window;           /* beads in it */
     char *poster;            /* a PNG file of one frame, relative to the output directory; "": none */
     double poster_at;        /* s of the motion; NaN: where there is most to see */
-    size_t modes;            /* how many, `show: modes` and view modes */
-    double moments[BEAD_PROFILE_TIMES]; /* s, rising: `show: profiles` */
-    size_t profile_time_count;
+    size_t modes;            /* how many the view modes shows */
+};
+
+struct bead_plot_asked {
+    enum bead_scale scale;         /* axis of the peaks */
+    double range[2];               /* ends of the axis of forces; NaN: automatic */
+    enum bead_normalise normalise; /* of sensors */
+    size_t contact;     /* `show: contact`: which; BEAD_CONTACT_AUTO: the first between beads of the chain, if it has one */
+    double compression; /* the same: of the smaller bead, as a part of its radius */
+};
+
+struct bead_sheet_asked {
+    size_t configurations; /* how many of each magnetism at most; 0: as many as have room */
+    double *magnetism;     /* the rows, as asked; NULL: as many as have room */
+    size_t magnetism_count;
+};
+
+/* One file of `outputs`. A key that does not belong to the kind is an error in the scene; settings of other kinds are zero, and
+ * shared ones that the kind has no key for are automatic: all beads, all times, ... */
+struct bead_output {
+    enum bead_output_kind kind;
+    char *path; /* as written; relative to the output directory; NULL: a panel */
     struct bead_place place;
+    struct bead_shown shown;
+    struct bead_views_asked views;
+    struct bead_colours_asked colours;
+    struct bead_paper paper;
+    struct bead_still_asked still;
+    struct bead_panel_asked panel;
+    struct bead_curves_asked curves;
+    struct bead_sweep_curves_asked sweep_curves;
+    struct bead_trajectory_asked trajectory;
+    struct bead_image_asked image;
+    struct bead_movie_asked movie;
+    struct bead_plot_asked plot;
+    struct bead_sheet_asked sheet;
 };
 
 struct bead_scene {
@@ -311,6 +378,8 @@ BEAD_API BEAD_CHECK enum bead_error bead_scene_materials(struct bead_scene **sce
 /* Write all keys of scenes with units, ranges and defaults, from the tables that the parser uses: as text, or as sections
  * of a man page. */
 BEAD_API void bead_scene_help(FILE *out);
+/* The same of one section and its parts only: "movie", "chain", "sweep", ... Errors: USAGE, with the nearest name. */
+BEAD_API BEAD_CHECK enum bead_error bead_scene_help_of(const char *section, FILE *out, struct bead_message *msg);
 BEAD_API void bead_scene_help_man(FILE *out);
 
 #endif

@@ -31,12 +31,12 @@ struct bead_colour_range bead_colour_range_find(const struct bead_output *output
                                                 double largest)
 {
     struct bead_colour_range range = {0, 1, false, false};
-    automatic(output->scale, bead_chain_signed(chain, output->field), least, largest, &range.low, &range.high);
-    bool low_given = !isnan(output->range[0]), high_given = !isnan(output->range[1]);
-    range.high = high_given ? output->range[1] : range.high;
+    automatic(output->colours.scale, bead_chain_signed(chain, output->shown.field), least, largest, &range.low, &range.high);
+    bool low_given = !isnan(output->colours.range[0]), high_given = !isnan(output->colours.range[1]);
+    range.high = high_given ? output->colours.range[1] : range.high;
     if (low_given)
-        range.low = output->range[0];
-    else if (high_given && output->scale == BEAD_SCALE_LOG)
+        range.low = output->colours.range[0];
+    else if (high_given && output->colours.scale == BEAD_SCALE_LOG)
         range.low = log_span * range.high;
     if (!(range.high > range.low)) { /* all values lie beyond the one end that was asked for */
         double size = fmax(fabs(range.low), 1e-12);
@@ -45,18 +45,18 @@ struct bead_colour_range bead_colour_range_find(const struct bead_output *output
     }
     double slack = 1e-9 * (range.high - range.low);
     range.over = largest > range.high + slack;
-    range.under = least < range.low - (output->scale == BEAD_SCALE_LOG ? 0 : slack);
+    range.under = least < range.low - (output->colours.scale == BEAD_SCALE_LOG ? 0 : slack);
     return range;
 }
 
 enum bead_error bead_colour_range_check(const struct bead_output *output, const char *file, struct bead_message *msg)
 {
-    const double *range = output->range;
+    const double *range = output->colours.range;
     struct bead_place place = output->place;
     if (range[0] >= range[1])
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: range: is [%g, %g]; the first must be less than the second", file,
                          place.line, place.column, range[0], range[1]);
-    if (output->scale == BEAD_SCALE_LOG && (range[0] <= 0 || range[1] <= 0))
+    if (output->colours.scale == BEAD_SCALE_LOG && (range[0] <= 0 || range[1] <= 0))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: range: is [%g, %g]; a logarithmic scale needs numbers above 0", file,
                          place.line, place.column, range[0], range[1]);
     return BEAD_OK;
@@ -66,10 +66,10 @@ enum bead_error bead_colour_range_map(const struct bead_output *output, const st
                                       struct bead_colormap *map, struct bead_message *msg)
 {
     const char *file = bead_chain_scene(chain)->file;
-    bool signs = bead_chain_signed(chain, output->field);
-    bool automatic_map = !output->colormap || strcmp(output->colormap, "auto") == 0;
+    bool signs = bead_chain_signed(chain, output->shown.field);
+    bool automatic_map = !output->colours.colormap || strcmp(output->colours.colormap, "auto") == 0;
     struct bead_message why = {""};
-    enum bead_error err = bead_colormap_load(!automatic_map ? output->colormap : signs ? "vik" : plain, map, &why);
+    enum bead_error err = bead_colormap_load(!automatic_map ? output->colours.colormap : signs ? "vik" : plain, map, &why);
     if (err == BEAD_ERROR_SCENE)
         return bead_fail(msg, err, "%s:%zu:%zu: colormap: %.500s", file, output->place.line, output->place.column, why.text);
     return err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;

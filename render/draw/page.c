@@ -25,19 +25,19 @@ static const double inch = 0.0254;
 enum bead_error bead_page_find(const struct bead_output *output, const char *file, struct bead_page *page, struct bead_message *msg)
 {
     double size[2];
-    enum bead_error err = output->axes ? bead_text_check(msg) : BEAD_OK;
+    enum bead_error err = output->views.axes ? bead_text_check(msg) : BEAD_OK;
     if (err)
         return err;
-    bool vector = is_vector(output->path), length = output->size_is_length;
+    bool vector = is_vector(output->path), length = output->paper.size_is_length;
     for (int i = 0; i < 2; i++)
-        size[i] = round(length ? output->size[i] / inch * output->dpi : output->size[i]);
+        size[i] = round(length ? output->paper.size[i] / inch * output->paper.dpi : output->paper.size[i]);
     if (!(size[0] >= 1 && size[1] >= 1 && size[0] <= largest_side && size[1] <= largest_side && size[0] * size[1] <= largest_area))
         return bead_fail(msg, BEAD_ERROR_SCENE,
                          "%s:%zu:%zu: size: is %.0f x %.0f pixels; at most %.0f a side and %.0f million in all", file,
                          output->place.line, output->place.column, size[0], size[1], largest_side, largest_area / 1e6);
-    bool screen = output->style == BEAD_STYLE_SLIDE || output->style == BEAD_STYLE_MOVIE;
-    bool paper = output->style == BEAD_STYLE_PAPER || (length && !screen);
-    double dpi = length || paper ? output->dpi : vector ? screen_dpi : 0;
+    bool screen = output->paper.style == BEAD_STYLE_SLIDE || output->paper.style == BEAD_STYLE_MOVIE;
+    bool paper = output->paper.style == BEAD_STYLE_PAPER || (length && !screen);
+    double dpi = length || paper ? output->paper.dpi : vector ? screen_dpi : 0;
     *page = (struct bead_page){(int)size[0], (int)size[1], dpi, paper, vector, length};
     return BEAD_OK;
 }
@@ -52,9 +52,9 @@ const char *bead_page_size(const struct bead_page *page, char words[BEAD_SIZE_WO
 
 void bead_page_look(const struct bead_page *page, const struct bead_output *output, struct bead_look *look)
 {
-    bool automatic = output->theme == BEAD_THEME_AUTO;
-    bool dark = output->theme == BEAD_THEME_DARK || (automatic && output->style == BEAD_STYLE_MOVIE);
-    if (!page->paper && output->style == BEAD_STYLE_SLIDE) {
+    bool automatic = output->paper.theme == BEAD_THEME_AUTO;
+    bool dark = output->paper.theme == BEAD_THEME_DARK || (automatic && output->paper.style == BEAD_STYLE_MOVIE);
+    if (!page->paper && output->paper.style == BEAD_STYLE_SLIDE) {
         bead_look_slide(look, page->width, page->height, dark);
         return;
     }
@@ -86,9 +86,9 @@ static const char *subject_of(const struct bead_output *output, const struct bea
         [BEAD_SHOW_PROFILES] = "profiles at several times"};
     if (scene->sweep_count > 0)
         return "results of a sweep";
-    if (output->kind == BEAD_OUTPUT_PLOT && output->show < BEAD_SHOW_COUNT && plots[output->show])
-        return plots[output->show];
-    return bead_field_info(output->field)->title;
+    if (output->kind == BEAD_OUTPUT_PLOT && output->curves.show < BEAD_SHOW_COUNT && plots[output->curves.show])
+        return plots[output->curves.show];
+    return bead_field_info(output->shown.field)->title;
 }
 
 void bead_page_notes(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,

@@ -7,8 +7,8 @@ enum bead_error bead_picture_times(const struct bead_output *output, const struc
                                    struct bead_message *msg)
 {
     double end = context->end;
-    time[0] = isnan(output->time[0]) ? 0 : output->time[0];
-    time[1] = isnan(output->time[1]) ? end : fmin(output->time[1], end);
+    time[0] = isnan(output->shown.time[0]) ? 0 : output->shown.time[0];
+    time[1] = isnan(output->shown.time[1]) ? end : fmin(output->shown.time[1], end);
     if (!(time[1] > time[0]) || !isfinite(time[1]))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: time: from %g to %g there is nothing to show; the run ends at %g",
                          context->scene->file, output->place.line, output->place.column, time[0], time[1], end);
@@ -27,6 +27,6 @@ struct bead_grid bead_picture_grid(const struct bead_run_context *context, const
     }
     double pixel = (time[1] - time[0]) / pixels, resolution = context->resolution;
     double parts = resolution > 0 && isfinite(resolution) ? ceil(pixel / resolution) : 2;
-    double every = output->every > 0 ? output->every : pixel / fmax(2, parts);
+    double every = output->shown.every > 0 ? output->shown.every : pixel / fmax(2, parts);
     return (struct bead_grid){time[0], every > 0 ? every : 1, time[1]};
 }

@@ -28,8 +28,8 @@ struct bead_still {
 
 static bool bare_wanted(const struct bead_output *output)
 {
-    return output->kind == BEAD_OUTPUT_IMAGE && !output->axes && output->view_count == 1 &&
-           bead_views_any(output->views, 1, BEAD_SHOWS_IMAGE);
+    return output->kind == BEAD_OUTPUT_IMAGE && !output->views.axes && output->views.count == 1 &&
+           bead_views_any(output->views.kinds, 1, BEAD_SHOWS_IMAGE);
 }
 
 static void bare_destroy(struct bead_still *b)
@@ -52,7 +52,7 @@ static enum bead_error scene_error(const struct bead_still *b, const char *text,
 static size_t count_of(const struct bead_still *b, size_t chain)
 {
     const struct bead_chain *c = b->context.chains[chain];
-    return bead_field_info(b->output->field)->of_contacts ? bead_chain_contacts(c) : bead_chain_beads(c);
+    return bead_field_info(b->output->shown.field)->of_contacts ? bead_chain_contacts(c) : bead_chain_beads(c);
 }
 
 static enum bead_error make_areas(struct bead_still *b, const double time[2], struct bead_message *msg)
@@ -65,9 +65,9 @@ static enum bead_error make_areas(struct bead_still *b, const double time[2], st
     if ((size_t)b->page.height < chains)
         return scene_error(b, "size: fewer rows of pixels than chains", msg);
     enum bead_error err = BEAD_OK;
-    b->beads = (struct bead_span){b->output->beads.first, 0};
+    b->beads = (struct bead_span){b->output->shown.beads.first, 0};
     for (size_t c = 0; !err && c < chains; c++) {
-        struct bead_area_setup setup = {b->output->beads, {time[0], time[1]}, 0, b->page.width, b->output->sampling};
+        struct bead_area_setup setup = {b->output->shown.beads, {time[0], time[1]}, 0, b->page.width, b->output->image.sampling};
         size_t count = count_of(b, c);
         setup.beads.last = setup.beads.last < count ? setup.beads.last : count - 1;
         if (setup.beads.first > setup.beads.last)
@@ -84,8 +84,8 @@ static enum bead_error prepare(struct bead_still *b, struct bead_message *msg)
 {
     const struct bead_output *output = b->output;
     double end = b->context.end;
-    const double time[2] = {isnan(output->time[0]) ? 0 : output->time[0],
-                            isnan(output->time[1]) ? end : fmin(output->time[1], end)};
+    const double time[2] = {isnan(output->shown.time[0]) ? 0 : output->shown.time[0],
+                            isnan(output->shown.time[1]) ? end : fmin(output->shown.time[1], end)};
     enum bead_error err = bead_page_find(output, b->context.scene->file, &b->page, msg);
     if (!err && (!(time[1] > time[0]) || !isfinite(time[1])))
         err = scene_error(b, "time: there is nothing to show; the run ends before", msg);
@@ -117,7 +117,7 @@ static struct bead_colour_range find_range(const struct bead_still *b)
 static enum bead_error fill_indices(const struct bead_still *b, uint8_t *indices, struct bead_message *msg)
 {
     struct bead_colour_range range = find_range(b);
-    struct bead_colours colours = {&b->map, b->output->scale, range.low, range.high};
+    struct bead_colours colours = {&b->map, b->output->colours.scale, range.low, range.high};
     struct bead_colour_table table;
     enum bead_error err = BEAD_OK;
     bead_colour_table_make(&colours, &table);
@@ -201,14 +201,14 @@ static enum bead_error bare_create(const struct bead_output *output, const struc
 static void bare_needs(const struct bead_still *b, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){
-        .fields = BEAD_FIELD_BIT(b->output->field), .beads = b->beads, .grid = b->grid, .until = b->grid.end, .why = b->why};
+        .fields = BEAD_FIELD_BIT(b->output->shown.field), .beads = b->beads, .grid = b->grid, .until = b->grid.end, .why = b->why};
 }
 
 static enum bead_error bare_feed(struct bead_still *b, const struct bead_sample *sample, struct bead_message *msg)
 {
-    const double *values = sample->field[b->output->field];
+    const double *values = sample->field[b->output->shown.field];
     if (!values)
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no %s", bead_field_info(b->output->field)->title);
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no %s", bead_field_info(b->output->shown.field)->title);
     bead_area_feed(b->areas[sample->chain], sample->time, values, sample->active);
     return BEAD_OK;
 }

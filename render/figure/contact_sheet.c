@@ -89,12 +89,12 @@ static enum bead_error take_pictures(struct contact_sheet *s, const struct bead_
     enum bead_error err = taking ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
     for (size_t i = 0; i < s->image_count && !err; i++) {
         struct contact_image *image = &s->images[i];
-        taking[i] = (struct taking){image, s->output->field};
+        taking[i] = (struct taking){image, s->output->shown.field};
         err = read_chain(s, image, msg);
         s->watches[i] = (struct bead_sweep_watch){.panel = image->panel,
                                                   .index = image->index,
                                                   .end = s->end,
-                                                  .fields = BEAD_FIELD_BIT(s->output->field),
+                                                  .fields = BEAD_FIELD_BIT(s->output->shown.field),
                                                   .every = s->end / (SAMPLES_A_PIXEL * (double)image->picture.height),
                                                   .take = take,
                                                   .context = &taking[i]};
@@ -119,7 +119,7 @@ static enum bead_error find_colours(struct contact_sheet *s, struct bead_message
         high = fmax(high, one[1]);
     }
     s->range = bead_colour_range_find(s->output, bead_sweep_chain_of(made), low, high);
-    s->colours = (struct bead_colours){&s->map, s->output->scale, s->range.low, s->range.high};
+    s->colours = (struct bead_colours){&s->map, s->output->colours.scale, s->range.low, s->range.high};
     bead_sweep_chain_destroy(made);
     return BEAD_OK;
 }
@@ -139,7 +139,7 @@ static enum bead_error prepare(struct contact_sheet *s, struct bead_message *msg
         return err;
     bead_page_look(&s->page, s->output, &s->look);
     s->small = smaller * s->look.tick;
-    s->of_contacts = bead_field_info(s->output->field)->of_contacts;
+    s->of_contacts = bead_field_info(s->output->shown.field)->of_contacts;
     s->behind = bead_sweep_panel(s->sweep, 0)->spec->measures.sensor_count == 0;
     err = bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark ? "inferno" : "viridis", &s->map, msg);
     bead_sweep_chain_destroy(made);

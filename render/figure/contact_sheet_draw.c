@@ -115,7 +115,7 @@ static enum bead_error draw_picture(const struct contact_sheet *s, cairo_t *cr, 
 enum bead_error contact_sheet_draw(void *context, cairo_t *cr, struct bead_message *msg)
 {
     const struct contact_sheet *s = context;
-    const struct bead_field_info *field = bead_field_info(s->output->field);
+    const struct bead_field_info *field = bead_field_info(s->output->shown.field);
     enum bead_error err = BEAD_OK;
     cairo_set_source_rgb(cr, s->look.background.r, s->look.background.g, s->look.background.b);
     cairo_paint(cr);

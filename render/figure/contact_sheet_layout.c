@@ -85,10 +85,10 @@ static void add_asked(struct contact_sheet *s, size_t panel)
 {
     static const double near = 0.05;
     const struct bead_sweep_spec *spec = bead_sweep_panel(s->sweep, panel)->spec;
-    for (size_t i = 0; i < s->output->magnetism_count; i++) {
-        size_t group = nearest_group(spec, s->output->magnetism[i]), first = group_first(spec, group);
+    for (size_t i = 0; i < s->output->sheet.magnetism_count; i++) {
+        size_t group = nearest_group(spec, s->output->sheet.magnetism[i]), first = group_first(spec, group);
         double magnetism = spec->groups[group].magnetism;
-        if (fabs(magnetism - s->output->magnetism[i]) <= near && !shown(s, panel, first))
+        if (fabs(magnetism - s->output->sheet.magnetism[i]) <= near && !shown(s, panel, first))
             add_row(s, panel, first, spec->groups[group].configurations, magnetism);
     }
 }
@@ -96,7 +96,7 @@ static void add_asked(struct contact_sheet *s, size_t panel)
 static enum bead_error choose(struct contact_sheet *s, size_t room, struct bead_message *msg)
 {
     const size_t panels = bead_sweep_panels(s->sweep);
-    const size_t most = panels * (room + s->output->magnetism_count + 1);
+    const size_t most = panels * (room + s->output->sheet.magnetism_count + 1);
     s->rows = calloc(most, sizeof *s->rows);
     if (!s->rows)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
@@ -105,7 +105,7 @@ static enum bead_error choose(struct contact_sheet *s, size_t room, struct bead_
         size_t share = room / panels > 0 ? room / panels : 1;
         if (groups_of(bead_sweep_panel(s->sweep, p)) == 1)
             add_wrapped(s, p, share);
-        else if (s->output->magnetism_count > 0)
+        else if (s->output->sheet.magnetism_count > 0)
             add_asked(s, p);
         else
             add_spaced(s, p, share);
@@ -132,8 +132,8 @@ static double find_label_width(const struct contact_sheet *s)
 static double find_bar_width(const struct contact_sheet *s)
 {
     const struct bead_rect bar = {0, 0, (int)round(0.8 * s->look.label), s->page.height / 2};
-    const struct bead_field_info *field = bead_field_info(s->output->field);
-    const struct bead_colours colours = {&s->map, s->output->scale, 0, 1.234};
+    const struct bead_field_info *field = bead_field_info(s->output->shown.field);
+    const struct bead_colours colours = {&s->map, s->output->colours.scale, 0, 1.234};
     return 1.5 * s->look.gap + bar.width +
            bead_colour_bar_draw(NULL, &s->look, &colours, field->unit, field->title, bar, false, false);
 }
@@ -196,8 +196,8 @@ enum bead_error contact_sheet_arrange(struct contact_sheet *s, struct bead_messa
     size_t most = most_configurations(s);
     s->several = bead_sweep_panels(s->sweep) > 1;
     s->columns = (size_t)fmax(1, floor((width - 5 * s->small + gap) / (wanted_width * s->small + gap)));
-    if (s->output->configurations > 0)
-        s->columns = s->output->configurations;
+    if (s->output->sheet.configurations > 0)
+        s->columns = s->output->sheet.configurations;
     s->columns = s->columns < most ? s->columns : most;
     enum bead_error err = choose(s, (size_t)fmax(1, floor((height + gap) / (wanted_height * s->small + lines))), msg);
     if (err)

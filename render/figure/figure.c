@@ -35,9 +35,9 @@ void bead_figure_destroy(struct bead_figure *f)
 static enum bead_error find_span(const struct bead_figure *f, size_t chain, struct bead_span *span, struct bead_message *msg)
 {
     const struct bead_output *output = f->output;
-    bool contacts = bead_field_info(output->field)->of_contacts;
+    bool contacts = bead_field_info(output->shown.field)->of_contacts;
     size_t count = contacts ? bead_chain_contacts(f->context.chains[chain]) : bead_chain_beads(f->context.chains[chain]);
-    *span = output->beads;
+    *span = output->shown.beads;
     span->last = span->last < count ? span->last : count - 1;
     if (span->first > span->last)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: beads: begin at %zu, but the chain has %zu %s", f->context.scene->file,
@@ -67,18 +67,18 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "this build has no view of kind %d", (int)views[v]);
         panel->setup = (struct bead_view_setup){.chain = f->context.chains[cell->chain],
                                                 .chain_index = cell->chain,
-                                                .field = f->output->field,
+                                                .field = f->output->shown.field,
                                                 .time = {f->time[0], f->time[1]},
                                                 .colours = f->colours,
                                                 .look = &f->look,
-                                                .axes = f->output->axes,
+                                                .axes = f->output->views.axes,
                                                 .bead_labels = true,
                                                 .time_down = moments,
-                                                .sampling = f->output->sampling,
+                                                .sampling = f->output->image.sampling,
                                                 .marked = moments,
                                                 .mark = f->at,
                                                 .magnify = magnify,
-                                                .trust = f->output->trust};
+                                                .trust = f->output->shown.trust};
         err = find_span(f, cell->chain, &panel->setup.beads, msg);
     }
     f->coloured = bead_views_any(views, f->view_count, BEAD_SHOWS_COLOURS);
@@ -92,7 +92,8 @@ static enum bead_error make_cells(struct bead_figure *f, const enum bead_view_ki
     f->cells = calloc(f->context.chain_count, sizeof *f->cells);
     if (!f->cells)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
-    double magnify = f->output->magnify > 0 ? f->output->magnify : bead_magnify_auto(f->context.chains, f->context.chain_count);
+    double magnify =
+        f->output->views.magnify > 0 ? f->output->views.magnify : bead_magnify_auto(f->context.chains, f->context.chain_count);
     enum bead_error err = BEAD_OK;
     for (size_t c = 0; !err && c < f->context.chain_count; c++) {
         if (!is_shown(f, c, views, f->view_count))
@@ -157,11 +158,11 @@ static void explain(struct bead_figure *f)
 static enum bead_error prepare(struct bead_figure *f, const enum bead_view_kind *views, struct bead_message *msg)
 {
     const struct bead_output *output = f->output;
-    bool is_signed = bead_chain_signed(f->context.chains[0], output->field);
+    bool is_signed = bead_chain_signed(f->context.chains[0], output->shown.field);
     enum bead_error err = bead_colour_range_check(output, f->context.scene->file, msg);
     if (!err)
         err = bead_picture_times(output, &f->context, f->time, msg);
-    f->at = isnan(output->at) ? f->time[1] : output->at;
+    f->at = isnan(output->image.at) ? f->time[1] : output->image.at;
     if (!err && f->at > f->context.end * (1 + 1e-9))
         err = bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: at: is %g; the run ends at %g", f->context.scene->file,
                         output->place.line, output->place.column, f->at, f->context.end);
@@ -172,7 +173,7 @@ static enum bead_error prepare(struct bead_figure *f, const enum bead_view_kind 
         return err;
     /* as wide as labels get; found at the end */
     f->range = bead_colour_range_find(output, f->context.chains[0], is_signed ? -888 : 0, 888);
-    f->colours = (struct bead_colours){&f->map, output->scale, f->range.low, f->range.high};
+    f->colours = (struct bead_colours){&f->map, output->colours.scale, f->range.low, f->range.high};
     return make_cells(f, views, msg);
 }
 
@@ -181,14 +182,14 @@ static enum bead_error new_figure(const struct bead_output *output, const struct
                                   struct bead_message *msg)
 {
     *figure = NULL;
-    if (output->view_count < 1 || output->view_count > BEAD_STACK_VIEWS)
+    if (output->views.count < 1 || output->views.count > BEAD_STACK_VIEWS)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a figure has 1 to %d views of each chain", BEAD_STACK_VIEWS);
     struct bead_figure *f = *figure = calloc(1, sizeof *f);
     if (!f)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
     f->output = output;
     f->context = *context;
-    f->view_count = output->view_count;
+    f->view_count = output->views.count;
     f->page = *page;
     f->look = *look;
     f->set.chain = SIZE_MAX;
@@ -212,10 +213,10 @@ enum bead_error bead_figure_create(const struct bead_output *output, const struc
     if (err)
         return err;
     f->part = settings != NULL;
-    f->margin = !f->part && output->axes ? look->margin : 0;
+    f->margin = !f->part && output->views.axes ? look->margin : 0;
     if (settings)
         f->set = *settings;
-    err = prepare(f, output->views, msg);
+    err = prepare(f, output->views.kinds, msg);
     if (err) {
         bead_figure_destroy(f);
         *figure = NULL;
@@ -265,7 +266,7 @@ static struct bead_span all_beads(const struct bead_figure *f)
         }
     }
     /* Drawn beads take a contact's value from both sides, and stand where their displacement says. */
-    if (f->stills && bead_field_info(f->output->field)->of_contacts)
+    if (f->stills && bead_field_info(f->output->shown.field)->of_contacts)
         all.last++;
     return all;
 }
@@ -275,7 +276,7 @@ void bead_figure_needs(const struct bead_figure *f, struct bead_needs *needs)
     *needs = (struct bead_needs){.fields = fields_of(f, true) | fields_of(f, false),
                                  .beads = all_beads(f),
                                  .grid = f->grid,
-                                 .comparison = f->output->trust ? fields_of(f, true) : 0,
+                                 .comparison = f->output->shown.trust ? fields_of(f, true) : 0,
                                  .until = f->grid.end,
                                  .why = f->why};
 }

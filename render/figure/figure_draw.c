@@ -98,7 +98,7 @@ static bool words_of(const struct bead_figure *f, const struct bead_cell *cell, 
         snprintf(words->letter, sizeof words->letter, "(%c)", (char)('a' + (int)index));
     if (*bead_chain_spins(chain) && words->name == bead_chain_name(chain))
         bead_text_magnetism(bead_chain_magnetism(chain), words->magnetism, sizeof words->magnetism);
-    return f->output->axes && (*words->letter || *words->name || *words->magnetism || *words->moment);
+    return f->output->views.axes && (*words->letter || *words->name || *words->magnetism || *words->moment);
 }
 
 /* How much is said, from all to a shortened name; the same in all cells, as far as the longest has room. Several chains keep
@@ -226,7 +226,7 @@ bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
     const struct bead_look *look = &f->look;
     const int least = 240; /* px of height where a title is worth its room */
     const char *title = !f->page.paper && f->page.height >= least ? f->context.scene->title : "";
-    if (f->part || !f->output->axes || (!*title && !f->stills))
+    if (f->part || !f->output->views.axes || (!*title && !f->stills))
         return false;
     if (!cr)
         return true;
@@ -255,11 +255,11 @@ static void draw_trust(const struct bead_figure *f, const struct bead_cell *cell
 
 void bead_figure_bar_title(const struct bead_figure *f, char *title, size_t size)
 {
-    const char *name = bead_chain_field(f->context.chains[0], f->output->field)->title;
+    const char *name = bead_chain_field(f->context.chains[0], f->output->shown.field)->title;
     bool largest = false;
     for (size_t v = 0; v < f->view_count; v++)
         largest = largest || bead_view_has(f->cells[0].panel[v].type, BEAD_SHOWS_IMAGE);
-    largest = largest && f->output->sampling == BEAD_SAMPLING_MAX;
+    largest = largest && f->output->image.sampling == BEAD_SAMPLING_MAX;
     snprintf(title, size, largest ? "largest %s" : "%s", name);
 }
 
@@ -268,7 +268,7 @@ static void draw_bar(const struct bead_figure *f, cairo_t *cr)
 {
     struct bead_rect bar = f->bar;
     int point = (int)ceil(0.9 * bar.width);
-    const struct bead_field_info *field = bead_chain_field(f->context.chains[0], f->output->field);
+    const struct bead_field_info *field = bead_chain_field(f->context.chains[0], f->output->shown.field);
     bar.y += f->range.over ? point : 0;
     bar.height -= (f->range.over + f->range.under) * point;
     char title[64];

@@ -48,7 +48,7 @@ static const double ranges[] = {888, 630, 310};
 static enum bead_error measure(const struct bead_figure *f, const struct bead_tile *panel, int width, int height,
                                struct reach *reach, struct bead_message *msg)
 {
-    bool unknown = !bead_view_has(panel->type, BEAD_SHOWS_COLOURS) && isnan(f->output->range[1]);
+    bool unknown = !bead_view_has(panel->type, BEAD_SHOWS_COLOURS) && isnan(f->output->colours.range[1]);
     cairo_surface_t *surface = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
     cairo_t *cr = cairo_create(surface);
     enum bead_error err = BEAD_OK;
@@ -77,7 +77,7 @@ static enum bead_error measure(const struct bead_figure *f, const struct bead_ti
 
 static bool has_bar(const struct bead_figure *f)
 {
-    return f->coloured && f->output->axes && !f->set.no_bar;
+    return f->coloured && f->output->views.axes && !f->set.no_bar;
 }
 
 /* All lengths of a layout; plots follow from them. */
@@ -105,7 +105,7 @@ static enum bead_error make_plan(const struct bead_figure *f, const struct bead_
     bool headings = false;
     for (size_t c = 0; c < f->cell_count; c++)
         headings = headings || bead_figure_heading(f, &f->cells[c], NULL);
-    *plan = (struct plan){.margin = f->margin, .least = *least, .trust = f->output->trust ? round(trust_line * em) : 0};
+    *plan = (struct plan){.margin = f->margin, .least = *least, .trust = f->output->shown.trust ? round(trust_line * em) : 0};
     plan->left = calloc(f->columns, sizeof *plan->left);
     plan->right = calloc(f->columns, sizeof *plan->right);
     plan->reach = calloc(f->rows * f->view_count, sizeof *plan->reach);
@@ -126,13 +126,13 @@ static enum bead_error make_plan(const struct bead_figure *f, const struct bead_
 static double bar_labels(const struct bead_figure *f, int height)
 {
     struct bead_rect bar = {0, 0, (int)(bar_width * f->look.label), height};
-    const struct bead_field_info *field = bead_chain_field(f->context.chains[0], f->output->field);
+    const struct bead_field_info *field = bead_chain_field(f->context.chains[0], f->output->shown.field);
     struct bead_colours colours = f->colours;
     double widest = 0;
     char title[64];
     bead_figure_bar_title(f, title, sizeof title);
     static const double sizes[] = {1, 9.9, 999};
-    bool given = !isnan(f->output->range[0]) && !isnan(f->output->range[1]);
+    bool given = !isnan(f->output->colours.range[0]) && !isnan(f->output->colours.range[1]);
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         if (!given) {
             colours.high = sizes[i];
@@ -308,7 +308,7 @@ static enum bead_error settle(struct bead_figure *f, struct plan *plan, struct b
 {
     double em = f->look.label;
     for (size_t c = 0; c < f->columns; c++)
-        plan->left[c] = f->output->axes ? 4 * em : 0;
+        plan->left[c] = f->output->views.axes ? 4 * em : 0;
     enum bead_error err = divide(f, plan, msg);
     for (int pass = 0; !err && pass < 2; pass++) {
         err = measure_all(f, plan, msg);
@@ -386,7 +386,7 @@ static void share_axes(struct bead_figure *f)
 struct bead_axis_kind bead_figure_axis(const struct bead_figure *f, bool upright)
 {
     const struct bead_tile *tile = &f->cells[0].panel[f->view_count - 1];
-    bool beads = (across(tile) == BEAD_ACROSS_CHAIN) != upright, contacts = bead_field_info(f->output->field)->of_contacts;
+    bool beads = (across(tile) == BEAD_ACROSS_CHAIN) != upright, contacts = bead_field_info(f->output->shown.field)->of_contacts;
     const struct bead_span *span = &tile->setup.beads;
     if ((beads && !same_beads(f)) || (upright && (f->view_count > 1 || !bead_view_has(tile->type, BEAD_SHOWS_IMAGE))))
         return (struct bead_axis_kind){NULL, 0, 0};

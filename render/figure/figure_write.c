@@ -25,7 +25,7 @@ void bead_figure_extremes(const struct bead_figure *f, double colours[2], double
             widen(low, high, coloured ? colours : sensors);
             images = images || (coloured && low <= high);
         }
-        const double *values = cell->moments ? cell->moment[1].field[f->output->field] : NULL;
+        const double *values = cell->moments ? cell->moment[1].field[f->output->shown.field] : NULL;
         const struct bead_span *span = &cell->panel[0].setup.beads;
         for (size_t i = span->first; values && i <= span->last; i++)
             widen(values[i], values[i], moment);
@@ -55,7 +55,7 @@ static void find_horizons(struct bead_figure *f)
     for (size_t c = 0; c < f->cell_count; c++) {
         struct bead_cell *cell = &f->cells[c];
         cell->horizon = INFINITY;
-        for (size_t v = 0; f->output->trust && v < f->view_count; v++) {
+        for (size_t v = 0; f->output->shown.trust && v < f->view_count; v++) {
             struct bead_tile *panel = &cell->panel[v];
             if (panel->type->horizon)
                 cell->horizon = fmin(cell->horizon, panel->type->horizon(panel->view));

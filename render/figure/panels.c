@@ -10,7 +10,7 @@
 
 static bool panels_wanted(const struct bead_output *output)
 {
-    return output->panel_count > 0 || (output->caption && output->kind == BEAD_OUTPUT_IMAGE);
+    return output->still.panel_count > 0 || (output->still.caption && output->kind == BEAD_OUTPUT_IMAGE);
 }
 
 static void panels_destroy(struct bead_still *still)
@@ -31,7 +31,7 @@ static void panels_destroy(struct bead_still *still)
 static enum bead_error make_words(struct bead_still *s, struct bead_message *msg)
 {
     const int least = 240; /* px of height where a title is worth its room */
-    const char *title = s->context.scene->title, *caption = s->output->caption;
+    const char *title = s->context.scene->title, *caption = s->output->still.caption;
     if (!s->page.paper && s->page.height >= least && *title) {
         size_t size = 6 * strlen(title) + 1;
         s->title = malloc(size);
@@ -48,7 +48,7 @@ static enum bead_error make_words(struct bead_still *s, struct bead_message *msg
 static void make_letter(const struct bead_still *s, size_t index, char *letter, size_t size)
 {
     letter[0] = '\0';
-    if (!s->output->letters || s->count < 2)
+    if (!s->output->still.letters || s->count < 2)
         return;
     if (index < 26)
         snprintf(letter, size, "(%c)", (char)('a' + index));
@@ -59,16 +59,17 @@ static void make_letter(const struct bead_still *s, size_t index, char *letter, 
 static enum bead_error make_panel(struct bead_still *s, size_t index, struct bead_message *msg)
 {
     struct still_panel *panel = &s->panels[index];
-    bool own = s->output->panel_count == 0; /* an image with a caption is its only panel */
-    panel->output = own ? s->output : &s->output->panels[index];
-    panel->row = own ? 0 : panel->output->row;
+    bool own = s->output->still.panel_count == 0; /* an image with a caption is its only panel */
+    panel->output = own ? s->output : &s->output->still.panels[index];
+    panel->row = own ? 0 : panel->output->panel.row;
     for (size_t p = 0; p < index; p++)
         panel->column += s->panels[p].row == panel->row;
     s->rows = panel->row + 1;
-    panel->set = (struct bead_part_settings){.chain = own ? SIZE_MAX : panel->output->chain, .title = panel->output->panel_title};
+    panel->set =
+        (struct bead_part_settings){.chain = own ? SIZE_MAX : panel->output->panel.chain, .title = panel->output->panel.title};
     make_letter(s, index, panel->set.letter, sizeof panel->set.letter);
-    if (panel->output->panel_title)
-        snprintf(panel->title, sizeof panel->title, "%s", panel->output->panel_title);
+    if (panel->output->panel.title)
+        snprintf(panel->title, sizeof panel->title, "%s", panel->output->panel.title);
     if (panel->output->kind == BEAD_OUTPUT_PLOT)
         return bead_plot_data_create(panel->output, &s->context, panel->set.chain, &panel->plot, msg);
     return bead_figure_create(panel->output, &s->context, &s->page, &s->look, &panel->set, &panel->figure, msg);
@@ -89,7 +90,7 @@ static void join_grids(struct bead_still *s)
         all.every = fmin(all.every, grid->every);
         all.end = fmax(all.end, grid->end);
         grids++;
-        profiles = profiles || (s->panels[p].plot && s->panels[p].output->show == BEAD_SHOW_PROFILES);
+        profiles = profiles || (s->panels[p].plot && s->panels[p].output->curves.show == BEAD_SHOW_PROFILES);
     }
     if (profiles && grids > 1 && s->context.resolution > 0 && !(s->context.native.every > 0))
         all.every = fmin(all.every, s->context.resolution / 8);
@@ -104,7 +105,7 @@ static enum bead_error panels_create(const struct bead_output *output, const str
                                      struct bead_still **still, struct bead_message *msg)
 {
     struct bead_still *s = *still = calloc(1, sizeof *s);
-    size_t count = output->panel_count > 0 ? output->panel_count : 1;
+    size_t count = output->still.panel_count > 0 ? output->still.panel_count : 1;
     if (s)
         s->panels = calloc(count, sizeof *s->panels);
     if (!s || !s->panels) {

@@ -47,13 +47,14 @@ static bool same_number(double a, double b)
 
 static const char *map_of(const struct bead_output *output)
 {
-    return output->colormap ? output->colormap : "auto";
+    return output->colours.colormap ? output->colours.colormap : "auto";
 }
 
 static bool same_colours(const struct bead_output *a, const struct bead_output *b)
 {
-    return a->field == b->field && a->scale == b->scale && a->sampling == b->sampling && strcmp(map_of(a), map_of(b)) == 0 &&
-           same_number(a->range[0], b->range[0]) && same_number(a->range[1], b->range[1]);
+    return a->shown.field == b->shown.field && a->colours.scale == b->colours.scale && a->image.sampling == b->image.sampling &&
+           strcmp(map_of(a), map_of(b)) == 0 && same_number(a->colours.range[0], b->colours.range[0]) &&
+           same_number(a->colours.range[1], b->colours.range[1]);
 }
 
 static void find_groups(struct bead_still *s)
@@ -205,7 +206,7 @@ static double weight_of(const struct bead_still *s, size_t row)
     for (size_t p = 0; p < s->count; p++) {
         const struct still_panel *panel = &s->panels[p];
         if (panel->row == row)
-            weight = fmax(weight, panel->plot ? 0.85 : 0.7 + 0.3 * (double)panel->output->view_count);
+            weight = fmax(weight, panel->plot ? 0.85 : 0.7 + 0.3 * (double)panel->output->views.count);
     }
     return weight;
 }

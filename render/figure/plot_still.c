@@ -14,7 +14,7 @@ struct bead_still {
 
 static bool drawing_wanted(const struct bead_output *output)
 {
-    return output->kind == BEAD_OUTPUT_PLOT && bead_schematic_is(output->show);
+    return output->kind == BEAD_OUTPUT_PLOT && bead_schematic_is(output->curves.show);
 }
 
 static bool plot_wanted(const struct bead_output *output)

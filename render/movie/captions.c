@@ -25,8 +25,8 @@ double bead_caption_height(const struct bead_look *look)
 /* s of the motion. */
 static double end_of(const struct bead_output *output, double slowed, size_t i)
 {
-    const struct bead_caption *c = &output->captions[i];
-    bool last = i + 1 == output->caption_count;
+    const struct bead_caption *c = &output->movie.captions[i];
+    bool last = i + 1 == output->movie.caption_count;
     double next = last ? INFINITY : c[1].at;
     if (!isnan(c->until))
         return fmin(c->until, next);
@@ -38,7 +38,7 @@ static double end_of(const struct bead_output *output, double slowed, size_t i)
 size_t bead_captions_find(const struct bead_output *output, double slowed, double time)
 {
     size_t found = SIZE_MAX;
-    for (size_t i = 0; i < output->caption_count && output->captions[i].at <= time; i++)
+    for (size_t i = 0; i < output->movie.caption_count && output->movie.captions[i].at <= time; i++)
         found = i;
     return found != SIZE_MAX && time < end_of(output, slowed, found) ? found : SIZE_MAX;
 }
@@ -47,16 +47,16 @@ enum bead_error bead_captions_check(const struct bead_output *output, const stru
                                     struct bead_message *msg)
 {
     const char *space = *unit ? " " : "";
-    for (size_t i = 0; i < output->caption_count; i++) {
-        const struct bead_caption *c = &output->captions[i];
+    for (size_t i = 0; i < output->movie.caption_count; i++) {
+        const struct bead_caption *c = &output->movie.captions[i];
         if (c->at >= end)
             return bead_fail(msg, BEAD_ERROR_SCENE,
                              "%s:%zu:%zu: captions.%zu.at: is %g%s%s; must be before the end of what is shown, at %g%s%s",
                              scene->file, c->place.line, c->place.column, i, c->at, space, unit, end, space, unit);
     }
-    if (output->poster_at > end)
+    if (output->movie.poster_at > end)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: poster-at: is %g%s%s; the movie ends at %g%s%s", scene->file,
-                         output->place.line, output->place.column, output->poster_at, space, unit, end, space, unit);
+                         output->place.line, output->place.column, output->movie.poster_at, space, unit, end, space, unit);
     return BEAD_OK;
 }
 
@@ -133,8 +133,8 @@ int bead_captions_lines(const struct bead_output *output, const struct bead_look
     struct bead_text_style style = style_of(look, font_size(look));
     double room = width - 2 * ceil(1.3 * look->gap);
     size_t most = 0;
-    for (size_t i = 0; i < output->caption_count; i++) {
-        struct lines lines = wrap(NULL, &style, output->captions[i].text, room, MOST_LINES);
+    for (size_t i = 0; i < output->movie.caption_count; i++) {
+        struct lines lines = wrap(NULL, &style, output->movie.captions[i].text, room, MOST_LINES);
         most = lines.count > most ? lines.count : most;
     }
     return (int)most;

@@ -15,10 +15,10 @@
 /* Of views that show all times, or of all views. */
 static unsigned fields_of(const struct bead_output *output, const struct bead_chain *chain, bool all_times)
 {
-    const struct bead_view_setup setup = {.chain = chain, .field = output->field, .fill = true};
+    const struct bead_view_setup setup = {.chain = chain, .field = output->shown.field, .fill = true};
     unsigned fields = 0;
-    for (size_t i = 0; i < output->view_count; i++) {
-        const struct bead_view_type *type = bead_view_find(output->views[i]);
+    for (size_t i = 0; i < output->views.count; i++) {
+        const struct bead_view_type *type = bead_view_find(output->views.kinds[i]);
         fields |= type && (!all_times || bead_view_has(type, BEAD_SHOWS_ALL_TIMES)) ? type->fields(&setup) : 0;
     }
     return fields;
@@ -27,17 +27,17 @@ static unsigned fields_of(const struct bead_output *output, const struct bead_ch
 unsigned bead_composer_fields(const struct bead_output *output, const struct bead_chain *chain)
 {
     unsigned fields = fields_of(output, chain, false);
-    return fields | (output->follow == BEAD_FOLLOW_FRONT ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0);
+    return fields | (output->movie.follow == BEAD_FOLLOW_FRONT ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0);
 }
 
 unsigned bead_composer_comparison(const struct bead_output *output, const struct bead_chain *chain)
 {
-    return output->trust ? fields_of(output, chain, true) : 0;
+    return output->shown.trust ? fields_of(output, chain, true) : 0;
 }
 
 bool bead_composer_averages(const struct bead_output *output)
 {
-    return bead_views_any(output->views, output->view_count, BEAD_SHOWS_ALL_TIMES);
+    return bead_views_any(output->views.kinds, output->views.count, BEAD_SHOWS_ALL_TIMES);
 }
 
 static struct bead_view **view_at(const struct bead_composer *c, size_t chain, size_t view)
@@ -49,8 +49,8 @@ static struct bead_span span_of(const struct bead_composer *c, size_t chain)
 {
     const struct bead_output *output = c->setup.output;
     const struct bead_chain *own = c->setup.chains[chain];
-    size_t count = bead_field_info(output->field)->of_contacts ? bead_chain_contacts(own) : bead_chain_beads(own);
-    struct bead_span span = output->beads;
+    size_t count = bead_field_info(output->shown.field)->of_contacts ? bead_chain_contacts(own) : bead_chain_beads(own);
+    struct bead_span span = output->shown.beads;
     if (span.last >= count)
         span.last = count - 1;
     if (span.first > span.last)
@@ -79,7 +79,7 @@ static double reach_along(const struct bead_composer *c, size_t chain, size_t la
 /* Left of plots of this height: of beads, values and times. */
 static double reach_left(const struct bead_composer *c, double length)
 {
-    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->field);
+    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->shown.field);
     const char *unit = bead_chain_time_unit(c->setup.chains[0]);
     const double *range = c->setup.range, *time = c->setup.time;
     double most = reach(&c->look, range[0], range[1], field->unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, field->title);
@@ -95,7 +95,7 @@ static void measure_axes(struct bead_composer *c)
 {
     struct bead_movie_wants *w = &c->wants;
     const struct bead_look *look = &c->look;
-    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->field);
+    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->shown.field);
     const char *unit = bead_chain_time_unit(c->setup.chains[0]);
     double length = fmax(40, 0.12 * w->height), most = 1, rows = (double)(w->chain_count * w->view_count);
     w->left = fmax(reach_left(c, length), fmax(reach_left(c, fmax(24, 0.4 * w->height / rows)), reach_left(c, 40)));
@@ -111,7 +111,7 @@ static void measure_axes(struct bead_composer *c)
     for (size_t i = 0; w->follow && i < w->chain_count; i++) {
         struct bead_span beads = bead_composer_beads(c, i);
         double radius, spacing = bead_chain_spacing(c->setup.chains[i], beads, &radius);
-        double shown = fmin((double)c->setup.output->window, (double)(beads.last - beads.first + 1));
+        double shown = fmin((double)c->setup.output->movie.window, (double)(beads.last - beads.first + 1));
         w->bead_height = fmax(w->bead_height, 0.9 * w->width * 2 * radius / (spacing * shown));
     }
     w->below_time = reach(look, time[0], time[1], unit, BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, "time");
@@ -133,21 +133,21 @@ static enum bead_error fill_wants(struct bead_composer *c, struct bead_message *
                                    .height = c->setup.height,
                                    .look = &c->look,
                                    .chain_count = c->setup.chain_count,
-                                   .axes = output->axes,
+                                   .axes = output->views.axes,
                                    .title = c->setup.title && c->setup.title[0],
-                                   .trust = output->trust,
-                                   .follow = output->follow == BEAD_FOLLOW_FRONT,
+                                   .trust = output->shown.trust,
+                                   .follow = output->movie.follow == BEAD_FOLLOW_FRONT,
                                    .caption_lines = bead_captions_lines(output, &c->look, c->setup.width),
                                    .caption_line = bead_caption_height(&c->look)};
-    for (size_t i = 0; i < output->view_count && i < BEAD_STACK_VIEWS; i++) {
-        const struct bead_view_type *type = bead_view_find(output->views[i]);
+    for (size_t i = 0; i < output->views.count && i < BEAD_STACK_VIEWS; i++) {
+        const struct bead_view_type *type = bead_view_find(output->views.kinds[i]);
         if (!type)
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: there is no such view in this program", output->path);
         w->views[w->view_count++] = type;
     }
     if (w->view_count == 0)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: views: at least one is needed", output->path);
-    w->colourless = !bead_views_any(output->views, output->view_count, BEAD_SHOWS_COLOURS);
+    w->colourless = !bead_views_any(output->views.kinds, output->views.count, BEAD_SHOWS_COLOURS);
     for (size_t i = 0; i < w->chain_count; i++) {
         size_t sensors;
         (void)bead_chain_sensors(c->setup.chains[i], &sensors);
@@ -170,7 +170,7 @@ static enum bead_error create_views(struct bead_composer *c, struct bead_message
         bool time = c->wants.views[view]->info->across == BEAD_ACROSS_TIME, labels = c->layout.chains[chain].labels[view];
         struct bead_view_setup setup = {.chain = c->setup.chains[chain],
                                         .chain_index = chain,
-                                        .field = output->field,
+                                        .field = output->shown.field,
                                         .beads = span_of(c, chain),
                                         .time = {c->setup.time[0], c->setup.time[1]},
                                         .colours = c->colours,
@@ -183,8 +183,8 @@ static enum bead_error create_views(struct bead_composer *c, struct bead_message
                                         .fill = true,
                                         .magnify = c->magnify,
                                         .camera = c->cameras ? c->cameras[chain] : NULL,
-                                        .modes = output->modes,
-                                        .trust = output->trust};
+                                        .modes = output->movie.modes,
+                                        .trust = output->shown.trust};
         err = c->wants.views[view]->create(&setup, view_at(c, chain, view), msg);
     }
     return err;
@@ -193,17 +193,17 @@ static enum bead_error create_views(struct bead_composer *c, struct bead_message
 static enum bead_error fill(struct bead_composer *c, struct bead_message *msg)
 {
     const struct bead_output *output = c->setup.output;
-    bead_look_screen(&c->look, c->setup.width, c->setup.height, output->theme != BEAD_THEME_LIGHT);
+    bead_look_screen(&c->look, c->setup.width, c->setup.height, output->paper.theme != BEAD_THEME_LIGHT);
     enum bead_error err = bead_colour_range_map(output, c->setup.chains[0], "inferno", &c->map, msg);
     if (err)
         return err;
-    c->colours = (struct bead_colours){&c->map, output->scale, c->setup.range[0], c->setup.range[1]};
+    c->colours = (struct bead_colours){&c->map, output->colours.scale, c->setup.range[0], c->setup.range[1]};
     c->clock = bead_clock_make(c->setup.time[1], c->setup.step, bead_chain_time_unit(c->setup.chains[0]));
     double span = c->setup.time[1] - c->setup.time[0];
-    c->slowed = span > 0 ? output->duration / span : 1;
+    c->slowed = span > 0 ? output->movie.duration / span : 1;
     c->caption = SIZE_MAX;
-    c->magnify = output->magnify > 0 ? output->magnify : bead_magnify_auto(c->setup.chains, c->setup.chain_count);
-    if (output->poster && output->poster[0]) {
+    c->magnify = output->views.magnify > 0 ? output->views.magnify : bead_magnify_auto(c->setup.chains, c->setup.chain_count);
+    if (output->movie.poster && output->movie.poster[0]) {
         c->lit = calloc(c->setup.chain_count, sizeof *c->lit);
         if (!c->lit)
             return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
@@ -228,7 +228,7 @@ enum bead_error bead_composer_create(const struct bead_composer_setup *setup, st
     if (!c)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
     c->setup = *setup;
-    enum bead_error err = setup->output->axes ? bead_text_check(msg) : BEAD_OK;
+    enum bead_error err = setup->output->views.axes ? bead_text_check(msg) : BEAD_OK;
     if (!err)
         err = fill(c, msg);
     if (err)
@@ -275,7 +275,7 @@ static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, stru
 
 static struct bead_facts facts_of(const struct bead_composer *c)
 {
-    bool beads = bead_views_any(c->setup.output->views, c->setup.output->view_count, BEAD_SHOWS_BEADS);
+    bool beads = bead_views_any(c->setup.output->views.kinds, c->setup.output->views.count, BEAD_SHOWS_BEADS);
     return (struct bead_facts){
         .slowed = c->slowed, .magnify = beads ? c->magnify : 0, .chains = c->setup.chains, .chain_count = c->setup.chain_count};
 }
@@ -331,7 +331,7 @@ enum bead_error bead_composer_open(struct bead_composer *c, struct bead_message 
 /* Are there values that the colours do not tell apart? */
 static void look_beyond(struct bead_composer *c, const struct bead_sample *sample)
 {
-    const double *value = sample->field[c->setup.output->field];
+    const double *value = sample->field[c->setup.output->shown.field];
     struct bead_span span = span_of(c, sample->chain);
     double slack = 1e-9 * (c->colours.high - c->colours.low), high = c->colours.high + slack, low = c->colours.low - slack;
     bool below = c->colours.scale != BEAD_SCALE_LOG; /* every logarithmic scale leaves out the smallest */
@@ -344,7 +344,7 @@ static void look_beyond(struct bead_composer *c, const struct bead_sample *sampl
 /* Mean distance from zero along the colour bar. */
 static void look_lit(struct bead_composer *c, const struct bead_sample *sample)
 {
-    const double *value = sample->field[c->setup.output->field];
+    const double *value = sample->field[c->setup.output->shown.field];
     struct bead_span span = span_of(c, sample->chain);
     double zero = bead_colours_place(&c->colours, 0), sum = 0;
     zero = fmin(1, fmax(0, zero));
@@ -381,7 +381,7 @@ enum bead_error bead_composer_card(struct bead_composer *c, struct bead_changes 
     struct bead_facts facts = facts_of(c);
     if (c->carded)
         return BEAD_OK;
-    bead_card_draw(c->cr, &c->look, &facts, c->setup.title, c->setup.output->card.text, c->frame.width, c->frame.height);
+    bead_card_draw(c->cr, &c->look, &facts, c->setup.title, c->setup.output->movie.card.text, c->frame.width, c->frame.height);
     cairo_surface_flush(c->surface);
     bead_changes_add(changes, (struct bead_rect){0, 0, c->frame.width, c->frame.height});
     c->carded = true;

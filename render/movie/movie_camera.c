@@ -8,7 +8,7 @@
 struct bead_span bead_composer_beads(const struct bead_composer *c, size_t chain)
 {
     size_t last = bead_chain_beads(c->setup.chains[chain]) - 1;
-    struct bead_span span = c->setup.output->beads;
+    struct bead_span span = c->setup.output->shown.beads;
     span.last = span.last < last ? span.last : last;
     span.first = span.first < span.last ? span.first : span.last;
     return span;
@@ -51,7 +51,7 @@ enum bead_error bead_composer_cameras(struct bead_composer *c, struct bead_messa
     for (size_t i = 0; i < count; i++) {
         struct bead_span beads = bead_composer_beads(c, i);
         double spacing = bead_chain_spacing(c->setup.chains[i], beads, &radius);
-        width = fmax(width, spacing * (double)c->setup.output->window);
+        width = fmax(width, spacing * (double)c->setup.output->movie.window);
         longest = fmax(longest, spacing * (double)(beads.last - beads.first + 1) + 3.2 * radius); /* with what is at the ends */
         largest = fmax(largest, radius);
     }

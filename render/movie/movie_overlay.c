@@ -9,7 +9,7 @@
 
 void bead_overlay_draw_bar(struct bead_composer *c, cairo_t *cr)
 {
-    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->field);
+    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->shown.field);
     if (c->layout.bar.width > 0)
         bead_colour_bar_draw(cr, &c->look, &c->colours, field->unit, field->title, c->layout.bar, c->bar_over, c->bar_under);
 }
@@ -105,8 +105,8 @@ void bead_overlay_caption(struct bead_composer *c, double time, struct bead_chan
     cairo_surface_flush(c->surface);
     bead_frame_copy(&c->frame, &c->background, rect);
     cairo_surface_mark_dirty(c->surface);
-    if (now < c->setup.output->caption_count)
-        bead_caption_draw(c->cr, &c->look, c->setup.output->captions[now].text, rect);
+    if (now < c->setup.output->movie.caption_count)
+        bead_caption_draw(c->cr, &c->look, c->setup.output->movie.captions[now].text, rect);
     cairo_surface_flush(c->surface);
     bead_changes_add(changes, rect);
 }

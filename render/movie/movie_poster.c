@@ -23,7 +23,7 @@ enum bead_error bead_poster_create(const struct bead_output *output, const struc
     struct bead_poster *p = *poster = calloc(1, sizeof *p);
     if (!p)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a poster");
-    p->at = output->poster_at;
+    p->at = output->movie.poster_at;
     p->slack = 0.5 * step;
     p->path = path;
     p->title = scene->title;

@@ -73,19 +73,19 @@ static struct bead_movie_settings settings_of(const struct bead_sink *s)
 {
     return (struct bead_movie_settings){.width = s->width,
                                         .height = s->height,
-                                        .fps = s->output->fps,
-                                        .quality = s->output->quality,
+                                        .fps = s->output->movie.fps,
+                                        .quality = s->output->movie.quality,
                                         .title = s->context.scene->title[0] ? s->context.scene->title : NULL,
-                                        .cover = s->output->poster && s->output->poster[0]};
+                                        .cover = s->output->movie.poster && s->output->movie.poster[0]};
 }
 
 static enum bead_error choose_size(struct bead_sink *s, struct bead_message *msg)
 {
     const struct bead_output *o = s->output;
-    double scale = o->size_is_length ? o->dpi / 0.0254 : 1, size[2] = {1920, 1080};
+    double scale = o->paper.size_is_length ? o->paper.dpi / 0.0254 : 1, size[2] = {1920, 1080};
     for (int i = 0; i < 2; i++) {
-        size[i] = o->size[i] > 0 ? round(o->size[i] * scale) : size[i];
-        if (o->size_is_length) /* codecs want even numbers */
+        size[i] = o->paper.size[i] > 0 ? round(o->paper.size[i] * scale) : size[i];
+        if (o->paper.size_is_length) /* codecs want even numbers */
             size[i] = 2 * round(size[i] / 2);
         if (!(size[i] >= 1 && size[i] <= 16384))
             return wrong(s, "size: movies have 1 to 16384 pixels a side", msg);
@@ -130,8 +130,8 @@ static enum bead_error prepare(struct bead_sink *s, struct bead_message *msg)
         err = bead_movie_times_choose(s->output, &s->context, &s->times, msg);
     if (!err)
         err = bead_captions_check(s->output, s->context.scene, s->times.time[1], bead_chain_time_unit(s->context.chains[0]), msg);
-    if (!err && s->output->poster && s->output->poster[0])
-        err = bead_file_join(s->context.directory, s->output->poster, &s->poster_path, msg);
+    if (!err && s->output->movie.poster && s->output->movie.poster[0])
+        err = bead_file_join(s->context.directory, s->output->movie.poster, &s->poster_path, msg);
     if (!err)
         err = bead_file_join(s->context.directory, s->output->path, &s->path, msg);
     if (err)
@@ -144,8 +144,8 @@ static enum bead_error prepare(struct bead_sink *s, struct bead_message *msg)
         size_t last = bead_chain_beads(s->context.chains[c]) - 1;
         s->last_bead = last > s->last_bead ? last : s->last_bead;
     }
-    s->last_bead = s->output->beads.last < s->last_bead ? s->output->beads.last : s->last_bead;
-    if (s->output->beads.first > s->last_bead)
+    s->last_bead = s->output->shown.beads.last < s->last_bead ? s->output->shown.beads.last : s->last_bead;
+    if (s->output->shown.beads.first > s->last_bead)
         return wrong(s, "beads: no chain has so many beads", msg);
     describe(s);
     return err;
@@ -171,10 +171,10 @@ static enum bead_error movie_create(const struct bead_output *output, const stru
 static void movie_needs(const struct bead_sink *s, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){.fields = s->fields,
-                                 .beads = {s->output->beads.first, s->last_bead},
+                                 .beads = {s->output->shown.beads.first, s->last_bead},
                                  .grid = s->times.grid,
-                                 .range = isnan(s->output->range[0]) || isnan(s->output->range[1]),
-                                 .range_field = s->output->field,
+                                 .range = isnan(s->output->colours.range[0]) || isnan(s->output->colours.range[1]),
+                                 .range_field = s->output->shown.field,
                                  .comparison = s->comparison,
                                  .until = s->times.time[1],
                                  .why = s->why};
@@ -354,7 +354,7 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
 /* Copy what moves, and once what rests. */
 static void fill(const struct bead_sink *s, const struct bead_sample *sample, struct snapshot *snapshot)
 {
-    size_t first = s->output->beads.first, room = field_room(s);
+    size_t first = s->output->shown.beads.first, room = field_room(s);
     bool fresh = snapshot->owner != sample->chain + 1;
     size_t last = s->comparison && sample->comparison_active > sample->active ? sample->comparison_active : sample->active;
     size_t moving = last + 1, filled = fresh ? SIZE_MAX : snapshot->filled;

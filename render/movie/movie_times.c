@@ -17,17 +17,17 @@ static enum bead_error wrong(const struct bead_output *o, const struct bead_run_
 static enum bead_error choose_frames(const struct bead_output *o, const struct bead_run_context *context,
                                      struct bead_movie_times *t, struct bead_message *msg)
 {
-    t->time[0] = isnan(o->time[0]) ? fmax(0, context->native.every > 0 ? context->native.start : 0) : o->time[0];
-    t->time[1] = isnan(o->time[1]) ? context->end : fmin(o->time[1], context->end);
-    double frames = round(o->duration * o->fps);
+    t->time[0] = isnan(o->shown.time[0]) ? fmax(0, context->native.every > 0 ? context->native.start : 0) : o->shown.time[0];
+    t->time[1] = isnan(o->shown.time[1]) ? context->end : fmin(o->shown.time[1], context->end);
+    double frames = round(o->movie.duration * o->movie.fps);
     if (!(t->time[1] > t->time[0]) || !isfinite(t->time[1]))
         return wrong(o, context, "time: a movie needs some time to show, within the run", msg);
     if (!(frames >= 2 && frames <= most_frames))
         return wrong(o, context, "duration: a movie has 2 to 10 million frames (duration times fps)", msg);
-    t->card = o->card.lasting > 0 ? (size_t)fmax(1, round(o->card.lasting * o->fps)) : 0;
+    t->card = o->movie.card.lasting > 0 ? (size_t)fmax(1, round(o->movie.card.lasting * o->movie.fps)) : 0;
     t->frames = t->card + (size_t)frames;
     t->step = (t->time[1] - t->time[0]) / (frames - 1);
-    t->group = o->quality == BEAD_QUALITY_DRAFT ? (size_t)fmax(1, ceil(o->fps / draft_pictures - 1e-6)) : 1;
+    t->group = o->movie.quality == BEAD_QUALITY_DRAFT ? (size_t)fmax(1, ceil(o->movie.fps / draft_pictures - 1e-6)) : 1;
     return BEAD_OK;
 }
 

@@ -44,7 +44,7 @@ enum bead_error bead_graph_write(const struct bead_graph *graph, bool titled, co
     if (titled)
         bead_markup_quote(scene->title, title, sizeof title);
     whole.title = title;
-    whole.caption = output->caption;
+    whole.caption = output->still.caption;
     struct job job = {.graph = &whole, .output = output, .scene = scene};
     enum bead_error err = bead_page_find(output, scene->file, &job.page, msg);
     if (err)

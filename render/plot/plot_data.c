@@ -13,7 +13,7 @@ static const struct plot_kind *const kinds[] = {&bead_plot_sensors, &bead_plot_p
 static const struct plot_kind *kind_of(const struct bead_plot_data *data)
 {
     for (size_t k = 1; k < sizeof kinds / sizeof *kinds; k++) {
-        if (data->output->show == kinds[k]->show)
+        if (data->output->curves.show == kinds[k]->show)
             return kinds[k];
     }
     return kinds[0];
@@ -130,7 +130,7 @@ enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct b
 {
     const int least = 240; /* px of height where a title is worth its room */
     const struct plot_kind *kind = kind_of(data);
-    bool titled = kind->headed ? data->output->style != BEAD_STYLE_PAPER : !page->paper && page->height >= least;
+    bool titled = kind->headed ? data->output->paper.style != BEAD_STYLE_PAPER : !page->paper && page->height >= least;
     enum bead_error err = bead_plot_data_finish(data, outcomes, msg);
     if (err)
         return err;

@@ -12,14 +12,14 @@ static const double most_times = 4000;
 static struct bead_grid choose_grid(const struct bead_output *output, const struct bead_run_context *context)
 {
     const struct bead_grid *native = &context->native;
-    double from = isnan(output->time[0]) ? 0 : output->time[0];
-    double to = isnan(output->time[1]) ? context->end : fmin(output->time[1], context->end);
+    double from = isnan(output->shown.time[0]) ? 0 : output->shown.time[0];
+    double to = isnan(output->shown.time[1]) ? context->end : fmin(output->shown.time[1], context->end);
     if (native->every > 0) {
         double first = fmax(0, ceil((from - native->start) / native->every - 1e-6));
-        double stride = output->every > 0 ? fmax(1, round(output->every / native->every)) : 1;
+        double stride = output->shown.every > 0 ? fmax(1, round(output->shown.every / native->every)) : 1;
         return (struct bead_grid){native->start + first * native->every, stride * native->every, fmin(to, native->end)};
     }
-    double every = output->every > 0 ? output->every : fmax(context->resolution, (to - from) / most_times);
+    double every = output->shown.every > 0 ? output->shown.every : fmax(context->resolution, (to - from) / most_times);
     return (struct bead_grid){from, every, to};
 }
 
@@ -30,7 +30,8 @@ static void make_axes(struct bead_plot_data *data, double low)
         const struct bead_chain *chain = data->context.chains[data->parts[p].chain];
         data->panels[p].x = (struct bead_graph_axis){"time",         bead_chain_time_unit(chain), data->grid.start,
                                                      data->grid.end, BEAD_SCALE_LINEAR,           false};
-        data->panels[p].y = (struct bead_graph_axis){bead_chain_mode_title(chain), "", low, output->range[1], output->scale, true};
+        data->panels[p].y =
+            (struct bead_graph_axis){bead_chain_mode_title(chain), "", low, output->plot.range[1], output->plot.scale, true};
     }
 }
 
@@ -43,17 +44,17 @@ static enum bead_error create(struct bead_plot_data *data, struct bead_message *
     if (times < 2 || times > (size_t)1 << 22)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: every: %g gives %zu times; a plot shows from 2 to 4194304",
                          data->context.scene->file, output->place.line, output->place.column, data->grid.every, times);
-    enum bead_error err = plot_reserve_chains(data, output->modes, msg);
+    enum bead_error err = plot_reserve_chains(data, output->curves.modes, msg);
     if (err)
         return err;
     data->sample = calloc(times, sizeof *data->sample);
     bool good = data->sample != NULL;
     for (size_t p = 0; good && p < data->count; p++)
-        good = (data->parts[p].values = calloc(times * output->modes, sizeof *data->parts[p].values)) != NULL;
-    for (size_t k = 0; k < output->modes; k++)
+        good = (data->parts[p].values = calloc(times * output->curves.modes, sizeof *data->parts[p].values)) != NULL;
+    for (size_t k = 0; k < output->curves.modes; k++)
         snprintf(data->parts[0].labels[k], sizeof *data->parts[0].labels, "mode %zu", k + 1);
-    make_axes(data, output->range[0]);
-    snprintf(data->why, sizeof data->why, "energies of %zu modes at %zu times", output->modes, times);
+    make_axes(data, output->plot.range[0]);
+    snprintf(data->why, sizeof data->why, "energies of %zu modes at %zu times", output->curves.modes, times);
     return good ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu times of modes", times);
 }
 
@@ -68,7 +69,7 @@ static void needs(const struct bead_plot_data *data, struct bead_needs *needs)
 static enum bead_error feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
 {
     double energy[BEAD_MODES];
-    const size_t modes = data->output->modes, times = bead_grid_count(&data->grid);
+    const size_t modes = data->output->curves.modes, times = bead_grid_count(&data->grid);
     const double slack = 1e-6 * data->grid.every;
     for (size_t p = 0; p < data->count; p++) {
         struct plot_panel *part = &data->parts[p];
@@ -90,20 +91,20 @@ static double lowest(const struct bead_plot_data *data)
 {
     double most = 0;
     for (size_t p = 0; p < data->count; p++) {
-        for (size_t i = 0; i < bead_grid_count(&data->grid) * data->output->modes; i++)
+        for (size_t i = 0; i < bead_grid_count(&data->grid) * data->output->curves.modes; i++)
             most = fmax(most, data->parts[p].values[i]);
     }
-    return data->output->scale == BEAD_SCALE_LOG && most > 0 ? 1e-6 * most : NAN;
+    return data->output->plot.scale == BEAD_SCALE_LOG && most > 0 ? 1e-6 * most : NAN;
 }
 
 static enum bead_error finish(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
     (void)outcomes, (void)msg;
     const struct bead_output *output = data->output;
-    double low = isnan(output->range[0]) ? lowest(data) : output->range[0];
+    double low = isnan(output->plot.range[0]) ? lowest(data) : output->plot.range[0];
     for (size_t p = 0; p < data->count; p++) {
         struct plot_panel *part = &data->parts[p];
-        for (size_t k = 0; k < output->modes; k++)
+        for (size_t k = 0; k < output->curves.modes; k++)
             part->series[k] = (struct bead_series){.x = data->sample,
                                                    .y = part->values + k * bead_grid_count(&data->grid),
                                                    .count = part->taken,

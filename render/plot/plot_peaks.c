@@ -30,9 +30,9 @@ static enum bead_error create(struct bead_plot_data *data, struct bead_message *
     for (size_t c = 0; c < data->context.chain_count; c++)
         most = contacts_of(data, c) > most ? contacts_of(data, c) : most;
     data->count = 1;
-    data->panels[0] =
-        (struct bead_panel){.x = {"contact", "1", -0.5, (double)most - 0.5, BEAD_SCALE_LINEAR, false},
-                            .y = {"peak force", unit, data->output->range[0], data->output->range[1], data->output->scale, true}};
+    data->panels[0] = (struct bead_panel){
+        .x = {"contact", "1", -0.5, (double)most - 0.5, BEAD_SCALE_LINEAR, false},
+        .y = {"peak force", unit, data->output->plot.range[0], data->output->plot.range[1], data->output->plot.scale, true}};
     size_t only = only_chain(data);
     if (only != SIZE_MAX)
         plot_heading(data->context.chains[only], data->parts[0].title, sizeof data->parts[0].title);

@@ -27,13 +27,13 @@ static void make_axes(struct bead_plot_data *data)
     const struct bead_output *output = data->output;
     for (size_t p = 0; p < data->count; p++) {
         const size_t c = data->parts[p].chain;
-        const struct bead_field_info *field = bead_chain_field(data->context.chains[c], output->field);
+        const struct bead_field_info *field = bead_chain_field(data->context.chains[c], output->shown.field);
         const struct bead_chain_axis along = bead_chain_axis(data->context.chains[c], field->of_contacts);
         const double *places = bead_profile_times_places(data->moments, c);
         data->panels[p].x = (struct bead_graph_axis){
             along.title, along.unit, places[0], places[bead_profile_times_values(data->moments, c) - 1], BEAD_SCALE_LINEAR, false};
-        data->panels[p].y =
-            (struct bead_graph_axis){field->title, field->unit, output->range[0], output->range[1], BEAD_SCALE_LINEAR, true};
+        data->panels[p].y = (struct bead_graph_axis){field->title,          field->unit,       output->plot.range[0],
+                                                     output->plot.range[1], BEAD_SCALE_LINEAR, true};
     }
 }
 
@@ -42,9 +42,9 @@ static enum bead_error create(struct bead_plot_data *data, struct bead_message *
     char time[48];
     enum bead_error err = bead_profile_times_create(data->output, &data->context, &data->moments, msg);
     if (!err)
-        err = plot_reserve_chains(data, data->output->profile_time_count, msg);
-    for (size_t m = 0; !err && m < data->output->profile_time_count; m++) {
-        time_words(data->output->moments[m], bead_chain_time_unit(data->context.chains[0]), time, sizeof time);
+        err = plot_reserve_chains(data, data->output->curves.profile_time_count, msg);
+    for (size_t m = 0; !err && m < data->output->curves.profile_time_count; m++) {
+        time_words(data->output->curves.profile_times[m], bead_chain_time_unit(data->context.chains[0]), time, sizeof time);
         snprintf(data->parts[0].labels[m], sizeof *data->parts[0].labels, "*t* = %s", time);
     }
     if (!err)
@@ -70,7 +70,7 @@ static enum bead_error finish(struct bead_plot_data *data, const struct bead_out
         struct plot_panel *part = &data->parts[p];
         const double *places = bead_profile_times_places(data->moments, part->chain);
         size_t count = bead_profile_times_values(data->moments, part->chain);
-        for (size_t m = 0; m < output->profile_time_count; m++)
+        for (size_t m = 0; m < output->curves.profile_time_count; m++)
             part->series[m] = (struct bead_series){.x = places,
                                                    .y = bead_profile_times_profile(data->moments, part->chain, m),
                                                    .count = count,

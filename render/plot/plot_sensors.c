@@ -43,9 +43,9 @@ static void name_axis(struct bead_plot_data *data)
         bead_markup_quote(first, name, sizeof name);
         snprintf(quoted, sizeof quoted, "\u201c%s\u201d", name);
     }
-    if (data->output->normalise == BEAD_NORMALISE_NONE)
+    if (data->output->plot.normalise == BEAD_NORMALISE_NONE)
         snprintf(data->axis_title, sizeof data->axis_title, "%s", title);
-    else if (data->output->normalise == BEAD_NORMALISE_MAX)
+    else if (data->output->plot.normalise == BEAD_NORMALISE_MAX)
         snprintf(data->axis_title, sizeof data->axis_title, "%s / its largest", title);
     else
         snprintf(data->axis_title, sizeof data->axis_title, "%s / largest at %s", title, quoted);
@@ -54,12 +54,12 @@ static void name_axis(struct bead_plot_data *data)
 static void make_axes(struct bead_plot_data *data)
 {
     const struct bead_output *output = data->output;
-    bool plain = output->normalise == BEAD_NORMALISE_NONE;
+    bool plain = output->plot.normalise == BEAD_NORMALISE_NONE;
     for (size_t p = 0; p < data->count; p++) {
         data->panels[p] = (struct bead_panel){.x = {"time", bead_chain_time_unit(data->context.chains[data->parts[p].chain]),
                                                     data->time[0], data->time[1], BEAD_SCALE_LINEAR, false},
-                                              .y = {data->axis_title, plain ? force_of(data)->unit : "", output->range[0],
-                                                    output->range[1], BEAD_SCALE_LINEAR, true}};
+                                              .y = {data->axis_title, plain ? force_of(data)->unit : "", output->plot.range[0],
+                                                    output->plot.range[1], BEAD_SCALE_LINEAR, true}};
         plot_heading(data->context.chains[data->parts[p].chain], data->parts[p].title, sizeof data->parts[p].title);
         data->panels[p].title = *data->parts[p].title ? data->parts[p].title : NULL;
     }
@@ -114,7 +114,7 @@ static void needs(const struct bead_plot_data *data, struct bead_needs *needs)
     *needs = (struct bead_needs){.fields = force,
                                  .beads = beads,
                                  .grid = data->grid,
-                                 .comparison = data->output->trust ? force : 0,
+                                 .comparison = data->output->shown.trust ? force : 0,
                                  .until = data->grid.end,
                                  .why = data->why};
 }
@@ -127,8 +127,7 @@ static enum bead_error add(struct bead_plot_data *data, struct plot_panel *part,
     size_t count;
     const struct bead_sensor *sensors = bead_chain_sensors(data->context.chains[part->chain], &count);
     if (!force || (difference && !comparison))
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no force%s",
-                         difference ? " of a comparison run" : "");
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no force%s", difference ? " of a comparison run" : "");
     enum bead_error err = bead_curves_reserve(curves, msg);
     for (size_t k = 0; !err && k < count; k++)
         data->sample[k] = force[sensors[k].bead] - (difference ? comparison[sensors[k].bead] : 0);
@@ -144,7 +143,7 @@ static enum bead_error feed(struct bead_plot_data *data, const struct bead_sampl
         if (data->parts[p].chain != sample->chain)
             continue;
         err = add(data, &data->parts[p], sample, false, msg);
-        if (!err && data->output->trust)
+        if (!err && data->output->shown.trust)
             err = add(data, &data->parts[p], sample, true, msg);
     }
     return err;
@@ -163,9 +162,9 @@ static double peak_of(const struct bead_curves *curves, size_t k)
 /* What sensor `k` is multiplied by; NaN where nothing has come to what it would be divided by. */
 static double factor_of(const struct bead_plot_data *data, const struct plot_panel *part, size_t k)
 {
-    if (data->output->normalise == BEAD_NORMALISE_NONE)
+    if (data->output->plot.normalise == BEAD_NORMALISE_NONE)
         return 1;
-    double peak = peak_of(&part->curves, data->output->normalise == BEAD_NORMALISE_FIRST ? 0 : k);
+    double peak = peak_of(&part->curves, data->output->plot.normalise == BEAD_NORMALISE_FIRST ? 0 : k);
     return peak > 0 ? 1 / peak : NAN;
 }
 
@@ -211,7 +210,7 @@ static double axis_length(const struct bead_plot_data *data)
         }
     }
     for (int i = 0; i < 2; i++)
-        range[i] = isnan(data->output->range[i]) ? range[i] : data->output->range[i];
+        range[i] = isnan(data->output->plot.range[i]) ? range[i] : data->output->plot.range[i];
     return range[1] - range[0];
 }
 
@@ -257,7 +256,7 @@ static enum bead_error finish(struct bead_plot_data *data, const struct bead_out
         data->panels[p].series = data->parts[p].series;
         data->panels[p].series_count = err ? 0 : data->parts[p].curves.curves;
     }
-    if (!err && data->output->trust)
+    if (!err && data->output->shown.trust)
         tell_trust(data);
     return err;
 }

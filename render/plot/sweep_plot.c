@@ -158,7 +158,7 @@ static void add_rulers(struct panel *p, const struct bead_sweep_statistics *s)
 static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct bead_message *msg)
 {
     struct panel *p = &plot->panels[index];
-    const enum bead_sweep_show show = plot->output->sweep_show;
+    const enum bead_sweep_show show = plot->output->sweep_curves.show;
     const size_t places = bead_sweep_panel(plot->sweep, index)->places;
     bool good = true;
     enum bead_error err = reserve(p, SERIES_OF_PLACE * places, msg);
@@ -169,7 +169,7 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
         size_t place = p->places;
         struct bead_sweep_statistics *s = &p->statistics[place];
         const char *name = places > 1 ? bead_sweep_place(plot->sweep, index, place) : "";
-        err = bead_sweep_statistics(plot->sweep, index, place, plot->output->threshold, s, msg);
+        err = bead_sweep_statistics(plot->sweep, index, place, plot->output->sweep_curves.threshold, s, msg);
         if (err)
             break;
         good = good && add_configurations(p, s, place);
@@ -186,9 +186,9 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
     shown->x = (struct bead_graph_axis){.title = "magnetism *M*", .unit = "", .low = -0.02, .high = 1.02};
     shown->y = (struct bead_graph_axis){.title = "peak force *F*/*F*(*M* = 1)",
                                         .unit = "",
-                                        .low = isnan(plot->output->range[0]) ? 0 : plot->output->range[0],
-                                        .high = plot->output->range[1],
-                                        .zero = isnan(plot->output->range[0])};
+                                        .low = isnan(plot->output->plot.range[0]) ? 0 : plot->output->plot.range[0],
+                                        .high = plot->output->plot.range[1],
+                                        .zero = isnan(plot->output->plot.range[0])};
     return err;
 }
 
@@ -276,8 +276,8 @@ static enum bead_error fill_decay(struct plot *plot, size_t place, struct bead_m
     shown->x = (struct bead_graph_axis){.title = "bead", .unit = "1", .low = NAN, .high = NAN};
     shown->y = (struct bead_graph_axis){.title = energy ? "energy of the front *E*/*E*(*M* = 1)" : "peak force *F*/*F*(*M* = 1)",
                                         .unit = "",
-                                        .low = plot->output->range[0],
-                                        .high = plot->output->range[1],
+                                        .low = plot->output->plot.range[0],
+                                        .high = plot->output->plot.range[1],
                                         .scale = BEAD_SCALE_LOG};
     return err;
 }
@@ -305,7 +305,7 @@ static void free_plot(struct plot *plot)
 static enum bead_error write_plot(const struct bead_output *output, const struct bead_sweep *sweep, const char *path,
                                   uint64_t *bytes, struct bead_message *msg)
 {
-    const bool decay = output->sweep_show == BEAD_SWEEP_DECAY;
+    const bool decay = output->sweep_curves.show == BEAD_SWEEP_DECAY;
     struct plot plot = {.output = output, .sweep = sweep, .count = bead_sweep_panels(sweep) * (decay ? DECAY_PANELS : 1)};
     plot.panels = calloc(plot.count, sizeof *plot.panels);
     plot.shown = calloc(plot.count, sizeof *plot.shown);
@@ -324,15 +324,15 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
     const struct bead_graph graph = {
         .panels = plot.shown, .panel_count = plot.count, .letters = true, .share_x = !decay, .share_y = !decay};
     if (!err) /* on paper the text says what it is */
-        err = bead_graph_write(&graph, output->style != BEAD_STYLE_PAPER, output, bead_sweep_scene(sweep), path, bytes, msg);
+        err = bead_graph_write(&graph, output->paper.style != BEAD_STYLE_PAPER, output, bead_sweep_scene(sweep), path, bytes, msg);
     free_plot(&plot);
     return err;
 }
 
 static const char *why(const struct bead_output *output)
 {
-    return output->sweep_show == BEAD_SWEEP_DECAY ? "peaks along the chain, and how they decay"
-                                                  : "peak force against magnetism, with plateau and threshold";
+    return output->sweep_curves.show == BEAD_SWEEP_DECAY ? "peaks along the chain, and how they decay"
+                                                         : "peak force against magnetism, with plateau and threshold";
 }
 
 const struct bead_sweep_sink bead_sweep_plot_sink = {"plot", BEAD_OUTPUT_PLOT, bead_still_extensions, why, write_plot, NULL};

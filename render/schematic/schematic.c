@@ -143,7 +143,7 @@ static void draw_title(const struct bead_drafting *d, struct bead_box *area)
 {
     const struct bead_look *look = d->sketch->look;
     char title[512];
-    if (d->output->size_is_length || !*d->context->scene->title || area->height < 10 * look->title)
+    if (d->output->paper.size_is_length || !*d->context->scene->title || area->height < 10 * look->title)
         return;
     struct bead_text_style style = bead_sketch_style(d->sketch, look->title);
     style.bold = true;
@@ -159,7 +159,7 @@ static void draw_title(const struct bead_drafting *d, struct bead_box *area)
 static bool draw_caption(const struct bead_drafting *d, struct bead_box *area)
 {
     double em = d->sketch->look->label, width, height;
-    const char *text = d->output->caption;
+    const char *text = d->output->still.caption;
     if (!text || !*text)
         return true;
     char *markup = bead_markup_new(text);
@@ -191,7 +191,7 @@ static enum bead_error no_room(const struct bead_output *output, const struct be
 enum bead_error bead_schematic_draw(const struct bead_output *output, const struct bead_run_context *context,
                                     struct bead_sketch *sketch, double width, double height, struct bead_message *msg)
 {
-    const struct drawing *drawing = find_drawing(output->show);
+    const struct drawing *drawing = find_drawing(output->curves.show);
     struct bead_drafting d = {sketch, output, context, {0, 0, width, height}};
     double margin = sketch->look->margin;
     d.area = (struct bead_box){margin, margin, width - 2 * margin, height - 2 * margin};

@@ -37,8 +37,8 @@ static size_t chosen_contact(const struct bead_drafting *d)
 {
     const struct bead_chain *chain = d->context->chains[0];
     size_t contacts = bead_chain_contacts(chain);
-    if (d->output->contact < contacts)
-        return d->output->contact;
+    if (d->output->plot.contact < contacts)
+        return d->output->plot.contact;
     return contacts > 1 && bead_chain_beads(chain) > 2 ? 1 : 0;
 }
 
@@ -59,7 +59,7 @@ static void find_sides(struct contact *c)
         s->radius = s->wall ? INFINITY : bead_chain_radius(chain)[k + i];
     }
     bool alike = c->side[0].radius == c->side[1].radius;
-    double small = fmin(c->side[0].radius, c->side[1].radius), part = 1 - c->d->output->compression;
+    double small = fmin(c->side[0].radius, c->side[1].radius), part = 1 - c->d->output->plot.compression;
     c->half_chord = small * sqrt(1 - part * part);
     for (size_t i = 0; i < 2; i++) {
         struct side *s = &c->side[i];
@@ -319,7 +319,7 @@ static size_t write_pieces(const struct contact *c, struct bead_piece pieces[PIE
         bead_quantity(c->side[i].radius, "m", 3, length, sizeof length);
         put_piece(&pieces[n++], "*R*%s = %s", !two ? "" : i == 0 ? "_1" : "_2", length);
     }
-    put_piece(&pieces[n++], "*δ*%s = %.3g *R*%s", of_small, c->d->output->compression, of_small);
+    put_piece(&pieces[n++], "*δ*%s = %.3g *R*%s", of_small, c->d->output->plot.compression, of_small);
     put_piece(&pieces[n++], "*r̃* = %.3g *R*%s", c->half_chord / small->radius, of_small);
     if (law->hertz && !law->as_printed) {
         power_of_ten(bead_chain_stiffness(chain)[c->number], number, sizeof number);

@@ -48,8 +48,9 @@ const char *bead_yaml_name(const struct bead_yaml *yaml, const struct bead_node 
 BEAD_CHECK enum bead_error bead_yaml_piece(struct bead_yaml *yaml, const char *text, size_t length, struct bead_place place,
                                            struct bead_node **node, struct bead_message *msg);
 /* Apply setting number `number` (from 1), `key.path=value`. Elements of lists are named by index, by `+` (append), or by the
- * text of their `name`, `sensor` or output file. Errors: SCENE (`--set:number:column: ...`), MEMORY. */
-BEAD_CHECK enum bead_error bead_yaml_set(struct bead_yaml *yaml, const char *setting, size_t number, struct bead_message *msg);
+ * value of one of the keys `naming` (NULL behind the last). Errors: SCENE (`--set:number:column: ...`), MEMORY. */
+BEAD_CHECK enum bead_error bead_yaml_set(struct bead_yaml *yaml, const char *setting, size_t number, const char *const *naming,
+                                         struct bead_message *msg);
 /* Write the document as text, to be freed with free(). Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_yaml_emit(const struct bead_yaml *yaml, char **text, struct bead_message *msg);
 

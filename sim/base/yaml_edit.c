@@ -10,6 +10,7 @@ struct edit {
     struct bead_yaml *yaml;
     const char *setting; /* the whole */
     size_t number;
+    const char *const *naming; /* keys by the values of which elements of lists are named; NULL behind the last */
     struct bead_message *msg;
 };
 
@@ -30,12 +31,11 @@ static enum bead_error out_of_memory(const struct edit *e)
     return bead_fail(e->msg, BEAD_ERROR_MEMORY, "--set: out of memory");
 }
 
-/* Texts by which an element of a list can be named: the value of one of these keys, or its elements; NULL behind the last. */
-static const char *element_name(const struct bead_node *element, size_t number)
+/* Texts by which an element of a list can be named: the value of one of the naming keys, or its elements; NULL behind the last. */
+static const char *element_name(const struct edit *e, const struct bead_node *element, size_t number)
 {
-    static const char *const keys[] = {"name", "sensor", "trajectory", "image", "movie", "plot", "table"};
-    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
-        const struct bead_node *value = bead_node_get(element, keys[i], NULL);
+    for (const char *const *key = e->naming; *key; key++) {
+        const struct bead_node *value = bead_node_get(element, *key, NULL);
         bool list = value && value->kind == BEAD_NODE_LIST;
         if (!value || value->kind == BEAD_NODE_MAP)
             continue;
@@ -64,7 +64,7 @@ static enum bead_error find_element(const struct edit *e, struct bead_node *list
     *used = 0;
     for (size_t i = 0; i < list->count; i++) {
         const char *name;
-        for (size_t k = 0; (name = element_name(list->items[i], k)); k++) {
+        for (size_t k = 0; (name = element_name(e, list->items[i], k)); k++) {
             if (!begins_with(path, end, name) || strlen(name) <= *used)
                 continue;
             *slot = &list->items[i];
@@ -145,9 +145,10 @@ static enum bead_error follow(const struct edit *e, const char *end, struct bead
     return BEAD_OK;
 }
 
-enum bead_error bead_yaml_set(struct bead_yaml *yaml, const char *setting, size_t number, struct bead_message *msg)
+enum bead_error bead_yaml_set(struct bead_yaml *yaml, const char *setting, size_t number, const char *const *naming,
+                              struct bead_message *msg)
 {
-    struct edit e = {yaml, setting, number, msg};
+    struct edit e = {yaml, setting, number, naming, msg};
     const char *equals = strchr(setting, '=');
     char shown[64];
     if (!equals || equals == setting)

@@ -12,6 +12,7 @@
 #include "beadreel/scene.h"
 #include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
+#include "sim/scene/output_kinds.h"
 
 #define SHOWN 72 /* longer spin strings are cut */
 
@@ -75,9 +76,8 @@ static void print_chain(FILE *out, const struct bead_chain *chain, size_t index)
 
 static void print_outputs(FILE *out, const struct bead_scene *scene)
 {
-    static const char *const kinds[BEAD_OUTPUT_KINDS] = {"trajectory", "image", "movie", "plot", "table", "sweep", "sheet"};
     for (size_t i = 0; i < scene->output_count; i++)
-        fprintf(out, "output %zu: %s %s\n", i, kinds[scene->outputs[i].kind], scene->outputs[i].path);
+        fprintf(out, "output %zu: %s %s\n", i, bead_output_key(scene->outputs[i].kind), scene->outputs[i].path);
 }
 
 static void print_head(FILE *out, const char *path, const char *kind, const struct bead_scene *scene)

@@ -22,7 +22,7 @@ struct bead_profile_times {
 size_t bead_profile_times_values(const struct bead_profile_times *m, size_t chain)
 {
     const struct bead_chain *c = m->context.chains[chain];
-    return bead_chain_field(c, m->output->field)->of_contacts ? bead_chain_contacts(c) : bead_chain_beads(c);
+    return bead_chain_field(c, m->output->shown.field)->of_contacts ? bead_chain_contacts(c) : bead_chain_beads(c);
 }
 
 const double *bead_profile_times_places(const struct bead_profile_times *m, size_t chain)
@@ -32,14 +32,14 @@ const double *bead_profile_times_places(const struct bead_profile_times *m, size
 
 const double *bead_profile_times_profile(const struct bead_profile_times *m, size_t chain, size_t moment)
 {
-    return m->profiles[chain * m->output->profile_time_count + moment].values;
+    return m->profiles[chain * m->output->curves.profile_time_count + moment].values;
 }
 
 void bead_profile_times_destroy(struct bead_profile_times *m)
 {
     if (!m)
         return;
-    for (size_t i = 0; m->profiles && i < m->context.chain_count * m->output->profile_time_count; i++)
+    for (size_t i = 0; m->profiles && i < m->context.chain_count * m->output->curves.profile_time_count; i++)
         free(m->profiles[i].values);
     for (size_t c = 0; m->places && c < m->context.chain_count; c++)
         free(m->places[c]);
@@ -50,13 +50,13 @@ void bead_profile_times_destroy(struct bead_profile_times *m)
 
 static enum bead_error reserve(struct bead_profile_times *m, struct bead_message *msg)
 {
-    size_t chains = m->context.chain_count, moments = m->output->profile_time_count;
+    size_t chains = m->context.chain_count, moments = m->output->curves.profile_time_count;
     m->profiles = calloc(chains * moments, sizeof *m->profiles);
     m->places = calloc(chains, sizeof *m->places);
     bool got = m->profiles && m->places;
     for (size_t c = 0; got && c < chains; c++) {
         const struct bead_chain *chain = m->context.chains[c];
-        const struct bead_chain_axis along = bead_chain_axis(chain, bead_chain_field(chain, m->output->field)->of_contacts);
+        const struct bead_chain_axis along = bead_chain_axis(chain, bead_chain_field(chain, m->output->shown.field)->of_contacts);
         size_t count = bead_profile_times_values(m, c);
         got = (m->places[c] = calloc(count, sizeof(double))) != NULL;
         for (size_t i = 0; got && i < count; i++)
@@ -70,8 +70,8 @@ static enum bead_error reserve(struct bead_profile_times *m, struct bead_message
 /* Do all moments lie on this grid? */
 static bool hits(const struct bead_output *output, double start, double every)
 {
-    for (size_t i = 0; i < output->profile_time_count; i++) {
-        double place = (output->moments[i] - start) / every;
+    for (size_t i = 0; i < output->curves.profile_time_count; i++) {
+        double place = (output->curves.profile_times[i] - start) / every;
         if (fabs(place - round(place)) > 1e-7)
             return false;
     }
@@ -82,8 +82,9 @@ static struct bead_grid choose_grid(const struct bead_output *output, const stru
 {
     enum { MOST_PARTS = 1000 };
     const struct bead_grid *native = &context->native;
-    size_t last = output->profile_time_count - 1;
-    double from = output->moments[0], to = output->moments[last], gap = last > 0 ? output->moments[1] - from : 1;
+    size_t last = output->curves.profile_time_count - 1;
+    double from = output->curves.profile_times[0], to = output->curves.profile_times[last],
+           gap = last > 0 ? output->curves.profile_times[1] - from : 1;
     if (native->every > 0) {
         double first = fmax(0, floor((from - native->start) / native->every + 1e-6));
         double end = ceil((to - native->start) / native->every - 1e-6);
@@ -91,7 +92,7 @@ static struct bead_grid choose_grid(const struct bead_output *output, const stru
                                   fmin(native->end, native->start + end * native->every)};
     }
     for (size_t i = 1; i < last; i++)
-        gap = fmin(gap, output->moments[i + 1] - output->moments[i]);
+        gap = fmin(gap, output->curves.profile_times[i + 1] - output->curves.profile_times[i]);
     for (int parts = 1; parts <= MOST_PARTS && gap / parts > 0; parts++) {
         if (hits(output, from, gap / parts))
             return (struct bead_grid){from, gap / parts, to};
@@ -104,7 +105,7 @@ enum bead_error bead_profile_times_create(const struct bead_output *output, cons
                                           struct bead_profile_times **made, struct bead_message *msg)
 {
     *made = NULL;
-    double last = output->moments[output->profile_time_count - 1];
+    double last = output->curves.profile_times[output->curves.profile_time_count - 1];
     if (last > context->end * (1 + 1e-9)) /* of a run that ends when the front arrives */
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: at: goes to %g, but the run ends at %g", context->scene->file,
                          output->place.line, output->place.column, last, context->end);
@@ -114,8 +115,8 @@ enum bead_error bead_profile_times_create(const struct bead_output *output, cons
     m->output = output;
     m->context = *context;
     m->grid = choose_grid(output, context);
-    snprintf(m->why, sizeof m->why, "%s at %zu time%s", bead_field_info(output->field)->name, output->profile_time_count,
-             output->profile_time_count == 1 ? "" : "s");
+    snprintf(m->why, sizeof m->why, "%s at %zu time%s", bead_field_info(output->shown.field)->name,
+             output->curves.profile_time_count, output->curves.profile_time_count == 1 ? "" : "s");
     enum bead_error err = reserve(m, msg);
     if (err)
         bead_profile_times_destroy(m);
@@ -126,8 +127,11 @@ enum bead_error bead_profile_times_create(const struct bead_output *output, cons
 
 struct bead_needs bead_profile_times_needs(const struct bead_profile_times *m)
 {
-    return (struct bead_needs){
-        .fields = BEAD_FIELD_BIT(m->output->field), .beads = {0, SIZE_MAX}, .grid = m->grid, .until = m->grid.end, .why = m->why};
+    return (struct bead_needs){.fields = BEAD_FIELD_BIT(m->output->shown.field),
+                               .beads = {0, SIZE_MAX},
+                               .grid = m->grid,
+                               .until = m->grid.end,
+                               .why = m->why};
 }
 
 /* The first sample behind the moment: a straight line to there from the last one before. */
@@ -141,14 +145,14 @@ static void complete(struct profile *p, const struct bead_sample *sample, const 
 
 enum bead_error bead_profile_times_feed(struct bead_profile_times *m, const struct bead_sample *sample, struct bead_message *msg)
 {
-    const double *values = sample->field[m->output->field];
+    const double *values = sample->field[m->output->shown.field];
     if (!values)
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no %s", bead_field_info(m->output->field)->title);
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no %s", bead_field_info(m->output->shown.field)->title);
     size_t count = bead_profile_times_values(m, sample->chain);
     double slack = 1e-6 * m->grid.every;
-    for (size_t k = 0; k < m->output->profile_time_count; k++) {
-        struct profile *p = &m->profiles[sample->chain * m->output->profile_time_count + k];
-        double moment = m->output->moments[k];
+    for (size_t k = 0; k < m->output->curves.profile_time_count; k++) {
+        struct profile *p = &m->profiles[sample->chain * m->output->curves.profile_time_count + k];
+        double moment = m->output->curves.profile_times[k];
         if (p->complete)
             continue;
         if (sample->time > moment + slack) {

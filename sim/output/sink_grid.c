@@ -31,14 +31,14 @@ enum bead_error bead_sink_grid(const struct bead_output *output, const struct be
     const char *file = context->scene->file;
     struct bead_place place = output->place;
     double resolution = context->resolution > 0 && isfinite(context->resolution) ? context->resolution : 1e-6;
-    grid->start = isnan(output->time[0]) ? 0 : output->time[0];
-    grid->end = isnan(output->time[1]) ? context->end : fmin(output->time[1], context->end);
-    grid->every = output->every > 0 ? output->every : bead_round_down(resolution);
+    grid->start = isnan(output->shown.time[0]) ? 0 : output->shown.time[0];
+    grid->end = isnan(output->shown.time[1]) ? context->end : fmin(output->shown.time[1], context->end);
+    grid->every = output->shown.every > 0 ? output->shown.every : bead_round_down(resolution);
     if (!(grid->start >= 0) || !(grid->end >= grid->start))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: time: starts at %g, but the run ends at %g", file, place.line,
                          place.column, grid->start, grid->end);
     if (context->native.every > 0)
-        snap(&context->native, output->every, grid);
+        snap(&context->native, output->shown.every, grid);
     if (!((grid->end - grid->start) / grid->every < most_samples))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: every: %g gives %.3g samples, at most %g are allowed", file,
                          place.line, place.column, grid->every, (grid->end - grid->start) / grid->every, most_samples);

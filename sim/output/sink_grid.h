@@ -9,8 +9,8 @@
 /* The largest of 1, 2, 5 x 10^n that is <= x, for x > 0. */
 double bead_round_down(double x);
 
-/* The times that `output` asks for: from output->time[0] or 0 to output->time[1] or the end of the run, never beyond it;
- * every output->every, or a round time within the run context's resolution. Where there are only samples at given times
+/* The times that `output` asks for: from output->shown.time[0] or 0 to output->shown.time[1] or the end of the run, never beyond
+ * it; every output->shown.every, or a round time within the run context's resolution. Where there are only samples at given times
  * (stage->native), the nearest multiple of their spacing. Errors: SCENE (with the output's place). */
 BEAD_CHECK enum bead_error bead_sink_grid(const struct bead_output *output, const struct bead_run_context *context,
                                           struct bead_grid *grid, struct bead_message *msg);

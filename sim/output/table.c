@@ -37,15 +37,15 @@ static bool several(const struct bead_sink *sink)
 
 static void peaks_needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
-    needs->contact_peaks = sink->output->show == BEAD_SHOW_PEAKS;
-    needs->bead_peaks = sink->output->show == BEAD_SHOW_BEAD_PEAKS;
+    needs->contact_peaks = sink->output->curves.show == BEAD_SHOW_PEAKS;
+    needs->bead_peaks = sink->output->curves.show == BEAD_SHOW_BEAD_PEAKS;
     needs->until = INFINITY;
 }
 
 static void peaks_header(struct bead_sink *sink)
 {
     fprintf(sink->file, "%s%s,peak_force_N,time_s,state\n", several(sink) ? "chain," : "",
-            sink->output->show == BEAD_SHOW_PEAKS ? "contact" : "bead");
+            sink->output->curves.show == BEAD_SHOW_PEAKS ? "contact" : "bead");
 }
 
 /* Contacts that the wave has not reached are many, and need no digits. */
@@ -59,12 +59,12 @@ static void write_peak(FILE *file, size_t index, const struct bead_peak *peak)
 
 static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
 {
-    bool contacts = sink->output->show == BEAD_SHOW_PEAKS;
+    bool contacts = sink->output->curves.show == BEAD_SHOW_PEAKS;
     for (size_t c = 0; outcomes && c < sink->context.chain_count; c++) {
         const struct bead_chain *chain = sink->context.chains[c];
         const struct bead_peak *peaks = contacts ? outcomes[c].contact_peaks : outcomes[c].bead_peaks;
-        size_t first = sink->output->beads.first;
-        size_t count = bead_span_rows(&sink->output->beads, contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain));
+        size_t first = sink->output->shown.beads.first;
+        size_t count = bead_span_rows(&sink->output->shown.beads, contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain));
         for (size_t i = first; peaks && i < first + count; i++) {
             if (several(sink)) {
                 bead_table_text(sink->file, bead_chain_name(chain));
@@ -203,7 +203,7 @@ static enum bead_error table_create(const struct bead_output *output, const stru
                                     struct bead_sink **made, struct bead_message *msg)
 {
     *made = NULL;
-    if ((size_t)output->show >= sizeof tables / sizeof *tables || !tables[output->show])
+    if ((size_t)output->curves.show >= sizeof tables / sizeof *tables || !tables[output->curves.show])
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s:%zu:%zu: show: not known to tables", context->scene->file,
                          output->place.line, output->place.column);
     struct bead_sink *sink = calloc(1, sizeof *sink);
@@ -211,7 +211,7 @@ static enum bead_error table_create(const struct bead_output *output, const stru
         return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
     sink->context = *context;
     sink->output = output;
-    sink->table = tables[output->show];
+    sink->table = tables[output->curves.show];
     snprintf(sink->why, sizeof sink->why, "%s", sink->table->why);
     enum bead_error error = bead_file_join(context->directory, output->path, &sink->path, msg);
     if (!error)

@@ -7,7 +7,7 @@
 
 static enum bead_error prepare(struct bead_sink *sink, struct bead_message *msg)
 {
-    size_t chains = sink->context.chain_count, modes = sink->output->modes;
+    size_t chains = sink->context.chain_count, modes = sink->output->curves.modes;
     char every[32], word[32];
     sink->columns = calloc(chains * modes, sizeof *sink->columns);
     for (size_t i = 0; sink->columns && i < chains * modes; i++) {
@@ -42,7 +42,7 @@ static void header(struct bead_sink *sink)
 static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
 {
     double energy[BEAD_MODES];
-    size_t modes = sink->output->modes;
+    size_t modes = sink->output->curves.modes;
     (void)msg;
     bead_chain_mode_energies(sink->context.chains[sample->chain], sample->field, modes, energy);
     for (size_t k = 0; k < modes; k++)

@@ -18,7 +18,7 @@ static void needs(const struct bead_sink *sink, struct bead_needs *needs)
 static void header(struct bead_sink *sink)
 {
     const struct bead_chain *chain = sink->context.chains[0];
-    const struct bead_field_info *field = bead_chain_field(chain, sink->output->field);
+    const struct bead_field_info *field = bead_chain_field(chain, sink->output->shown.field);
     /* Of equations the letter or word of their unknown. */
     const char *column = bead_chain_spec(chain)->equation.name ? field->title : field->name;
     const char *time = bead_chain_time_unit(chain);
@@ -36,14 +36,14 @@ static void end(struct bead_sink *sink, const struct bead_outcome *outcomes)
     (void)outcomes;
     for (size_t c = 0; c < sink->context.chain_count; c++) {
         const double *places = bead_profile_times_places(sink->moments, c);
-        for (size_t m = 0; m < sink->output->profile_time_count; m++) {
+        for (size_t m = 0; m < sink->output->curves.profile_time_count; m++) {
             const double *values = bead_profile_times_profile(sink->moments, c, m);
             for (size_t i = 0; i < bead_profile_times_values(sink->moments, c); i++) {
                 if (sink->context.chain_count > 1) {
                     bead_table_text(sink->file, bead_chain_name(sink->context.chains[c]));
                     fputc(',', sink->file);
                 }
-                fprintf(sink->file, "%.17g,%.17g,%.17g\n", sink->output->moments[m], places[i], values[i]);
+                fprintf(sink->file, "%.17g,%.17g,%.17g\n", sink->output->curves.profile_times[m], places[i], values[i]);
                 sink->rows++;
             }
         }

@@ -198,7 +198,7 @@ static void write_summary(struct bead_sink *sink)
 {
     struct bead_h5 *h5 = &sink->h5;
     const struct bead_scene *scene = sink->context.scene;
-    const struct bead_span *span = &sink->output->beads;
+    const struct bead_span *span = &sink->output->shown.beads;
     char names[128];
     field_names(sink->fields, names, sizeof names);
     int64_t profile = BEAD_TRAJECTORY_PROFILE, complete = 0, first = (int64_t)span->first;

@@ -45,13 +45,13 @@ static void trajectory_destroy(struct bead_sink *sink)
 static enum bead_error no_rows(const struct bead_sink *sink, const char *what, struct bead_message *msg)
 {
     return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: beads: no %s from %zu on", sink->context.scene->file,
-                     sink->output->place.line, sink->output->place.column, what, sink->output->beads.first);
+                     sink->output->place.line, sink->output->place.column, what, sink->output->shown.beads.first);
 }
 
 /* Lengths of the axes, samples a chunk, and a few words for the plan. */
 static enum bead_error measure(struct bead_sink *sink, struct bead_message *msg)
 {
-    bead_trajectory_rows(sink->context.chains, sink->context.chain_count, sink->output->beads, sink->rows, &sink->beads,
+    bead_trajectory_rows(sink->context.chains, sink->context.chain_count, sink->output->shown.beads, sink->rows, &sink->beads,
                          &sink->contacts);
     if (sink->beads == 0)
         return no_rows(sink, "chain has beads", msg);
@@ -83,7 +83,7 @@ static enum bead_error trajectory_create(const struct bead_output *output, const
     sink->spatial_scale = sink->h5.file = -1;
     for (size_t i = 0; i < BEAD_SERIES_COUNT; i++)
         sink->series[i].value = -1;
-    sink->fields = output->fields;
+    sink->fields = output->trajectory.fields;
     if (!sink->fields)
         sink->fields =
             BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) | BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
@@ -106,7 +106,8 @@ static enum bead_error trajectory_create(const struct bead_output *output, const
 
 static void trajectory_needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
-    *needs = (struct bead_needs){.fields = sink->fields, .beads = sink->output->beads, .grid = sink->grid, .until = sink->grid.end};
+    *needs = (struct bead_needs){
+        .fields = sink->fields, .beads = sink->output->shown.beads, .grid = sink->grid, .until = sink->grid.end};
     needs->why = sink->why;
     if (bead_trajectory_wants(sink, BEAD_SERIES_NET_FORCE)) {
         needs->fields |= BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE);

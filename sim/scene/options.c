@@ -242,35 +242,37 @@ static enum bead_error read_initial(struct bead_reader *reader, const struct bea
     return read_value(reader, &at, option, settings);
 }
 
-static bool belongs(const struct bead_option *option, unsigned form)
+const struct bead_option *bead_options_row(const struct bead_options *options, size_t index)
 {
-    return !option->forms || (option->forms & form);
-}
-
-/* The row of a key that belongs to the form; else the first of that key; else NULL. */
-static const struct bead_option *find_row(const struct bead_options *options, const char *key, unsigned form)
-{
-    const struct bead_option *found = NULL;
-    for (size_t i = 0; i < options->count; i++) {
-        const struct bead_option *row = &options->rows[i];
-        if (strcmp(row->key, key) == 0 && (!found || (belongs(row, form) && !belongs(found, form))))
-            found = row;
+    if (index < options->count)
+        return &options->rows[index];
+    index -= options->count;
+    for (const struct bead_option_rows *shared = options->shared; shared && shared->rows; shared++) {
+        if (index < shared->count)
+            return &shared->rows[index];
+        index -= shared->count;
     }
-    return found;
+    return NULL;
 }
 
-static enum bead_error unknown_key(const struct bead_reader *reader, const struct bead_at *at, const struct bead_options *options,
-                                   unsigned form)
+const struct bead_option *bead_options_find(const struct bead_options *options, const char *key)
 {
+    const struct bead_option *row;
+    for (size_t i = 0; (row = bead_options_row(options, i)) && strcmp(row->key, key) != 0;)
+        i++;
+    return row;
+}
+
+static enum bead_error unknown_key(const struct bead_reader *reader, const struct bead_at *at, const struct bead_options *options)
+{
+    const struct bead_option *row;
     struct bead_suggest search;
     char near[96], all[480] = "";
     bead_suggest_begin(&search, at->key);
-    for (size_t i = 0; i < options->count; i++) {
-        const struct bead_option *row = &options->rows[i];
-        bool hidden = row->type == BEAD_OPTION_CUSTOM && !row->shape;
-        if (find_row(options, row->key, form) != row || !belongs(row, form) || hidden)
-            continue;
+    for (size_t i = 0; (row = bead_options_row(options, i)); i++) {
         size_t used = strlen(all);
+        if (row->type == BEAD_OPTION_CUSTOM && !row->shape) /* hidden */
+            continue;
         snprintf(all + used, sizeof all - used, "%s%s", used ? ", " : "", row->key);
         bead_suggest_try(&search, row->key);
     }
@@ -279,60 +281,48 @@ static enum bead_error unknown_key(const struct bead_reader *reader, const struc
     return bead_wrong(reader, at, "unknown key; known are %s", all);
 }
 
-static enum bead_error foreign_key(const struct bead_reader *reader, const struct bead_at *at, const struct bead_options *options,
-                                   unsigned form)
+/* A key that the table does not have: is it one of another table of the family? */
+static enum bead_error foreign_key(const struct bead_reader *reader, const struct bead_at *at, const struct bead_options *options)
 {
+    const struct bead_option_family *family = options->family;
+    const struct bead_options *member;
+    const struct bead_option *found = NULL;
     char homes[120] = "";
-    const char *here = "this", *help = "";
-    unsigned forms = 0;
-    for (size_t i = 0; i < options->count; i++) {
-        if (strcmp(options->rows[i].key, at->key) != 0)
-            continue;
-        forms |= options->rows[i].forms;
-        help = options->rows[i].help;
-    }
-    for (unsigned i = 0; options->form_names && options->form_names[i]; i++) {
+    for (size_t i = 0; family && (member = family->member(i)); i++) {
+        const struct bead_option *row = bead_options_find(member, at->key);
         size_t used = strlen(homes);
-        if (forms >> i & 1)
-            snprintf(homes + used, sizeof homes - used, "%s%s", used ? ", " : "", options->form_names[i]);
-        here = form >> i & 1 ? options->form_names[i] : here;
+        found = row ? row : found;
+        if (row && member->name)
+            snprintf(homes + used, sizeof homes - used, "%s%s", used ? ", " : "", member->name);
     }
-    if (!homes[0]) /* of forms without a name, which the help names */
-        return bead_wrong(reader, at, "is not a key of %s (%s)", here, help);
-    return bead_wrong(reader, at, "is a key of %s %s, not of %s", options->forms_of, homes, here);
-}
-
-static enum bead_error check_keys(const struct bead_reader *reader, const struct bead_at *at, const struct bead_options *options,
-                                  unsigned form)
-{
-    for (size_t i = 0; i + 1 < at->node->count; i += 2) {
-        struct bead_at key = {at, at->node->items[i]->text, 0, at->node->items[i]};
-        const struct bead_option *row = find_row(options, key.key, form);
-        if (!row)
-            return unknown_key(reader, &key, options, form);
-        if (!belongs(row, form))
-            return foreign_key(reader, &key, options, form);
-    }
-    return BEAD_OK;
+    if (!found)
+        return unknown_key(reader, at, options);
+    const char *here = options->name ? options->name : "this";
+    if (!homes[0]) /* of tables without a name, which the help names */
+        return bead_wrong(reader, at, "is not a key of %s (%s)", here, found->help);
+    return bead_wrong(reader, at, "is a key of %s %s, not of %s", family->of, homes, here);
 }
 
 enum bead_error bead_options_read(struct bead_reader *reader, const struct bead_at *at, const struct bead_options *options,
-                                  unsigned form, void *settings)
+                                  void *settings)
 {
+    const struct bead_option *row;
     char shown[64];
     if (at->node->kind != BEAD_NODE_MAP)
         return bead_wrong(reader, at, "is %s; must be a map of keys and values: %s", bead_node_show(at->node, shown, sizeof shown),
                           options->help);
-    enum bead_error err = check_keys(reader, at, options, form);
-    for (size_t i = 0; i < options->count && !err; i++) {
-        const struct bead_option *row = &options->rows[i];
-        if (find_row(options, row->key, form) != row)
-            continue;
-        const struct bead_node *value = belongs(row, form) ? bead_node_get(at->node, row->key, NULL) : NULL;
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; i + 1 < at->node->count && !err; i += 2) {
+        struct bead_at key = {at, at->node->items[i]->text, 0, at->node->items[i]};
+        if (!bead_options_find(options, key.key))
+            err = foreign_key(reader, &key, options);
+    }
+    for (size_t i = 0; !err && (row = bead_options_row(options, i)); i++) {
+        const struct bead_node *value = bead_node_get(at->node, row->key, NULL);
         struct bead_at key = {at, row->key, 0, value ? value : at->node};
         if (value)
             err = read_value(reader, &key, row, settings);
-        else if (row->required && belongs(row, form))
+        else if (row->required)
             err = bead_wrong(reader, &key, "is missing: %s", row->help);
         else if (row->initial)
             err = read_initial(reader, at, row, settings);

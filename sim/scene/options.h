@@ -67,25 +67,46 @@ struct bead_option {
         *shape; /* what a custom value looks like (NULL: not to be shown in help), or other words for the range of a number */
     const char *help;
     bool of_motion; /* a time of what moves: without a unit where that has none */
-    unsigned forms; /* 0: any; else bits of the forms of the structure it belongs to */
     enum bead_error (*read)(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option, void *settings);
 };
 
-struct bead_options {
-    const char *name; /* "chain", as a heading */
-    const char *help;
+/* Rows that several tables share; a list of such ends with {NULL, 0}. */
+struct bead_option_rows {
     const struct bead_option *rows;
     size_t count;
-    const char *const *form_names; /* one a bit of `forms`, NULL-terminated */
-    const char *forms_of;          /* what has forms: "outputs of kind" */
+};
+
+struct bead_options;
+
+/* Tables of which a map is read by one: the kinds of outputs, the equations. A key of another one is told from an unknown one. */
+struct bead_option_family {
+    const char *section;                                /* "outputs": their headings are "outputs (movie)" */
+    const char *of;                                     /* "outputs of kind" */
+    const struct bead_options *(*member)(size_t index); /* NULL behind the last */
+};
+
+struct bead_options {
+    const char *name; /* "chain", as a heading; of a family: "movie", or NULL: has no heading of its own */
+    const char *help;
+    const struct bead_option *rows; /* keys differ; they are read in this order */
+    size_t count;
+    const struct bead_option_rows *shared; /* read after these, NULL: none */
+    const struct bead_option_family *family;
 };
 #define BEAD_OPTIONS(rows) rows, sizeof(rows) / sizeof *(rows)
 
-/* Read the map at `at` into `settings` (zeroed before), defaults included; rows of other forms get their default, too.
+/* The rows by number, shared ones last; NULL behind the last. */
+const struct bead_option *bead_options_row(const struct bead_options *options, size_t index);
+/* The row of a key; NULL: there is none. */
+const struct bead_option *bead_options_find(const struct bead_options *options, const char *key);
+
+/* Read the map at `at` into `settings`, defaults included. What no row tells about keeps its value.
  * Errors: SCENE, MEMORY; what was filled in before stays and is freed with its structure. */
 BEAD_CHECK enum bead_error bead_options_read(struct bead_reader *reader, const struct bead_at *at,
-                                             const struct bead_options *options, unsigned form, void *settings);
+                                             const struct bead_options *options, void *settings);
 
+/* "outputs (movie)" into `text`; returns text. */
+const char *bead_options_heading(const struct bead_options *options, char *text, size_t size);
 /* Describe the rows: as text, or as a part of a man page. */
 void bead_options_help(const struct bead_options *options, FILE *out);
 void bead_options_man(const struct bead_options *options, FILE *out);

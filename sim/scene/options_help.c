@@ -83,18 +83,6 @@ const char *bead_option_allowed(const struct bead_option *option, char *text, si
     return text;
 }
 
-/* "image, movie" of the forms that a row belongs to. */
-static void form_words(const struct bead_options *options, const struct bead_option *option, char *text, size_t size)
-{
-    text[0] = 0;
-    for (unsigned i = 0; options->form_names && options->form_names[i]; i++) {
-        if (!(option->forms >> i & 1))
-            continue;
-        add(text, size, *text ? ", " : "");
-        add(text, size, options->form_names[i]);
-    }
-}
-
 /* What may stand for the value, pairs included. */
 static void value_words(const struct bead_option *row, char *text, size_t size)
 {
@@ -109,21 +97,15 @@ static const char *default_words(const struct bead_option *row)
     return !row->required && row->initial && *row->initial && strcmp(row->initial, "{}") != 0 ? row->initial : NULL;
 }
 
-/* "(from 0 to 10 N; default 0 N; in image, movie)". */
-static void describe(const struct bead_options *options, const struct bead_option *row, char *text, size_t size)
+/* "(from 0 to 10 N; default 0 N)". */
+static void describe(const struct bead_option *row, char *text, size_t size)
 {
-    char forms[240];
     value_words(row, text, size);
     if (row->required) {
         add(text, size, "; required");
     } else if (default_words(row)) {
         add(text, size, "; default ");
         add(text, size, default_words(row));
-    }
-    form_words(options, row, forms, sizeof forms);
-    if (*forms) {
-        add(text, size, "; in ");
-        add(text, size, forms);
     }
 }
 
@@ -144,15 +126,24 @@ static bool hidden(const struct bead_option *row)
     return row->type == BEAD_OPTION_CUSTOM && !row->shape;
 }
 
+const char *bead_options_heading(const struct bead_options *options, char *text, size_t size)
+{
+    if (options->family)
+        snprintf(text, size, "%s (%s)", options->family->section, options->name);
+    else
+        snprintf(text, size, "%s", options->name);
+    return text;
+}
+
 void bead_options_help(const struct bead_options *options, FILE *out)
 {
+    const struct bead_option *row;
     char words[400];
-    fprintf(out, "%s: %s\n", options->name, options->help);
-    for (size_t i = 0; i < options->count; i++) {
-        const struct bead_option *row = &options->rows[i];
+    fprintf(out, "%s: %s\n", bead_options_heading(options, words, sizeof words), options->help);
+    for (size_t i = 0; (row = bead_options_row(options, i)); i++) {
         if (hidden(row))
             continue;
-        describe(options, row, words, sizeof words);
+        describe(row, words, sizeof words);
         fprintf(out, "  %-15s %s\n  %-15s   (%s)\n", row->key, row->help, "", words);
     }
 }
@@ -171,8 +162,8 @@ static void man_text(const char *text, FILE *out)
     }
 }
 
-/* "Value: from 0 to 10 N. Default: 0 N. In: image, movie. Example: force: 1 N." */
-static void man_row(const struct bead_options *options, const struct bead_option *row, FILE *out)
+/* "Value: from 0 to 10 N. Default: 0 N. Example: force: 1 N." */
+static void man_row(const struct bead_option *row, FILE *out)
 {
     char words[400];
     fputs(".TP\n.B ", out);
@@ -188,11 +179,6 @@ static void man_row(const struct bead_options *options, const struct bead_option
         fputs(". Default: ", out);
         man_text(default_words(row), out);
     }
-    form_words(options, row, words, sizeof words);
-    if (*words) {
-        fputs(". In: ", out);
-        man_text(words, out);
-    }
     if (example_words(row)) {
         fputs(". Example: \\fB", out);
         man_text(row->key, out);
@@ -205,12 +191,14 @@ static void man_row(const struct bead_options *options, const struct bead_option
 
 void bead_options_man(const struct bead_options *options, FILE *out)
 {
+    const struct bead_option *row;
+    char words[100];
     fputs(".SS ", out);
-    man_text(options->name, out);
+    man_text(bead_options_heading(options, words, sizeof words), out);
     fputc('\n', out);
     man_text(options->help, out);
     fputs(".\n", out);
-    for (size_t i = 0; i < options->count; i++)
-        if (!hidden(&options->rows[i]))
-            man_row(options, &options->rows[i], out);
+    for (size_t i = 0; (row = bead_options_row(options, i)); i++)
+        if (!hidden(row))
+            man_row(row, out);
 }

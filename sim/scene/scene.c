@@ -224,8 +224,20 @@ static enum bead_error read_scene(struct bead_reader *reader, const char *text, 
     if (!err)
         err = prepare(reader);
     if (!err)
-        err = bead_options_read(reader, &root, &bead_scene_options, 0, reader->scene);
+        err = bead_options_read(reader, &root, &bead_scene_options, reader->scene);
     return err || reader->scene->sweep_count == 0 ? err : find_fingerprint(reader);
+}
+
+/* Elements of lists are called by their `name` or `sensor`, outputs by their file. */
+static enum bead_error apply_settings(const struct bead_reader *reader, const char *const *settings, size_t count)
+{
+    const char *naming[BEAD_OUTPUT_KINDS + 3] = {"name", "sensor"};
+    for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++)
+        naming[2 + kind] = bead_output_key(kind);
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; i < count && !err; i++)
+        err = bead_yaml_set(reader->yaml, settings[i], i + 1, naming, reader->msg);
+    return err;
 }
 
 enum bead_error bead_scene_parse(const char *name, const char *text, size_t length, const char *const *settings,
@@ -234,8 +246,8 @@ enum bead_error bead_scene_parse(const char *name, const char *text, size_t leng
     struct bead_reader reader = {.msg = msg};
     *scene = NULL;
     enum bead_error err = bead_yaml_parse(name, text, length, &reader.yaml, msg);
-    for (size_t i = 0; i < setting_count && !err; i++)
-        err = bead_yaml_set(reader.yaml, settings[i], i + 1, msg);
+    if (!err)
+        err = apply_settings(&reader, settings, setting_count);
     if (!err)
         err = read_scene(&reader, text, length, setting_count > 0);
     if (err)

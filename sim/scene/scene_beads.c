@@ -152,7 +152,7 @@ static enum bead_error check_count(const struct bead_reader *reader, const struc
 static enum bead_error read_segment(struct bead_reader *reader, const struct bead_at *at, struct bead_segment *segment)
 {
     segment->place = at->node->place;
-    enum bead_error err = bead_options_read(reader, at, &bead_segment_options, 0, segment);
+    enum bead_error err = bead_options_read(reader, at, &bead_segment_options, segment);
     if (!err && segment->cell_beads == 0)
         err = bead_wrong(reader, at, "has neither `bead` nor `cell`; give one of them");
     if (!err)

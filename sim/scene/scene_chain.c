@@ -14,14 +14,14 @@ static enum bead_error read_striker(struct bead_reader *reader, const struct bea
                                     void *settings)
 {
     (void)option;
-    return bead_options_read(reader, at, &bead_striker_options, 0, settings);
+    return bead_options_read(reader, at, &bead_striker_options, settings);
 }
 
 static enum bead_error read_damping(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
                                     void *settings)
 {
     (void)option;
-    return bead_options_read(reader, at, &bead_damping_options, 0, settings);
+    return bead_options_read(reader, at, &bead_damping_options, settings);
 }
 
 static enum bead_error read_wall(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
@@ -36,17 +36,13 @@ static enum bead_error read_wall(struct bead_reader *reader, const struct bead_a
     return chain->wall == BEAD_WALL_MATERIAL ? bead_scene_find_material(reader, at, false, &chain->wall_material) : BEAD_OK;
 }
 
-/* The laws with settings: a map with the law's name as its first key. The others are a word alone. */
-static const char *const law_forms[] = {"power", "fpu-alpha", NULL};
-enum { OF_POWER = 1, OF_FPU = 2 };
-
-static unsigned law_form(const char *name)
+/* The table of a law with settings: a map with the law's name as its first key. NULL: the law is a word alone. */
+static const struct bead_options *law_options(const char *name)
 {
-    for (unsigned i = 0; law_forms[i]; i++) {
-        if (strcmp(law_forms[i], name) == 0)
-            return 1u << i;
-    }
-    return 0;
+    const struct bead_options *options;
+    for (size_t i = 0; (options = bead_law_family.member(i)) && strcmp(options->name, name) != 0;)
+        i++;
+    return options;
 }
 
 static enum bead_error read_law(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
@@ -59,10 +55,10 @@ static enum bead_error read_law(struct bead_reader *reader, const struct bead_at
     bead_suggest_begin(&search, word ? at->node->text : map && at->node->count ? at->node->items[0]->text : "");
     for (size_t i = 0; (chain->law.row = bead_law_info(i)); i++) {
         const char *name = chain->law.row->name;
-        const unsigned form = law_form(name);
-        if (map && form && bead_node_get(at->node, name, NULL))
-            return bead_options_read(reader, at, &bead_law_options, form, &chain->law);
-        if (word && !form && strcmp(at->node->text, name) == 0)
+        const struct bead_options *options = law_options(name);
+        if (map && options && bead_node_get(at->node, name, NULL))
+            return bead_options_read(reader, at, options, &chain->law);
+        if (word && !options && strcmp(at->node->text, name) == 0)
             return BEAD_OK;
         bead_suggest_try(&search, name);
     }
@@ -110,24 +106,18 @@ const struct bead_options bead_damping_options = {"chain.damping", "forces again
                                                   BEAD_OPTIONS(damping_rows), NULL, NULL};
 
 #define LAW(member) offsetof(struct bead_law_spec, member)
-static const struct bead_option law_rows[] = {
-    {.key = "power",
-     .forms = OF_POWER,
-     .offset = LAW(power),
-     .required = true,
-     .low = 1,
-     .high = 10,
-     .help = "exponent of the compression"},
+static const struct bead_option power_rows[] = {
+    {.key = "power", .offset = LAW(power), .required = true, .low = 1, .high = 10, .help = "exponent of the compression"},
     {.key = "coefficient",
-     .forms = OF_POWER,
      .offset = LAW(coefficient),
      .required = true,
      .low = 0,
      .high = 1e30,
      .open = BEAD_OPEN_LOW,
      .help = "force at a compression of 1 m, of every contact; in N/m^power"},
+};
+static const struct bead_option fpu_rows[] = {
     {.key = "fpu-alpha",
-     .forms = OF_FPU,
      .offset = LAW(alpha),
      .unit = "1/m",
      .required = true,
@@ -135,7 +125,6 @@ static const struct bead_option law_rows[] = {
      .high = 1e12,
      .help = "alpha in the force k d (1 - alpha d) of every spring"},
     {.key = "stiffness",
-     .forms = OF_FPU,
      .offset = LAW(stiffness),
      .unit = "N/m",
      .initial = "1 N/m",
@@ -144,8 +133,18 @@ static const struct bead_option law_rows[] = {
      .open = BEAD_OPEN_LOW,
      .help = "k in that force"},
 };
-const struct bead_options bead_law_options = {"chain.law", "the laws that have settings, as maps; see --list laws",
-                                              BEAD_OPTIONS(law_rows), law_forms, "laws"};
+
+/* The laws that have settings, by their names (--list laws). */
+static const struct bead_options laws[] = {
+    {"power", "force = coefficient * compression^power, one-sided", BEAD_OPTIONS(power_rows), NULL, &bead_law_family},
+    {"fpu-alpha", "springs of Fermi, Pasta, Ulam and Tsingou, two-sided", BEAD_OPTIONS(fpu_rows), NULL, &bead_law_family},
+};
+
+static const struct bead_options *law_at(size_t index)
+{
+    return index < sizeof laws / sizeof *laws ? &laws[index] : NULL;
+}
+const struct bead_option_family bead_law_family = {"chain.law", "laws", law_at};
 
 static const struct bead_option chain_rows[] = {
     {.key = "name",
@@ -210,7 +209,7 @@ enum bead_error bead_scene_read_chain(struct bead_reader *reader, const struct b
     chain->place = at->node->place;
     if (at->node->kind == BEAD_NODE_MAP && bead_node_get(at->node, "equation", NULL))
         return bead_scene_read_equation(reader, at, chain);
-    enum bead_error err = bead_options_read(reader, at, &bead_chain_options, 0, chain);
+    enum bead_error err = bead_options_read(reader, at, &bead_chain_options, chain);
     if (err)
         return err;
     struct bead_at tilt = bead_at_key(at, "tilt");

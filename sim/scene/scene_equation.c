@@ -9,10 +9,6 @@
 
 #define EQUATION(member) offsetof(struct bead_equation_spec, member)
 
-/* Forms of the tables: equations by their rows here. */
-enum { FPUT = 1, KDV = 2, SHOCK = 4 };
-static const char *const forms[] = {"fput", "kdv", "shock", NULL};
-
 static const char *const ends[] = {"fixed", "periodic", NULL};
 static const char *const ways[] = {"rest", "right", "left", NULL};
 static const char *const variables[] = {
@@ -109,7 +105,7 @@ static enum bead_error read_solitons(struct bead_reader *reader, const struct be
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; i < at->node->count && !err; i++) {
         struct bead_at element = {at, NULL, i, at->node->items[i]};
-        err = bead_options_read(reader, &element, &bead_soliton_options, 0, &spec->solitons[i]);
+        err = bead_options_read(reader, &element, &bead_soliton_options, &spec->solitons[i]);
         spec->soliton_count = i + 1;
     }
     return err;
@@ -129,21 +125,21 @@ const struct bead_options bead_start_solitons_options = {"chain.start (solitons)
 static const struct start {
     const char *word;
     enum bead_start_kind kind;
-    unsigned forms;
+    const char *const *equations; /* that start like this */
     const struct bead_options *options;
-} starts[] = {{"mode", BEAD_START_MODE, FPUT, &bead_start_mode_options},
-              {"pulse", BEAD_START_PULSE, FPUT | KDV | SHOCK, &bead_start_pulse_options},
-              {"solitons", BEAD_START_SOLITONS, KDV, &bead_start_solitons_options},
-              {"cosine", BEAD_START_COSINE, KDV | SHOCK, &bead_start_cosine_options},
-              {"simple-wave", BEAD_START_SIMPLE_WAVE, SHOCK, &bead_start_wave_options}};
+} starts[] = {{"mode", BEAD_START_MODE, (const char *const[]){"fput", NULL}, &bead_start_mode_options},
+              {"pulse", BEAD_START_PULSE, (const char *const[]){"fput", "kdv", "shock", NULL}, &bead_start_pulse_options},
+              {"solitons", BEAD_START_SOLITONS, (const char *const[]){"kdv", NULL}, &bead_start_solitons_options},
+              {"cosine", BEAD_START_COSINE, (const char *const[]){"kdv", "shock", NULL}, &bead_start_cosine_options},
+              {"simple-wave", BEAD_START_SIMPLE_WAVE, (const char *const[]){"shock", NULL}, &bead_start_wave_options}};
 enum { STARTS = sizeof starts / sizeof *starts };
 
-static unsigned form_of(const char *equation)
+static bool starts_like(const char *equation, const struct start *start)
 {
-    unsigned form = 1;
-    for (size_t i = 0; forms[i] && strcmp(forms[i], equation) != 0; i++)
-        form <<= 1;
-    return form;
+    const char *const *name = start->equations;
+    while (*name && strcmp(*name, equation) != 0)
+        name++;
+    return *name;
 }
 
 static enum bead_error read_start(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
@@ -157,11 +153,11 @@ static enum bead_error read_start(struct bead_reader *reader, const struct bead_
     bead_suggest_begin(&search, map && at->node->count ? at->node->items[0]->text : "");
     for (size_t i = 0; i < STARTS; i++) {
         size_t used = strlen(all);
-        if (!(starts[i].forms & form_of(spec->name)))
+        if (!starts_like(spec->name, &starts[i]))
             continue;
         if (map && bead_node_get(at->node, starts[i].word, NULL)) {
             spec->start = starts[i].kind;
-            return bead_options_read(reader, at, starts[i].options, 0, spec);
+            return bead_options_read(reader, at, starts[i].options, spec);
         }
         snprintf(all + used, sizeof all - used, "%s%s", used ? ", " : "", starts[i].word);
         bead_suggest_try(&search, starts[i].word);
@@ -207,7 +203,8 @@ static enum bead_error pass_over(struct bead_reader *reader, const struct bead_a
     return BEAD_OK;
 }
 
-static const struct bead_option rows[] = {
+/* Of all equations. */
+static const struct bead_option equation_rows[] = {
     {.key = "equation",
      .type = BEAD_OPTION_CUSTOM,
      .required = true,
@@ -220,102 +217,16 @@ static const struct bead_option rows[] = {
      .help = "name of the chain; needed under `chains`",
      .read = pass_over},
     {.key = "label", .type = BEAD_OPTION_CUSTOM, .shape = "a text", .help = "a line about it, for pictures", .read = pass_over},
-    {.key = "points",
-     .type = BEAD_OPTION_COUNT,
-     .offset = EQUATION(points),
-     .required = true,
-     .low = 1,
-     .high = 1e6,
-     .help = "number of moving masses",
-     .forms = FPUT},
-    {.key = "points",
-     .type = BEAD_OPTION_COUNT,
-     .offset = EQUATION(points),
-     .initial = "auto",
-     .low = 8,
-     .high = 1 << 20,
-     .word = "auto",
-     .help = "points of the grid; auto: as many as the accuracy asks",
-     .forms = KDV | SHOCK},
+};
+static const struct bead_option low_row[] = {
     {.key = "low",
      .offset = EQUATION(low),
      .initial = "0",
      .low = -1e9,
      .high = 1e9,
-     .help = "left end of the domain; of a ring of masses the place of the first",
-     .forms = FPUT | KDV | SHOCK},
-    {.key = "length",
-     .offset = EQUATION(length),
-     .required = true,
-     .low = 0,
-     .high = 1e9,
-     .open = BEAD_OPEN_LOW,
-     .help = "length of the domain, which is periodic",
-     .forms = KDV | SHOCK},
-    {.key = "ends",
-     .type = BEAD_OPTION_CHOICE,
-     .offset = EQUATION(ends),
-     .initial = "fixed",
-     .choices = ends,
-     .help = "fixed: walls on both sides; periodic: a ring",
-     .forms = FPUT},
-    {.key = "alpha",
-     .offset = EQUATION(alpha),
-     .initial = "0.25",
-     .low = -1e6,
-     .high = 1e6,
-     .help = "in the tension r + alpha r^2 + beta r^3 of a spring stretched by r",
-     .forms = FPUT},
-    {.key = "beta",
-     .offset = EQUATION(beta),
-     .initial = "0",
-     .low = -1e6,
-     .high = 1e6,
-     .help = "in the same tension",
-     .forms = FPUT},
-    {.key = "drift",
-     .offset = EQUATION(drift),
-     .initial = "0",
-     .low = -1e6,
-     .high = 1e6,
-     .help = "d in u_t + d u_x + a u u_x + b u_xxx = 0",
-     .forms = KDV},
-    {.key = "nonlinearity",
-     .offset = EQUATION(nonlinearity),
-     .initial = "6",
-     .low = -1e6,
-     .high = 1e6,
-     .help = "a in that equation",
-     .forms = KDV},
-    {.key = "dispersion",
-     .offset = EQUATION(dispersion),
-     .initial = "1",
-     .low = -1e6,
-     .high = 1e6,
-     .help = "b in that equation",
-     .forms = KDV},
-    {.key = "variable",
-     .type = BEAD_OPTION_CHOICE,
-     .offset = EQUATION(variable),
-     .initial = "displacement",
-     .choices = variables,
-     .help = "field that the unknown is shown as",
-     .forms = KDV},
-    {.key = "speed",
-     .offset = EQUATION(speed),
-     .initial = "1",
-     .low = 0,
-     .high = 1e6,
-     .open = BEAD_OPEN_LOW,
-     .help = "c in u_tt = c^2 u_xx (1 + e u_x)",
-     .forms = SHOCK},
-    {.key = "epsilon",
-     .offset = EQUATION(epsilon),
-     .required = true,
-     .low = -1e6,
-     .high = 1e6,
-     .help = "e in that equation",
-     .forms = SHOCK},
+     .help = "left end of the domain; of a ring of masses the place of the first"},
+};
+static const struct bead_option start_row[] = {
     {.key = "start",
      .type = BEAD_OPTION_CUSTOM,
      .required = true,
@@ -324,8 +235,110 @@ static const struct bead_option rows[] = {
      .help = "the state at time 0: see chain.start",
      .read = read_start},
 };
-const struct bead_options bead_equation_options = {"chain (equation)", "an equation that moves instead of a chain of beads",
-                                                   BEAD_OPTIONS(rows), forms, "chains with the equation"};
+/* Of those on a grid. */
+static const struct bead_option grid_rows[] = {
+    {.key = "points",
+     .type = BEAD_OPTION_COUNT,
+     .offset = EQUATION(points),
+     .initial = "auto",
+     .low = 8,
+     .high = 1 << 20,
+     .word = "auto",
+     .help = "points of the grid; auto: as many as the accuracy asks"},
+    {.key = "length",
+     .offset = EQUATION(length),
+     .required = true,
+     .low = 0,
+     .high = 1e9,
+     .open = BEAD_OPEN_LOW,
+     .help = "length of the domain, which is periodic"},
+};
+static const struct bead_option fput_points[] = {
+    {.key = "points",
+     .type = BEAD_OPTION_COUNT,
+     .offset = EQUATION(points),
+     .required = true,
+     .low = 1,
+     .high = 1e6,
+     .help = "number of moving masses"},
+};
+static const struct bead_option fput_rows[] = {
+    {.key = "ends",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = EQUATION(ends),
+     .initial = "fixed",
+     .choices = ends,
+     .help = "fixed: walls on both sides; periodic: a ring"},
+    {.key = "alpha",
+     .offset = EQUATION(alpha),
+     .initial = "0.25",
+     .low = -1e6,
+     .high = 1e6,
+     .help = "in the tension r + alpha r^2 + beta r^3 of a spring stretched by r"},
+    {.key = "beta", .offset = EQUATION(beta), .initial = "0", .low = -1e6, .high = 1e6, .help = "in the same tension"},
+};
+static const struct bead_option kdv_rows[] = {
+    {.key = "drift",
+     .offset = EQUATION(drift),
+     .initial = "0",
+     .low = -1e6,
+     .high = 1e6,
+     .help = "d in u_t + d u_x + a u u_x + b u_xxx = 0"},
+    {.key = "nonlinearity",
+     .offset = EQUATION(nonlinearity),
+     .initial = "6",
+     .low = -1e6,
+     .high = 1e6,
+     .help = "a in that equation"},
+    {.key = "dispersion", .offset = EQUATION(dispersion), .initial = "1", .low = -1e6, .high = 1e6, .help = "b in that equation"},
+    {.key = "variable",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = EQUATION(variable),
+     .initial = "displacement",
+     .choices = variables,
+     .help = "field that the unknown is shown as"},
+};
+static const struct bead_option shock_rows[] = {
+    {.key = "speed",
+     .offset = EQUATION(speed),
+     .initial = "1",
+     .low = 0,
+     .high = 1e6,
+     .open = BEAD_OPEN_LOW,
+     .help = "c in u_tt = c^2 u_xx (1 + e u_x)"},
+    {.key = "epsilon", .offset = EQUATION(epsilon), .required = true, .low = -1e6, .high = 1e6, .help = "e in that equation"},
+};
+
+static const struct bead_option_rows
+    of_fput[] = {{BEAD_OPTIONS(fput_points)},
+                 {BEAD_OPTIONS(low_row)},
+                 {BEAD_OPTIONS(fput_rows)},
+                 {BEAD_OPTIONS(start_row)},
+                 {NULL, 0}},
+    of_kdv[] = {{BEAD_OPTIONS(grid_rows)}, {BEAD_OPTIONS(low_row)}, {BEAD_OPTIONS(kdv_rows)}, {BEAD_OPTIONS(start_row)}, {NULL, 0}},
+    of_shock[] = {
+        {BEAD_OPTIONS(grid_rows)}, {BEAD_OPTIONS(low_row)}, {BEAD_OPTIONS(shock_rows)}, {BEAD_OPTIONS(start_row)}, {NULL, 0}};
+
+/* One an equation. */
+static const struct bead_options equations[] = {
+    {"fput", "masses on a string of springs", BEAD_OPTIONS(equation_rows), of_fput, &bead_equation_family},
+    {"kdv", "the Korteweg-de Vries equation on a ring", BEAD_OPTIONS(equation_rows), of_kdv, &bead_equation_family},
+    {"shock", "a wave that steepens, on a ring, until it breaks", BEAD_OPTIONS(equation_rows), of_shock, &bead_equation_family},
+};
+
+static const struct bead_options *equation_at(size_t index)
+{
+    return index < sizeof equations / sizeof *equations ? &equations[index] : NULL;
+}
+const struct bead_option_family bead_equation_family = {"chain", "chains with the equation", equation_at};
+
+static const struct bead_options *options_of(const char *equation)
+{
+    const struct bead_options *options;
+    for (size_t i = 0; (options = equation_at(i)) && strcmp(options->name, equation) != 0;)
+        i++;
+    return options;
+}
 
 static const struct bead_option naming_rows[] = {
     {.key = "name", .type = BEAD_OPTION_TEXT, .offset = offsetof(struct bead_chain_spec, name), .initial = ""},
@@ -354,13 +367,15 @@ enum bead_error bead_scene_read_equation(struct bead_reader *reader, const struc
     struct bead_at where = {at, "equation", 0, given};
     enum bead_error err = read_naming(reader, at, chain);
     if (!err)
-        err = read_name(reader, &where, &rows[0], spec);
+        err = read_name(reader, &where, &equation_rows[0], spec);
     if (err)
         return err;
-    unsigned form = form_of(spec->name);
+    const struct bead_options *options = options_of(spec->name);
+    if (!options)
+        return bead_wrong(reader, &where, "`%s` has no keys that a scene could give", spec->name);
     free(spec->name); /* read again with the rest */
     spec->name = NULL;
-    err = bead_options_read(reader, at, &bead_equation_options, form, spec);
+    err = bead_options_read(reader, at, options, spec);
     if (err)
         return err;
     const char *key = "equation", *wrong = bead_equation_find(spec->name)->check(spec, &key);

@@ -1,25 +1,97 @@
-/* All keys of scenes, from the tables that read them. */
+/* All keys of scenes, or those of one section, from the tables that read them. */
+#include <string.h>
+
+#include "sim/base/suggest.h"
+#include "sim/scene/output_kinds.h"
 #include "sim/scene/scene_private.h"
 
-static const struct bead_options *const all[] = {
-    &bead_scene_options,        &bead_chain_options,      &bead_striker_options,        &bead_segment_options,
-    &bead_law_options,          &bead_damping_options,    &bead_material_options,       &bead_simulate_options,
-    &bead_output_options,       &bead_equation_options,   &bead_start_mode_options,     &bead_start_pulse_options,
-    &bead_start_cosine_options, &bead_start_wave_options, &bead_start_solitons_options, &bead_soliton_options,
-    &bead_caption_options,      &bead_card_options,       &bead_sweep_options,          &bead_sweep_measure_options,
+/* Each a table, or a family of them. */
+static const struct {
+    const struct bead_options *options;
+    const struct bead_option_family *family;
+} all[] = {
+    {&bead_scene_options, NULL},        {&bead_chain_options, NULL},      {&bead_striker_options, NULL},
+    {&bead_segment_options, NULL},      {NULL, &bead_law_family},         {&bead_damping_options, NULL},
+    {&bead_material_options, NULL},     {&bead_simulate_options, NULL},   {NULL, &bead_output_family},
+    {&bead_panel_options, NULL},        {&bead_caption_options, NULL},    {&bead_card_options, NULL},
+    {NULL, &bead_equation_family},      {&bead_start_mode_options, NULL}, {&bead_start_pulse_options, NULL},
+    {&bead_start_cosine_options, NULL}, {&bead_start_wave_options, NULL}, {&bead_start_solitons_options, NULL},
+    {&bead_soliton_options, NULL},      {&bead_sweep_options, NULL},      {&bead_sweep_measure_options, NULL},
 };
+
+/* Table number `index` of those with a heading; NULL behind the last. */
+static const struct bead_options *section_at(size_t index)
+{
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        const struct bead_option_family *family = all[i].family;
+        const struct bead_options *options = family ? family->member(0) : all[i].options;
+        for (size_t k = 1; options; options = family ? family->member(k++) : NULL) {
+            if (options->name && index-- == 0)
+                return options;
+        }
+    }
+    return NULL;
+}
 
 void bead_scene_help(FILE *out)
 {
+    const struct bead_options *options;
     fputs("A scene is a YAML file. A number is in SI units or carries its unit, such as 0.443 m/s, 1.5 ms or 193 GPa.\n", out);
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+    for (size_t i = 0; (options = section_at(i)); i++) {
         fputc('\n', out);
-        bead_options_help(all[i], out);
+        bead_options_help(options, out);
     }
+}
+
+enum { PARTS = 100 }; /* of all headings, at most */
+
+/* The part of a heading behind the one at `part`: "chain.law (power)" has chain, law and power. NULL: it is the last. */
+static const char *next_part(const char *part)
+{
+    part += strcspn(part, ".(");
+    return *part ? part + 1 : NULL;
+}
+
+/* Is `name` one part of the heading, or several in a row? */
+static bool has_part(const char *heading, const char *name)
+{
+    size_t length = strlen(name);
+    for (const char *part = heading; part; part = next_part(part)) {
+        if (strncmp(part, name, length) == 0 && (!part[length] || strchr(". )", part[length])))
+            return length > 0;
+    }
+    return false;
+}
+
+enum bead_error bead_scene_help_of(const char *section, FILE *out, struct bead_message *msg)
+{
+    const struct bead_options *options;
+    char heading[80], parts[PARTS][24], near[96];
+    struct bead_suggest search;
+    size_t found = 0, count = 0;
+    for (size_t i = 0; (options = section_at(i)); i++) {
+        if (!has_part(bead_options_heading(options, heading, sizeof heading), section))
+            continue;
+        if (found++ > 0)
+            fputc('\n', out);
+        bead_options_help(options, out);
+    }
+    if (found > 0)
+        return BEAD_OK;
+    bead_suggest_begin(&search, section);
+    for (size_t i = 0; (options = section_at(i)); i++) {
+        for (const char *p = bead_options_heading(options, heading, sizeof heading); p && count < PARTS; p = next_part(p)) {
+            snprintf(parts[count], sizeof parts[count], "%.*s", (int)strcspn(p, ". )"), p);
+            bead_suggest_try(&search, parts[count++]);
+        }
+    }
+    return bead_fail(msg, BEAD_ERROR_USAGE, "--list keys: no part of a scene is called `%s`%s", section,
+                     search.best ? bead_suggest_text(&search, near, sizeof near) : "; see --list keys");
 }
 
 void bead_scene_help_man(FILE *out)
 {
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-        bead_options_man(all[i], out);
+    const struct bead_options *options;
+    for (size_t i = 0; (options = section_at(i)); i++)
+        bead_options_man(options, out);
 }

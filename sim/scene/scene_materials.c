@@ -122,7 +122,7 @@ static enum bead_error read_one(struct bead_reader *reader, const struct bead_at
     struct written written = {0};
     if (!*at->key || strcmp(at->key, "none") == 0 || strcmp(at->key, "rigid") == 0 || strchr(at->key, '\n'))
         return bead_wrong(reader, at, "is not a name for a material; must be another word than `none` and `rigid`");
-    enum bead_error err = bead_options_read(reader, at, &bead_material_options, 0, &written);
+    enum bead_error err = bead_options_read(reader, at, &bead_material_options, &written);
     if (!err)
         err = check_mass(reader, at, &written);
     if (err)

@@ -70,7 +70,7 @@ static const char *unit_of(const struct bead_reader *reader)
 
 static enum bead_error read_caption(struct bead_reader *reader, const struct bead_at *at, struct bead_caption *caption)
 {
-    enum bead_error err = bead_options_read(reader, at, &bead_caption_options, 0, caption);
+    enum bead_error err = bead_options_read(reader, at, &bead_caption_options, caption);
     struct bead_at where = bead_at_key(at, "text");
     if (!err && !caption->text[0])
         return bead_wrong(reader, &where, "is empty; a caption has something to say");
@@ -92,22 +92,22 @@ BEAD_OUTPUT_READER(bead_output_read_captions)
         return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
     if (count == 0 || count > MOST_CAPTIONS)
         return bead_wrong(reader, at, "has %zu entries; must have from 1 to %d", count, MOST_CAPTIONS);
-    output->captions = calloc(count, sizeof *output->captions);
-    if (!output->captions)
+    output->movie.captions = calloc(count, sizeof *output->movie.captions);
+    if (!output->movie.captions)
         return bead_no_memory(reader);
-    output->caption_count = count;
+    output->movie.caption_count = count;
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < count; i++) {
         struct bead_at element = {at, NULL, i, at->node->items[i]};
         if (element.node->kind != BEAD_NODE_MAP)
             return bead_wrong(reader, &element, "is %s; must be a map such as {at: 0.2 ms, text: The front has left the striker}",
                               bead_node_show(element.node, shown, sizeof shown));
-        err = read_caption(reader, &element, &output->captions[i]);
+        err = read_caption(reader, &element, &output->movie.captions[i]);
         struct bead_at where = bead_at_key(&element, "at");
-        output->captions[i].place = where.node->place;
-        if (!err && i > 0 && output->captions[i].at <= output->captions[i - 1].at)
-            err = bead_wrong(reader, &where, "is %g%s; must be later than that of the caption before, %g%s", output->captions[i].at,
-                             unit_of(reader), output->captions[i - 1].at, unit_of(reader));
+        output->movie.captions[i].place = where.node->place;
+        if (!err && i > 0 && output->movie.captions[i].at <= output->movie.captions[i - 1].at)
+            err = bead_wrong(reader, &where, "is %g%s; must be later than that of the caption before, %g%s",
+                             output->movie.captions[i].at, unit_of(reader), output->movie.captions[i - 1].at, unit_of(reader));
     }
     return err;
 }
@@ -116,11 +116,11 @@ BEAD_OUTPUT_READER(bead_output_read_captions)
 BEAD_OUTPUT_READER(bead_output_read_card)
 {
     struct bead_output *output = settings;
-    struct bead_card *card = &output->card;
+    struct bead_card *card = &output->movie.card;
     char shown[64];
     const char *word = at->node->kind == BEAD_NODE_SCALAR ? at->node->text : "";
     if (at->node->kind == BEAD_NODE_MAP)
-        return bead_options_read(reader, at, &bead_card_options, 0, card);
+        return bead_options_read(reader, at, &bead_card_options, card);
     if (at->node->kind != BEAD_NODE_SCALAR)
         return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
     card->text = strdup("");
@@ -141,58 +141,62 @@ BEAD_OUTPUT_READER(bead_output_read_poster)
     struct bead_output *output = settings;
     char shown[64];
     (void)option;
-    enum bead_error err = bead_read_text(reader, at, &output->poster);
+    enum bead_error err = bead_read_text(reader, at, &output->movie.poster);
     if (err)
         return err;
-    if (strcmp(output->poster, "none") == 0) {
-        output->poster[0] = '\0';
+    if (strcmp(output->movie.poster, "none") == 0) {
+        output->movie.poster[0] = '\0';
         return BEAD_OK;
     }
-    const char *slash = strrchr(output->poster, '/'), *base = slash ? slash + 1 : output->poster, *dot = strrchr(base, '.');
+    const char *slash = strrchr(output->movie.poster, '/'), *base = slash ? slash + 1 : output->movie.poster,
+               *dot = strrchr(base, '.');
     if (!dot || dot == base || strcasecmp(dot, ".png") != 0)
         return bead_wrong(reader, at, "is `%s`; must be none or the name of a .png file",
-                          bead_text_show(output->poster, shown, sizeof shown));
+                          bead_text_show(output->movie.poster, shown, sizeof shown));
     return BEAD_OK;
 }
 
-static enum bead_error check_captions(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+static BEAD_OUTPUT_CHECK(check_captions)
 {
     struct bead_at list = bead_at_key(at, "captions");
-    double end = fmin(reader->scene->simulate.until, output->time[1]); /* either may be NaN: not known yet */
-    if (output->caption_count > 0 && !output->axes)
+    double end = fmin(reader->scene->simulate.until, output->shown.time[1]); /* either may be NaN: not known yet */
+    if (output->movie.caption_count > 0 && !output->views.axes)
         return bead_wrong(reader, &list, "are given, but `axes: false` leaves no room for them");
-    for (size_t i = 0; i < output->caption_count; i++) {
+    for (size_t i = 0; i < output->movie.caption_count; i++) {
         struct bead_at element = {&list, NULL, i, list.node->items[i]}, where = bead_at_key(&element, "at");
-        if (output->captions[i].at >= end)
-            return bead_wrong(reader, &where, "is %g%s; must be before the end of what is shown, at %g%s", output->captions[i].at,
-                              unit_of(reader), end, unit_of(reader));
+        if (output->movie.captions[i].at >= end)
+            return bead_wrong(reader, &where, "is %g%s; must be before the end of what is shown, at %g%s",
+                              output->movie.captions[i].at, unit_of(reader), end, unit_of(reader));
     }
     return BEAD_OK;
 }
 
-enum bead_error bead_output_check_movie(const struct bead_reader *reader, const struct bead_at *at,
-                                        const struct bead_output *output)
+BEAD_OUTPUT_CHECK(bead_output_check_movie)
 {
-    struct bead_at where = bead_at_key(at, "window");
-    bool moves = bead_views_any(output->views, output->view_count, BEAD_FOLLOWS_FRONT);
-    if (output->follow != BEAD_FOLLOW_FRONT && where.node != at->node)
+    struct bead_at where = bead_at_key(at, "follow");
+    bool moves = bead_views_any(output->views.kinds, output->views.count, BEAD_FOLLOWS_FRONT);
+    if (bead_scene_plain(reader->scene) && output->movie.follow == BEAD_FOLLOW_FRONT)
+        return bead_wrong(reader, &where, "is set, but there is no front of a wave in a chain at rest that could be followed");
+    where = bead_at_key(at, "window");
+    if (output->movie.follow != BEAD_FOLLOW_FRONT && where.node != at->node)
         return bead_wrong(reader, &where, "belongs to `follow: front`");
     where = bead_at_key(at, "follow");
-    if (output->follow == BEAD_FOLLOW_FRONT && !moves)
+    if (output->movie.follow == BEAD_FOLLOW_FRONT && !moves)
         return bead_wrong(reader, &where, "is front, but no view moves with it: add beads or profile to `views`");
     where = bead_at_key(at, "poster-at");
-    if (!isnan(output->poster_at) && !output->poster[0])
+    if (!isnan(output->movie.poster_at) && !output->movie.poster[0])
         return bead_wrong(reader, &where, "is given, but no `poster`");
-    if (output->poster_at > fmin(reader->scene->simulate.until, output->time[1]) || output->poster_at < output->time[0])
-        return bead_wrong(reader, &where, "is %g%s; must be a time that the movie shows", output->poster_at, unit_of(reader));
+    if (output->movie.poster_at > fmin(reader->scene->simulate.until, output->shown.time[1]) ||
+        output->movie.poster_at < output->shown.time[0])
+        return bead_wrong(reader, &where, "is %g%s; must be a time that the movie shows", output->movie.poster_at, unit_of(reader));
     return check_captions(reader, at, output);
 }
 
 void bead_output_free_movie(struct bead_output *output)
 {
-    for (size_t i = 0; i < output->caption_count; i++)
-        free(output->captions[i].text);
-    free(output->captions);
-    free(output->card.text);
-    free(output->poster);
+    for (size_t i = 0; i < output->movie.caption_count; i++)
+        free(output->movie.captions[i].text);
+    free(output->movie.captions);
+    free(output->movie.card.text);
+    free(output->movie.poster);
 }

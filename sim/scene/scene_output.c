@@ -9,101 +9,97 @@
 #include "sim/base/suggest.h"
 #include "sim/equation/equation.h"
 
-static const char *const kinds[] = {"trajectory", "image", "movie", "plot", "table", "sweep", "sheet"};
-
-static bool is_vector(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && (strcasecmp(dot, ".pdf") == 0 || strcasecmp(dot, ".svg") == 0);
-}
-
-/* Plots and tables of sweeps have keys of their own. */
-static unsigned form_of(const struct bead_scene *scene, enum bead_output_kind kind)
-{
-    if (scene->sweep_count > 0 && kind == BEAD_OUTPUT_PLOT)
-        return BEAD_OUTPUT_SWEEP_PLOT;
-    return scene->sweep_count > 0 && kind == BEAD_OUTPUT_TABLE ? BEAD_OUTPUT_SWEEP_TABLE : (unsigned)kind;
-}
-
-/* Which kind: the one key of the map that is the name of one. */
-static enum bead_error find_kind(const struct bead_reader *reader, const struct bead_at *at, struct bead_output *output,
-                                 unsigned *form)
-{
-    size_t found = 0;
-    char shown[64];
-    if (at->node->kind != BEAD_NODE_MAP)
-        return bead_wrong(reader, at, "is %s; must be a map such as {image: force.png}",
-                          bead_node_show(at->node, shown, sizeof shown));
-    for (size_t i = 0; i < BEAD_OUTPUT_KINDS; i++) {
-        struct bead_at where = bead_at_key(at, kinds[i]);
-        if (where.node == at->node)
-            continue;
-        if (found++ > 0)
-            return bead_wrong(reader, &where, "is a second kind beside `%s`; give every file an entry of its own",
-                              kinds[output->kind]);
-        output->kind = (enum bead_output_kind)i;
-        bool vector = where.node->kind == BEAD_NODE_SCALAR && is_vector(where.node->text) &&
-                      (output->kind == BEAD_OUTPUT_IMAGE || output->kind == BEAD_OUTPUT_PLOT || output->kind == BEAD_OUTPUT_SHEET);
-        *form = 1u << (form_of(reader->scene, output->kind) + (vector ? BEAD_OUTPUT_VECTOR : 0));
-    }
-    return BEAD_OK;
-}
-
-/* No key is the name of a kind: is one nearly so? */
-static enum bead_error no_kind(const struct bead_reader *reader, const struct bead_at *at)
-{
-    struct bead_suggest search;
-    char near[96];
-    for (size_t i = 0; i + 1 < at->node->count; i += 2) {
-        struct bead_at key = {at, at->node->items[i]->text, 0, at->node->items[i]};
-        bead_suggest_begin(&search, key.key);
-        for (size_t k = 0; k < BEAD_OUTPUT_KINDS; k++)
-            bead_suggest_try(&search, kinds[k]);
-        if (search.best)
-            return bead_wrong(reader, &key, "unknown key%s", bead_suggest_text(&search, near, sizeof near));
-    }
-    return bead_wrong(
-        reader, at,
-        "has no kind; must have one of the keys trajectory, image, movie, plot, table, sweep or sheet, with a file's name");
-}
-
-static enum bead_error check_times(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
-{
-    struct bead_at where = bead_at_key(at, "time");
-    double until = reader->scene->simulate.until;
-    const char *unit = bead_scene_plain(reader->scene) ? "" : " s";
-    if (output->time[0] >= output->time[1])
-        return bead_wrong(reader, &where, "is [%g, %g]%s; the first must be before the second", output->time[0], output->time[1],
-                          unit);
-    if (output->time[0] >= until)
-        return bead_wrong(reader, &where, "begins at %g%s; must begin before the run ends at %g%s", output->time[0], unit, until,
-                          unit);
-    where = bead_at_key(at, "at");
-    if (output->at > until)
-        return bead_wrong(reader, &where, "is %g%s; must not be later than the end of the run at %g%s", output->at, unit, until,
-                          unit);
-    return BEAD_OK;
-}
+/* What a kind has no key for. */
+const struct bead_output bead_output_automatic = {.shown = {.beads = {0, SIZE_MAX}, .time = {NAN, NAN}},
+                                                  .views = {.axes = true},
+                                                  .colours = {.range = {NAN, NAN}},
+                                                  .panel = {.chain = SIZE_MAX},
+                                                  .image = {.at = NAN},
+                                                  .movie = {.poster_at = NAN},
+                                                  .plot = {.range = {NAN, NAN}}};
 
 static bool is_given(const struct bead_at *at, const char *key)
 {
     return bead_at_key(at, key).node != at->node;
 }
 
-/* Keys of views that show a moment, in pictures without one. */
-static enum bead_error check_moment(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+/* Which kind: the one key of the map that is the name of one. */
+static enum bead_error find_kind(const struct bead_reader *reader, const struct bead_at *at, struct bead_output *output)
 {
-    bool beads = bead_views_any(output->views, output->view_count, BEAD_SHOWS_BEADS);
-    bool moment = !bead_views_all(output->views, output->view_count, BEAD_SHOWS_ALL_TIMES);
-    if (output->kind != BEAD_OUTPUT_IMAGE || output->panel_count > 0)
+    size_t found = 0;
+    char shown[64];
+    if (at->node->kind != BEAD_NODE_MAP)
+        return bead_wrong(reader, at, "is %s; must be a map such as {image: force.png}",
+                          bead_node_show(at->node, shown, sizeof shown));
+    for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++) {
+        struct bead_at where = bead_at_key(at, bead_output_key(kind));
+        if (where.node == at->node)
+            continue;
+        if (found++ > 0)
+            return bead_wrong(reader, &where, "is a second kind beside `%s`; give every file an entry of its own",
+                              bead_output_key(output->kind));
+        output->kind = kind;
+    }
+    if (found > 0)
+        return BEAD_OK;
+    /* No key is the name of a kind: is one nearly so? */
+    char all[160] = "", near[96];
+    for (size_t i = 0; i + 1 < at->node->count; i += 2) {
+        struct bead_at key = {at, at->node->items[i]->text, 0, at->node->items[i]};
+        struct bead_suggest search;
+        bead_suggest_begin(&search, key.key);
+        for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++)
+            bead_suggest_try(&search, bead_output_key(kind));
+        if (search.best)
+            return bead_wrong(reader, &key, "unknown key%s", bead_suggest_text(&search, near, sizeof near));
+    }
+    for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++) {
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s%s",
+                 kind == 0                      ? ""
+                 : kind + 1 < BEAD_OUTPUT_KINDS ? ", "
+                                                : " or ",
+                 bead_output_key(kind));
+    }
+    return bead_wrong(reader, at, "has no kind; must have one of the keys %s, with a file's name", all);
+}
+
+/* ---- what one output's keys must fit together in ---- */
+
+BEAD_OUTPUT_CHECK(bead_output_check_times)
+{
+    struct bead_at where = bead_at_key(at, "time");
+    double until = reader->scene->simulate.until;
+    const char *unit = bead_scene_plain(reader->scene) ? "" : " s";
+    if (output->shown.time[0] >= output->shown.time[1])
+        return bead_wrong(reader, &where, "is [%g, %g]%s; the first must be before the second", output->shown.time[0],
+                          output->shown.time[1], unit);
+    if (output->shown.time[0] >= until)
+        return bead_wrong(reader, &where, "begins at %g%s; must begin before the run ends at %g%s", output->shown.time[0], unit,
+                          until, unit);
+    where = bead_at_key(at, "at");
+    if (output->image.at > until)
+        return bead_wrong(reader, &where, "is %g%s; must not be later than the end of the run at %g%s", output->image.at, unit,
+                          until, unit);
+    return BEAD_OK;
+}
+
+/* Keys of views that show a moment, in pictures without one. */
+BEAD_OUTPUT_CHECK(bead_output_check_moment)
+{
+    const struct bead_views_asked *views = &output->views;
+    bool beads = bead_views_any(views->kinds, views->count, BEAD_SHOWS_BEADS);
+    bool moment = !bead_views_all(views->kinds, views->count, BEAD_SHOWS_ALL_TIMES);
+    if (output->still.panel_count > 0)
         return BEAD_OK;
     struct bead_at where = bead_at_key(at, "at");
-    if (!moment && !isnan(output->at))
+    if (!moment && !isnan(output->image.at))
         return bead_wrong(reader, &where,
                           "is a moment, but the picture shows all times: add beads or profile to `views`, or give `time` instead");
     where = bead_at_key(at, "magnify");
-    return beads || output->magnify == 0 ? BEAD_OK
-                                         : bead_wrong(reader, &where, "is given, but no beads are drawn: add beads to `views`");
+    return beads || output->views.magnify == 0
+               ? BEAD_OK
+               : bead_wrong(reader, &where, "is given, but no beads are drawn: add beads to `views`");
 }
 
 /* Masses at all points of all chains, that the view of the beads can show. */
@@ -128,43 +124,50 @@ static void fit_equations(const struct bead_reader *reader, const struct bead_at
     while (known && !(known & BEAD_FIELD_BIT(shown))) /* that all chains have */
         shown = (enum bead_field)((shown + 1) % BEAD_FIELD_COUNT);
     if (!is_given(at, "fields"))
-        output->fields = known;
+        output->trajectory.fields = known;
     if (!is_given(at, "field"))
-        output->field = shown;
+        output->shown.field = shown;
     if (!is_given(at, "scale"))
-        output->scale = BEAD_SCALE_LINEAR;
+        output->colours.scale = BEAD_SCALE_LINEAR;
     if (is_given(at, "views") || has_beads(scene))
         return;
     size_t kept = 0;
-    for (size_t i = 0; i < output->view_count; i++) {
-        if (!bead_views_any(&output->views[i], 1, BEAD_SHOWS_BEADS))
-            output->views[kept++] = output->views[i];
+    for (size_t i = 0; i < output->views.count; i++) {
+        if (!bead_views_any(&output->views.kinds[i], 1, BEAD_SHOWS_BEADS))
+            output->views.kinds[kept++] = output->views.kinds[i];
     }
-    output->view_count = kept;
+    output->views.count = kept;
 }
 
-/* What equations do not have. */
-static enum bead_error check_equations(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+static bool has_modes(const struct bead_scene *scene)
 {
-    struct bead_at where = bead_at_key(at, "show");
-    bool shows = output->kind == BEAD_OUTPUT_TABLE || output->kind == BEAD_OUTPUT_PLOT;
-    if (bead_scene_plain(reader->scene) && shows && (output->show == BEAD_SHOW_PEAKS || output->show == BEAD_SHOW_BEAD_PEAKS))
-        return bead_wrong(reader, &where, "peaks are those of contacts between beads, which equations do not have");
-    if (bead_scene_plain(reader->scene) && output->kind == BEAD_OUTPUT_TABLE && output->show == BEAD_SHOW_CHAIN)
-        return bead_wrong(reader, &where, "lists beads and contacts, which equations do not have");
-    where = bead_at_key(at, "follow");
-    if (bead_scene_plain(reader->scene) && output->kind == BEAD_OUTPUT_MOVIE && output->follow == BEAD_FOLLOW_FRONT)
-        return bead_wrong(reader, &where, "is set, but there is no front of a wave in a chain at rest that could be followed");
-    where = bead_at_key(at, "views");
-    if (bead_views_any(output->views, output->view_count, BEAD_SHOWS_BEADS) && !has_beads(reader->scene))
+    for (size_t i = 0; i < scene->chain_count; i++) {
+        const char *name = scene->chains[i].equation.name;
+        if (!name || !bead_equation_find(name)->system.modes)
+            return false;
+    }
+    return true;
+}
+
+enum bead_error bead_output_need_modes(const struct bead_reader *reader, const struct bead_at *where)
+{
+    return has_modes(reader->scene)
+               ? BEAD_OK
+               : bead_wrong(reader, where, "modes are those of equations, such as fput; %s",
+                            reader->scene->chain_count > 1 ? "not all chains here have some" : "this chain has none");
+}
+
+/* Views of what the chains do not have. */
+BEAD_OUTPUT_CHECK(bead_output_check_views)
+{
+    struct bead_at where = bead_at_key(at, "views");
+    const struct bead_views_asked *views = &output->views;
+    bool modes = bead_views_any(views->kinds, views->count, BEAD_SHOWS_MODES);
+    if (bead_views_any(views->kinds, views->count, BEAD_SHOWS_BEADS) && !has_beads(reader->scene))
         return bead_wrong(reader, &where, "beads are not there to be seen: the equation has none; must be profile or spacetime");
-    return BEAD_OK;
-}
-
-static bool is_drawing(const struct bead_output *output)
-{
-    return output->kind == BEAD_OUTPUT_PLOT &&
-           (output->show == BEAD_SHOW_SETUP || output->show == BEAD_SHOW_CONTACT || output->show == BEAD_SHOW_CELL);
+    if (modes && output->kind == BEAD_OUTPUT_IMAGE)
+        return bead_wrong(reader, &where, "modes are a view of movies; {plot: FILE, show: modes} has their energies over time");
+    return modes ? bead_output_need_modes(reader, &where) : BEAD_OK;
 }
 
 static bool has_cells(const struct bead_scene *scene)
@@ -179,48 +182,44 @@ static bool has_cells(const struct bead_scene *scene)
 }
 
 /* Schematic drawings are of beads, and need no run. */
-static enum bead_error check_drawing(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+BEAD_OUTPUT_CHECK(bead_output_check_drawing)
 {
     static const char *const of_runs[] = {"every", "time", "scale", "trust", "normalise", "range", "modes", "field", "at"},
                              *const of_contacts[] = {"contact", "compression"};
     const struct bead_scene *scene = reader->scene;
+    const bool drawing = bead_output_show(output)->drawing;
     struct bead_at where;
-    for (size_t i = 0; i < 2 && output->kind == BEAD_OUTPUT_PLOT && output->show != BEAD_SHOW_CONTACT; i++) {
+    for (size_t i = 0; i < 2 && output->curves.show != BEAD_SHOW_CONTACT; i++) {
         where = bead_at_key(at, of_contacts[i]);
         if (where.node != at->node)
             return bead_wrong(reader, &where, "belongs to `show: contact`");
     }
-    for (size_t i = 0; i < sizeof of_runs / sizeof *of_runs && is_drawing(output); i++) {
+    for (size_t i = 0; i < sizeof of_runs / sizeof *of_runs && drawing; i++) {
         where = bead_at_key(at, of_runs[i]);
         if (where.node != at->node)
             return bead_wrong(reader, &where, "belongs to `show: sensors` or `show: peaks`; nothing is computed for a drawing");
     }
     where = bead_at_key(at, "show");
-    for (size_t c = 0; c < scene->chain_count && is_drawing(output); c++) {
+    for (size_t c = 0; c < scene->chain_count && drawing; c++) {
         if (scene->chains[c].equation.name)
             return bead_wrong(reader, &where, "draws beads, but there are none in `%s`", scene->chains[c].equation.name);
     }
-    if (is_drawing(output) && output->show == BEAD_SHOW_CELL && !has_cells(scene))
+    if (output->curves.show == BEAD_SHOW_CELL && !has_cells(scene))
         return bead_wrong(reader, &where, "draws cells, but no chain has a `cell` of two or more beads");
-    if (!is_drawing(output) || output->show != BEAD_SHOW_CONTACT || output->contact == BEAD_CONTACT_AUTO)
+    if (output->curves.show != BEAD_SHOW_CONTACT || output->plot.contact == BEAD_CONTACT_AUTO)
         return BEAD_OK;
     size_t last = bead_scene_count_beads(&scene->chains[0]) - (scene->chains[0].wall == BEAD_WALL_NONE);
     where = bead_at_key(at, "contact");
-    return output->contact <= last ? BEAD_OK
-                                   : bead_wrong(reader, &where, "is %zu, but the last contact is %zu", output->contact, last);
+    return output->plot.contact <= last
+               ? BEAD_OK
+               : bead_wrong(reader, &where, "is %zu, but the last contact is %zu", output->plot.contact, last);
 }
 
 /* Only fields that every chain has. */
-static enum bead_error check_fields(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+static enum bead_error check_fields(const struct bead_reader *reader, const struct bead_at *where, unsigned asked)
 {
-    unsigned known = bead_scene_fields(reader->scene), asked = 0;
+    unsigned known = bead_scene_fields(reader->scene);
     char all[120] = "";
-    struct bead_at where = bead_at_key(at, output->kind == BEAD_OUTPUT_TRAJECTORY ? "fields" : "field");
-    bool profiles = output->kind == BEAD_OUTPUT_TABLE && output->show == BEAD_SHOW_PROFILES;
-    if (output->kind == BEAD_OUTPUT_IMAGE || output->kind == BEAD_OUTPUT_MOVIE || output->kind == BEAD_OUTPUT_SHEET || profiles)
-        asked = BEAD_FIELD_BIT(output->field);
-    else if (output->kind == BEAD_OUTPUT_TRAJECTORY)
-        asked = output->fields;
     if (!(asked & ~known))
         return BEAD_OK;
     const char *missing = NULL;
@@ -232,35 +231,35 @@ static enum bead_error check_fields(const struct bead_reader *reader, const stru
         else if (asked & BEAD_FIELD_BIT(f) && !missing)
             missing = name;
     }
-    return bead_wrong(reader, &where, "there is no %s in %s; there is %s", missing,
+    return bead_wrong(reader, where, "there is no %s in %s; there is %s", missing,
                       reader->scene->chain_count > 1 ? "every chain" : "this chain", all);
 }
 
-/* Sizes that belong to a style, where the output asks for none. */
-static void style_size(const struct bead_reader *reader, const struct bead_at *at, struct bead_output *output)
+BEAD_OUTPUT_CHECK(bead_output_check_field)
 {
-    static const double one_column[] = {86e-3, 64e-3}, page_wide[] = {178e-3, 90e-3}, several_panels[] = {178e-3, 120e-3},
-                        screen[] = {1920, 1080};
-    const double *paper = output->panel_count > 0 ? several_panels : reader->scene->chain_count > 1 ? page_wide : one_column;
-    if (output->style == BEAD_STYLE_AUTO || bead_at_key(at, "size").node != at->node)
-        return;
-    output->size_is_length = output->style == BEAD_STYLE_PAPER;
-    for (size_t i = 0; i < 2; i++)
-        output->size[i] = output->size_is_length ? paper[i] : screen[i];
+    struct bead_at where = bead_at_key(at, "field");
+    return check_fields(reader, &where, BEAD_FIELD_BIT(output->shown.field));
+}
+
+BEAD_OUTPUT_CHECK(bead_output_check_field_list)
+{
+    struct bead_at where = bead_at_key(at, "fields");
+    return check_fields(reader, &where, output->trajectory.fields);
 }
 
 /* Trust shows in views of all times, and needs room for its words. */
-static enum bead_error check_trust(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+BEAD_OUTPUT_CHECK(bead_output_check_trust)
 {
     struct bead_at where = bead_at_key(at, "trust");
-    bool shows = output->kind == BEAD_OUTPUT_PLOT || bead_views_any(output->views, output->view_count, BEAD_SHOWS_ALL_TIMES);
-    if (!output->trust)
+    const struct bead_show_type *show = bead_output_show(output);
+    bool shows = show || bead_views_any(output->views.kinds, output->views.count, BEAD_SHOWS_ALL_TIMES);
+    if (!output->shown.trust)
         return BEAD_OK;
-    if (output->kind == BEAD_OUTPUT_PLOT && output->show != BEAD_SHOW_SENSORS)
+    if (show && output->curves.show != BEAD_SHOW_SENSORS)
         return bead_wrong(reader, &where,
                           "is set, but peaks of the first passage do not tell times apart; it belongs to "
                           "`show: sensors`");
-    if (output->kind != BEAD_OUTPUT_PLOT && !output->axes)
+    if (!show && !output->views.axes)
         return bead_wrong(reader, &where, "is set, but `axes: false` leaves pixels bare and no room for its line of text");
     return shows ? BEAD_OK : bead_wrong(reader, &where, "is set, but no view shows all times: add spacetime or sensors to `views`");
 }
@@ -293,7 +292,8 @@ static bool is_taken(const struct bead_output *outputs, size_t count, const char
 {
     bool taken = false;
     for (size_t i = 0; i < count; i++)
-        taken = taken || same_path(outputs[i].path, path) || (outputs[i].poster && *path && same_path(outputs[i].poster, path));
+        taken = taken || same_path(outputs[i].path, path) ||
+                (outputs[i].movie.poster && *path && same_path(outputs[i].movie.poster, path));
     return taken;
 }
 
@@ -301,8 +301,8 @@ static bool is_taken(const struct bead_output *outputs, size_t count, const char
 static enum bead_error check_paths(const struct bead_reader *reader, const struct bead_at *at, size_t index)
 {
     const struct bead_output *outputs = reader->scene->outputs, *output = &outputs[index];
-    const char *poster = output->poster ? output->poster : "";
-    struct bead_at where = bead_at_key(at, kinds[output->kind]);
+    const char *poster = output->movie.poster ? output->movie.poster : "";
+    struct bead_at where = bead_at_key(at, bead_output_key(output->kind));
     if (is_taken(outputs, index, output->path))
         return bead_wrong(reader, &where, "`%s` is the file of another output, too; names must differ", output->path);
     where = bead_at_key(at, "poster");
@@ -311,44 +311,98 @@ static enum bead_error check_paths(const struct bead_reader *reader, const struc
     return BEAD_OK;
 }
 
-static enum bead_error check_show(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+/* ---- reading ---- */
+
+/* The size of the style, of panels, or of the kind of file, where the output asks for none. */
+static enum bead_error settle_size(const struct bead_reader *reader, const struct bead_at *at, struct bead_output *output)
 {
-    return is_drawing(output) || output->panel_count > 0 ? BEAD_OK : bead_output_check_show(reader, at, output);
+    static const double one_column[] = {86e-3, 64e-3}, page_wide[] = {178e-3, 90e-3}, several_panels[] = {178e-3, 120e-3},
+                        screen[] = {1920, 1080};
+    struct bead_paper *paper = &output->paper;
+    const char *dot = output->path ? strrchr(output->path, '.') : NULL;
+    bool vector = dot && (strcasecmp(dot, ".pdf") == 0 || strcasecmp(dot, ".svg") == 0);
+    const double *size = screen;
+    if (!bead_output_type(output->kind)->draws || !output->path || paper->size[0] > 0)
+        return BEAD_OK;
+    if (paper->style == BEAD_STYLE_AUTO && vector)
+        size = several_panels;
+    else if (paper->style == BEAD_STYLE_PAPER)
+        size = output->still.panel_count > 0 ? several_panels : reader->scene->chain_count > 1 ? page_wide : one_column;
+    paper->size_is_length = size != screen;
+    memcpy(paper->size, size, sizeof paper->size);
+    struct bead_at where = bead_at_key(at, "size");
+    return bead_output_check_size(reader, &where, paper);
 }
 
-enum bead_error bead_output_read_settings(struct bead_reader *reader, const struct bead_at *at, unsigned form,
+enum bead_error bead_output_read_settings(struct bead_reader *reader, const struct bead_at *at, const struct bead_options *options,
                                           struct bead_output *output)
 {
-    static enum bead_error (*const checks[])(const struct bead_reader *, const struct bead_at *, const struct bead_output *) = {
-        check_equations, check_times, check_moment, check_drawing, check_show, check_trust, bead_output_check_panels};
-    enum bead_error err = bead_options_read(reader, at, &bead_output_options, form, output);
+    const struct bead_output_type *type = bead_output_type(output->kind);
+    enum bead_error err = bead_options_read(reader, at, options, output);
+    if (!err)
+        err = settle_size(reader, at, output);
     if (err)
         return err;
-    style_size(reader, at, output);
     fit_equations(reader, at, output);
-    err = check_fields(reader, at, output);
-    if (!err && reader->scene->sweep_count > 0)
-        return bead_output_check_sweep_shown(reader, at, output);
-    for (size_t i = 0; !err && i < sizeof checks / sizeof checks[0]; i++)
-        err = checks[i](reader, at, output);
+    if (reader->scene->sweep_count > 0)
+        return type->check_sweep ? type->check_sweep(reader, at, output) : BEAD_OK;
+    for (size_t i = 0; !err && i < BEAD_OUTPUT_CHECKS && type->checks[i]; i++)
+        err = type->checks[i](reader, at, output);
     return err;
 }
 
 static enum bead_error read_output(struct bead_reader *reader, const struct bead_at *at, size_t index)
 {
-    struct bead_output *outputs = reader->scene->outputs, *output = &outputs[index];
-    unsigned form = 0;
+    struct bead_output *output = &reader->scene->outputs[index];
+    *output = bead_output_automatic;
     output->place = at->node->place;
-    enum bead_error err = find_kind(reader, at, output, &form);
-    if (!err && !form)
-        return no_kind(reader, at);
+    enum bead_error err = find_kind(reader, at, output);
     if (!err)
         err = bead_output_check_sweep(reader, at, index);
-    if (!err)
-        err = bead_output_read_settings(reader, at, form, output);
-    if (!err && output->kind == BEAD_OUTPUT_MOVIE)
-        err = bead_output_check_movie(reader, at, output);
+    if (err)
+        return err;
+    const struct bead_output_type *type = bead_output_type(output->kind);
+    err = bead_output_read_settings(reader, at, reader->scene->sweep_count > 0 ? type->sweep_options : type->options, output);
     return err ? err : check_paths(reader, at, index);
+}
+
+/* ---- the list ---- */
+
+/* Place in the entry's map of its list of files; 0: it names one. */
+static size_t find_list(const struct bead_node *entry)
+{
+    for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++) {
+        struct bead_node *key = NULL, *value = bead_node_get(entry, bead_output_key(kind), &key);
+        for (size_t i = 0; value && value->kind == BEAD_NODE_LIST && i + 1 < entry->count; i += 2) {
+            if (entry->items[i] == key)
+                return i + 1;
+        }
+    }
+    return 0;
+}
+
+/* How many files an entry names; 0: an empty list. */
+static size_t files_of(const struct bead_node *entry)
+{
+    size_t list = find_list(entry);
+    return list ? entry->items[list]->count : 1;
+}
+
+/* An output that names several files, {plot: [a.pdf, a.png], ...}, is as many outputs: the entry for one. NULL: no memory. */
+static struct bead_node *entry_of_file(const struct bead_reader *reader, struct bead_node *entry, size_t file)
+{
+    size_t list = find_list(entry);
+    if (!list)
+        return entry;
+    struct bead_node *single = bead_yaml_node(reader->yaml, BEAD_NODE_MAP, entry->place);
+    if (!single)
+        return NULL;
+    single->setting = entry->setting;
+    for (size_t i = 0; i < entry->count; i++) {
+        if (!bead_yaml_append(reader->yaml, single, i == list ? entry->items[i]->items[file] : entry->items[i]))
+            return NULL;
+    }
+    return single;
 }
 
 /* How many files all entries name. */
@@ -356,7 +410,7 @@ static enum bead_error count_files(const struct bead_reader *reader, const struc
 {
     *count = 0;
     for (size_t i = 0; i < at->node->count; i++) {
-        size_t files = bead_output_files(at->node->items[i]);
+        size_t files = files_of(at->node->items[i]);
         struct bead_at element = {at, NULL, i, at->node->items[i]};
         if (files == 0)
             return bead_wrong(reader, &element, "names no file: its list is empty");
@@ -383,9 +437,9 @@ enum bead_error bead_scene_read_outputs(struct bead_reader *reader, const struct
         return bead_no_memory(reader);
     scene->output_count = count;
     for (size_t i = 0; i < at->node->count && !err; i++) {
-        size_t files = bead_output_files(at->node->items[i]);
+        size_t files = files_of(at->node->items[i]);
         for (size_t k = 0; k < files && !err; k++) {
-            struct bead_at element = {at, NULL, i, bead_output_of_file(reader, at->node->items[i], k)};
+            struct bead_at element = {at, NULL, i, entry_of_file(reader, at->node->items[i], k)};
             err = element.node ? read_output(reader, &element, read++) : bead_no_memory(reader);
         }
     }

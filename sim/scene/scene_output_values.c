@@ -1,39 +1,28 @@
+/* Readers of the values of outputs' keys that are more than a number, a word or a choice. */
 #include <math.h>
 #include <string.h>
 #include <strings.h>
 
 #include "sim/scene/scene_output.h"
 
-/* Extensions that suit the kinds. */
-static const char *const extensions[BEAD_OUTPUT_KINDS][8] = {
-    [BEAD_OUTPUT_TRAJECTORY] = {"h5"},
-    [BEAD_OUTPUT_IMAGE] = {"png", "pdf", "svg"},
-    [BEAD_OUTPUT_MOVIE] = {"mp4", "mkv", "webm", "gif", "png", "apng"},
-    [BEAD_OUTPUT_PLOT] = {"png", "pdf", "svg"},
-    [BEAD_OUTPUT_TABLE] = {"csv"},
-    [BEAD_OUTPUT_SWEEP] = {"h5"},
-    [BEAD_OUTPUT_SHEET] = {"png", "pdf", "svg"},
-};
-
-static enum bead_error check_extension(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+/* Does a file end like one of the row's shape, "FILE.png, .pdf or .svg"? */
+static enum bead_error check_extension(const struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                       const char *path)
 {
-    const char *slash = strrchr(output->path, '/'), *base = slash ? slash + 1 : output->path, *dot = strrchr(base, '.');
-    char all[80] = "", shown[64];
-    for (size_t i = 0; extensions[output->kind][i]; i++) {
-        const char *extension = extensions[output->kind][i];
-        if (dot && dot > base && strcasecmp(dot + 1, extension) == 0)
+    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path, *dot = strrchr(base, '.');
+    const char *all = strchr(option->shape, '.');
+    char shown[64];
+    for (const char *known = all; dot && dot > base && known; known = strchr(known + 1, '.')) {
+        if (strcspn(known, ", ") == strlen(dot) && strncasecmp(known, dot, strlen(dot)) == 0)
             return BEAD_OK;
-        size_t used = strlen(all);
-        snprintf(all + used, sizeof all - used, "%s.%s", i == 0 ? "" : extensions[output->kind][i + 1] ? ", " : " or ", extension);
     }
     return bead_wrong(reader, at, "`%s` does not end like a file of this kind; must be a name with %s",
-                      bead_text_show(output->path, shown, sizeof shown), all);
+                      bead_text_show(path, shown, sizeof shown), all);
 }
 
 BEAD_OUTPUT_READER(bead_output_read_path)
 {
     struct bead_output *output = settings;
-    (void)option;
     enum bead_error err = bead_read_text(reader, at, &output->path);
     if (err)
         return err;
@@ -42,7 +31,7 @@ BEAD_OUTPUT_READER(bead_output_read_path)
         return bead_wrong(reader, at, "is empty; must be the name of a file");
     if (output->path[length - 1] == '/')
         return bead_wrong(reader, at, "ends in `/`; must be the name of a file, not of a directory");
-    return check_extension(reader, at, output);
+    return check_extension(reader, at, option, output->path);
 }
 
 /* Index of the element's name among `names`, at most once in a list: bits of those before are in *seen. */
@@ -72,12 +61,12 @@ BEAD_OUTPUT_READER(bead_output_read_fields)
     struct bead_output *output = settings;
     unsigned found = 0;
     if (at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, "all") == 0) {
-        output->fields = bead_scene_fields(reader->scene);
+        output->trajectory.fields = bead_scene_fields(reader->scene);
         return BEAD_OK;
     }
     enum bead_error err = need_list(reader, at, option);
     for (size_t i = 0; !err && i < at->node->count; i++)
-        err = read_name(reader, at, i, bead_output_field_names(), &output->fields, &found);
+        err = read_name(reader, at, i, bead_output_field_names(), &output->trajectory.fields, &found);
     return err;
 }
 
@@ -95,7 +84,7 @@ BEAD_OUTPUT_READER(bead_output_read_views)
             break;
         if (bead_view_infos[found].traits & BEAD_SHOWS_SENSORS && !bead_scene_has_sensors(reader->scene))
             return bead_wrong(reader, at, "shows sensors, but no bead of the chain has a `sensor`");
-        output->views[output->view_count++] = (enum bead_view_kind)found;
+        output->views.kinds[output->views.count++] = (enum bead_view_kind)found;
     }
     return err;
 }
@@ -124,23 +113,23 @@ BEAD_OUTPUT_READER(bead_output_read_beads)
     char shown[64];
     bool scalar = at->node->kind == BEAD_NODE_SCALAR, pair = at->node->kind == BEAD_NODE_LIST && at->node->count == 2;
     if (scalar && strcmp(at->node->text, "all") == 0) {
-        output->beads = (struct bead_span){0, SIZE_MAX};
+        output->shown.beads = (struct bead_span){0, SIZE_MAX};
         return BEAD_OK;
     }
     if ((!scalar && !pair) || (scalar && at->node->text[0] && !strchr("+-.0123456789", at->node->text[0])))
         return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
     if (scalar) {
-        enum bead_error err = read_bead(reader, at, &output->beads.first);
-        output->beads.last = output->beads.first;
+        enum bead_error err = read_bead(reader, at, &output->shown.beads.first);
+        output->shown.beads.last = output->shown.beads.first;
         return err;
     }
     struct bead_at first = {at, NULL, 0, at->node->items[0]}, last = {at, NULL, 1, at->node->items[1]};
-    enum bead_error err = read_bead(reader, &first, &output->beads.first);
+    enum bead_error err = read_bead(reader, &first, &output->shown.beads.first);
     if (!err)
-        err = read_bead(reader, &last, &output->beads.last);
-    if (!err && output->beads.first > output->beads.last)
-        err =
-            bead_wrong(reader, at, "is [%zu, %zu]; the first must not be behind the last", output->beads.first, output->beads.last);
+        err = read_bead(reader, &last, &output->shown.beads.last);
+    if (!err && output->shown.beads.first > output->shown.beads.last)
+        err = bead_wrong(reader, at, "is [%zu, %zu]; the first must not be behind the last", output->shown.beads.first,
+                         output->shown.beads.last);
     return err;
 }
 
@@ -163,16 +152,29 @@ static enum bead_error read_extent(const struct bead_reader *reader, const struc
     return bead_read_number(reader, at, *length ? &metres : &pixels, value);
 }
 
+enum bead_error bead_output_check_size(const struct bead_reader *reader, const struct bead_at *at, const struct bead_paper *paper)
+{
+    double scale = paper->size_is_length ? paper->dpi / 0.0254 : 1, width = paper->size[0] * scale, height = paper->size[1] * scale;
+    if (!(fmin(width, height) >= 1) || fmax(width, height) > 32768 || width * height > 5e8)
+        return bead_wrong(reader, at, "is %.0f x %.0f pixels; must be from 1 to 32768 each way and at most 5e8 in all", width,
+                          height);
+    return BEAD_OK;
+}
+
 BEAD_OUTPUT_READER(bead_output_read_size)
 {
     struct bead_output *output = settings;
+    struct bead_paper *paper = &output->paper;
     bool length[2] = {false, false};
     char shown[64];
+    if (at->node->kind == BEAD_NODE_SCALAR && option->initial && strcmp(option->initial, "auto") == 0 &&
+        strcmp(at->node->text, "auto") == 0)
+        return BEAD_OK; /* settled when the style and the panels are known */
     if (at->node->kind != BEAD_NODE_LIST || at->node->count != 2)
         return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
     for (size_t i = 0; i < 2; i++) {
         struct bead_at element = {at, NULL, i, at->node->items[i]};
-        enum bead_error err = read_extent(reader, &element, &output->size[i], &length[i]);
+        enum bead_error err = read_extent(reader, &element, &paper->size[i], &length[i]);
         if (err)
             return err;
     }
@@ -180,49 +182,58 @@ BEAD_OUTPUT_READER(bead_output_read_size)
         return bead_wrong(reader, at, "mixes pixels and a length; must be %s", option->shape);
     if (length[0] && output->kind == BEAD_OUTPUT_MOVIE)
         return bead_wrong(reader, at, "is a length; the size of a movie must be in pixels, such as [1920, 1080]");
-    output->size_is_length = length[0];
-    double scale = length[0] ? output->dpi / 0.0254 : 1, width = output->size[0] * scale, height = output->size[1] * scale;
-    if (!(fmin(width, height) >= 1) || fmax(width, height) > 32768 || width * height > 5e8)
-        return bead_wrong(reader, at, "is %.0f x %.0f pixels; must be from 1 to 32768 each way and at most 5e8 in all", width,
-                          height);
-    return BEAD_OK;
+    paper->size_is_length = length[0];
+    return bead_output_check_size(reader, at, paper);
 }
 
 /* [low, high] in `unit`; "": plain numbers. */
 static enum bead_error read_range(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                  const char *unit, struct bead_output *output)
+                                  const char *unit, enum bead_scale scale, double range[2])
 {
     const struct bead_option number = {.unit = *unit ? unit : NULL, .word = option->word, .word_value = option->word_value};
     const char *space = *unit ? " " : "";
     char shown[64];
     if (at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, option->word) == 0) {
-        output->range[0] = output->range[1] = NAN;
+        range[0] = range[1] = NAN;
         return BEAD_OK;
     }
     if (at->node->kind != BEAD_NODE_LIST || at->node->count != 2)
         return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
     for (size_t i = 0; i < 2; i++) {
         struct bead_at element = {at, NULL, i, at->node->items[i]};
-        enum bead_error err = bead_read_number(reader, &element, &number, &output->range[i]);
+        enum bead_error err = bead_read_number(reader, &element, &number, &range[i]);
         if (err)
             return err;
     }
-    if (output->range[0] >= output->range[1])
-        return bead_wrong(reader, at, "is [%g, %g]%s%s; the first must be below the second", output->range[0], output->range[1],
-                          space, unit);
-    if (output->scale == BEAD_SCALE_LOG && output->range[0] <= 0)
-        return bead_wrong(reader, at, "begins at %g%s%s; must be above 0 with `scale: log`", output->range[0], space, unit);
+    if (range[0] >= range[1])
+        return bead_wrong(reader, at, "is [%g, %g]%s%s; the first must be below the second", range[0], range[1], space, unit);
+    if (scale == BEAD_SCALE_LOG && range[0] <= 0)
+        return bead_wrong(reader, at, "begins at %g%s%s; must be above 0 with `scale: log`", range[0], space, unit);
     return BEAD_OK;
 }
 
-BEAD_OUTPUT_READER(bead_output_read_range)
+static const char *unit_of(const struct bead_reader *reader, enum bead_field field)
+{
+    return bead_scene_plain(reader->scene) ? "" : bead_field_info(field)->unit;
+}
+
+BEAD_OUTPUT_READER(bead_output_read_colour_range)
 {
     struct bead_output *output = settings;
-    bool plain = bead_scene_plain(reader->scene) || output->normalise != BEAD_NORMALISE_NONE;
-    return read_range(reader, at, option, plain ? "" : bead_field_info(output->field)->unit, output);
+    struct bead_colours_asked *colours = &output->colours;
+    return read_range(reader, at, option, unit_of(reader, output->shown.field), colours->scale, colours->range);
+}
+
+BEAD_OUTPUT_READER(bead_output_read_plot_range)
+{
+    struct bead_output *output = settings;
+    struct bead_plot_asked *plot = &output->plot;
+    const char *unit = plot->normalise == BEAD_NORMALISE_NONE ? unit_of(reader, output->shown.field) : "";
+    return read_range(reader, at, option, unit, plot->scale, plot->range);
 }
 
 BEAD_OUTPUT_READER(bead_output_read_sweep_range)
 {
-    return read_range(reader, at, option, "", settings);
+    struct bead_output *output = settings;
+    return read_range(reader, at, option, "", BEAD_SCALE_LINEAR, output->plot.range);
 }

@@ -9,15 +9,15 @@ enum { MOST_ROWS = 8, MOST_COLUMNS = 8 };
 
 void bead_output_free(struct bead_output *output)
 {
-    for (size_t i = 0; i < output->panel_count; i++)
-        bead_output_free(&output->panels[i]);
-    free(output->panels);
-    free(output->threshold);
+    for (size_t i = 0; i < output->still.panel_count; i++)
+        bead_output_free(&output->still.panels[i]);
+    free(output->still.panels);
+    free(output->still.caption);
+    free(output->panel.title);
     free(output->path);
-    free(output->colormap);
-    free(output->magnetism);
-    free(output->caption);
-    free(output->panel_title);
+    free(output->colours.colormap);
+    free(output->sweep_curves.threshold);
+    free(output->sheet.magnetism);
     bead_output_free_movie(output);
 }
 
@@ -33,12 +33,12 @@ BEAD_OUTPUT_READER(bead_output_read_chain)
         return err;
     bead_suggest_begin(&search, name);
     for (size_t c = 0; c < scene->chain_count; c++) {
-        output->chain = c;
+        output->panel.chain = c;
         if (strcmp(scene->chains[c].name, name) == 0)
             return BEAD_OK;
         bead_suggest_try(&search, scene->chains[c].name);
     }
-    output->chain = SIZE_MAX;
+    output->panel.chain = SIZE_MAX;
     if (strcmp(name, "all") == 0)
         return BEAD_OK;
     return bead_wrong(reader, at, "%s is not the name of a chain%s", bead_node_show(at->node, shown, sizeof shown),
@@ -62,19 +62,20 @@ static enum bead_error read_panel(struct bead_reader *reader, const struct bead_
     if (at->node->kind != BEAD_NODE_MAP)
         return bead_wrong(reader, at, "is %s; must be a map such as {field: force}", bead_node_show(at->node, shown, sizeof shown));
     bool plot = bead_node_get(at->node, "show", NULL) != NULL;
+    *panel = bead_output_automatic;
     panel->kind = plot ? BEAD_OUTPUT_PLOT : BEAD_OUTPUT_IMAGE;
     panel->place = at->node->place;
-    panel->row = row;
-    enum bead_error err = bead_output_read_settings(reader, at, plot ? BEAD_FORM_PLOT_PANEL : BEAD_FORM_IMAGE_PANEL, panel);
+    panel->panel.row = row;
+    enum bead_error err = bead_output_read_settings(reader, at, plot ? &bead_plot_panel_options : &bead_image_panel_options, panel);
     struct bead_at show = bead_at_key(at, "show");
-    bool drawing = panel->show == BEAD_SHOW_SETUP || panel->show == BEAD_SHOW_CONTACT || panel->show == BEAD_SHOW_CELL;
-    if (!err && plot && drawing)
+    if (!err && plot && bead_output_show(panel)->drawing)
         return bead_wrong(reader, &show,
                           "panels show sensors, peaks, modes or profiles; this has a picture of its own: {plot: FILE, show: %s}",
                           show.node->text);
-    bool sensors = plot ? panel->show == BEAD_SHOW_SENSORS : bead_views_any(panel->views, panel->view_count, BEAD_SHOWS_SENSORS);
+    bool sensors =
+        plot ? panel->curves.show == BEAD_SHOW_SENSORS : bead_views_any(panel->views.kinds, panel->views.count, BEAD_SHOWS_SENSORS);
     struct bead_at where = bead_at_key(at, "chain");
-    if (!err && sensors && !has_sensors(reader->scene, panel->chain))
+    if (!err && sensors && !has_sensors(reader->scene, panel->panel.chain))
         err = bead_wrong(reader, &where, "has no bead with a `sensor` that could be shown");
     return err;
 }
@@ -96,37 +97,43 @@ BEAD_OUTPUT_READER(bead_output_read_panels)
     enum bead_error err = need_list(reader, at, MOST_ROWS, option->shape);
     if (err)
         return err;
-    output->panels = calloc((size_t)MOST_COLUMNS * at->node->count, sizeof *output->panels);
-    if (!output->panels)
+    output->still.panels = calloc((size_t)MOST_COLUMNS * at->node->count, sizeof *output->still.panels);
+    if (!output->still.panels)
         return bead_no_memory(reader);
     for (size_t r = 0; !err && r < at->node->count; r++) {
         struct bead_at row = {at, NULL, r, at->node->items[r]};
         err = need_list(reader, &row, MOST_COLUMNS, "a row: a list of panels such as [{field: force}, {field: velocity}]");
         for (size_t i = 0; !err && i < row.node->count; i++) {
             struct bead_at panel = {&row, NULL, i, row.node->items[i]};
-            err = read_panel(reader, &panel, r, &output->panels[output->panel_count++]);
+            err = read_panel(reader, &panel, r, &output->still.panels[output->still.panel_count++]);
         }
     }
     return err;
 }
 
-enum bead_error bead_output_check_panels(const struct bead_reader *reader, const struct bead_at *at,
-                                         const struct bead_output *output)
+/* The first key of single panels that stands beside `panels`; NULL: none. */
+static const char *panel_key(const struct bead_at *at, const struct bead_options *options)
+{
+    const struct bead_option *row;
+    for (size_t i = 0; (row = bead_options_row(options, i)); i++) {
+        if (bead_node_get(at->node, row->key, NULL))
+            return row->key;
+    }
+    return NULL;
+}
+
+BEAD_OUTPUT_CHECK(bead_output_check_panels)
 {
     struct bead_at where = bead_at_key(at, "letters");
-    bool still = output->kind == BEAD_OUTPUT_IMAGE || output->kind == BEAD_OUTPUT_PLOT;
-    if (!still)
-        return BEAD_OK;
-    if (output->panel_count == 0 && where.node != at->node)
+    if (output->still.panel_count == 0 && where.node != at->node)
         return bead_wrong(reader, &where, "belongs to `panels`; there are none");
     where = bead_at_key(at, "axes");
-    if (!output->axes && output->kind == BEAD_OUTPUT_IMAGE && (output->panel_count > 0 || output->caption))
+    if (!output->views.axes && (output->still.panel_count > 0 || output->still.caption))
         return bead_wrong(reader, &where, "is false: bare pixels have neither panels nor a caption");
-    for (size_t i = 0; output->panel_count > 0 && i < bead_output_options.count; i++) {
-        const struct bead_option *row = &bead_output_options.rows[i];
-        where = bead_at_key(at, row->key);
-        if (row->forms & (BEAD_FORM_IMAGE_PANEL | BEAD_FORM_PLOT_PANEL) && where.node != at->node)
-            return bead_wrong(reader, &where, "is a key of single panels; it belongs into the maps of `panels`");
-    }
-    return BEAD_OK;
+    if (output->still.panel_count == 0)
+        return BEAD_OK;
+    const char *key = panel_key(at, &bead_image_panel_options);
+    key = key ? key : panel_key(at, &bead_plot_panel_options);
+    where = bead_at_key(at, key ? key : "");
+    return key ? bead_wrong(reader, &where, "is a key of single panels; it belongs into the maps of `panels`") : BEAD_OK;
 }

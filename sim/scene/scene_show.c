@@ -1,34 +1,38 @@
 /* `show`: what plots and tables can show, and which keys go with what. */
 #include <string.h>
 
-#include "sim/equation/equation.h"
 #include "sim/scene/scene_output.h"
 
 enum { PLOT = 1 << BEAD_OUTPUT_PLOT, TABLE = 1 << BEAD_OUTPUT_TABLE };
 
-/* One row a value of `show` (but drawings, which have keys of their own): kinds of outputs that show it; the keys besides those of
- * all that it takes. */
-static const struct show {
-    const char *name;
-    unsigned kinds;
-    const char *const *keys;
-    const char *why_not; /* it takes no others */
-} shows[] = {
-    [BEAD_SHOW_SENSORS] = {"sensors", PLOT | TABLE, (const char *const[]){"every", "time", "normalise", NULL},
-                           "the axis of sensors is linear"},
-    [BEAD_SHOW_PEAKS] = {"peaks", PLOT | TABLE, (const char *const[]){"scale", NULL}, "peaks are those of the whole first passage"},
-    [BEAD_SHOW_BEAD_PEAKS] = {"bead-peaks", TABLE, (const char *const[]){"scale", NULL},
-                              "peaks are those of the whole first passage"},
-    [BEAD_SHOW_MEASURES] = {"measures", TABLE, (const char *const[]){"every", NULL}, "measures are those of the whole run"},
-    [BEAD_SHOW_MODES] = {"modes", PLOT | TABLE, (const char *const[]){"every", "time", "modes", "scale", NULL},
-                         "modes have energies over time"},
-    [BEAD_SHOW_PROFILES] = {"profiles", PLOT | TABLE, (const char *const[]){"field", "at", NULL},
-                            "profiles are those of the times `at`"},
-    [BEAD_SHOW_CHAIN] = {"chain", TABLE, (const char *const[]){NULL}, "a chain at rest has no times"},
-};
-enum { SHOWS = sizeof shows / sizeof *shows };
+static const char no_contacts[] = "peaks are those of contacts between beads, which equations do not have",
+                  whole_passage[] = "peaks are those of the whole first passage";
 
-static bool takes(const struct show *show, const char *key)
+#define KEYS(...)         \
+    (const char *const[]) \
+    {                     \
+        __VA_ARGS__, NULL \
+    }
+static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
+    [BEAD_SHOW_SENSORS] = {KEYS("every", "time", "normalise"), "the axis of sensors is linear", .ends = PLOT | TABLE},
+    [BEAD_SHOW_PEAKS] = {KEYS("scale"), whole_passage, no_contacts, .ends = PLOT},
+    [BEAD_SHOW_BEAD_PEAKS] = {KEYS("scale"), whole_passage, no_contacts},
+    [BEAD_SHOW_MEASURES] = {KEYS("every"), "measures are those of the whole run", .ends = TABLE, .own_times = true},
+    [BEAD_SHOW_MODES] = {KEYS("every", "time", "modes", "scale"), "modes have energies over time", .modes = true},
+    [BEAD_SHOW_PROFILES] = {KEYS("field", "at"), "profiles are those of the times `at`", .ends = PLOT | TABLE, .of_field = true},
+    [BEAD_SHOW_CHAIN] = {KEYS(NULL), "a chain at rest has no times", "lists beads and contacts, which equations do not have"},
+    [BEAD_SHOW_SETUP] = {.drawing = true},
+    [BEAD_SHOW_CONTACT] = {.drawing = true},
+    [BEAD_SHOW_CELL] = {.drawing = true},
+};
+
+const struct bead_show_type *bead_output_show(const struct bead_output *output)
+{
+    bool has_show = output->kind == BEAD_OUTPUT_PLOT || output->kind == BEAD_OUTPUT_TABLE;
+    return has_show ? &shows[output->curves.show] : NULL;
+}
+
+static bool takes(const struct bead_show_type *show, const char *key)
 {
     for (const char *const *k = show->keys; *k; k++) {
         if (strcmp(*k, key) == 0)
@@ -41,44 +45,22 @@ static bool takes(const struct show *show, const char *key)
 static enum bead_error check_keys(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
 {
     static const char *const keys[] = {"every", "time", "modes", "field", "at", "scale", "normalise"};
-    const struct show *show = &shows[output->show];
+    const struct bead_show_type *show = bead_output_show(output);
+    const struct bead_option *row = bead_options_find(bead_output_type(output->kind)->options, "show");
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
         struct bead_at where = bead_at_key(at, keys[k]);
         char homes[120] = "";
-        bool plain = (strcmp(keys[k], "scale") == 0 && output->scale == BEAD_SCALE_LINEAR) ||
-                     (strcmp(keys[k], "normalise") == 0 && output->normalise == BEAD_NORMALISE_NONE);
+        bool plain = (strcmp(keys[k], "scale") == 0 && output->plot.scale == BEAD_SCALE_LINEAR) ||
+                     (strcmp(keys[k], "normalise") == 0 && output->plot.normalise == BEAD_NORMALISE_NONE);
         if (where.node == at->node || takes(show, keys[k]) || plain)
             continue;
-        for (size_t i = 0; i < SHOWS; i++) {
+        for (size_t i = 0; row->choices[i]; i++) {
             size_t used = strlen(homes);
-            if (shows[i].name && (shows[i].kinds & 1u << output->kind) && takes(&shows[i], keys[k]))
-                snprintf(homes + used, sizeof homes - used, "%s%s", used ? ", " : "", shows[i].name);
+            if (shows[row->values[i]].keys && takes(&shows[row->values[i]], keys[k]))
+                snprintf(homes + used, sizeof homes - used, "%s%s", used ? ", " : "", row->choices[i]);
         }
         return bead_wrong(reader, &where, "belongs to `show: %s`; %s", homes, show->why_not);
     }
-    return BEAD_OK;
-}
-
-static bool has_modes(const struct bead_scene *scene)
-{
-    for (size_t i = 0; i < scene->chain_count; i++) {
-        const char *name = scene->chains[i].equation.name;
-        if (!name || !bead_equation_find(name)->system.modes)
-            return false;
-    }
-    return true;
-}
-
-static enum bead_error check_modes(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
-{
-    struct bead_at views = bead_at_key(at, "views"), show = bead_at_key(at, "show");
-    bool shown = output->kind == BEAD_OUTPUT_PLOT || output->kind == BEAD_OUTPUT_TABLE ? output->show == BEAD_SHOW_MODES : false;
-    bool viewed = bead_views_any(output->views, output->view_count, BEAD_SHOWS_MODES);
-    if (viewed && output->kind == BEAD_OUTPUT_IMAGE)
-        return bead_wrong(reader, &views, "modes are a view of movies; {plot: FILE, show: modes} has their energies over time");
-    if ((shown || viewed) && !has_modes(reader->scene))
-        return bead_wrong(reader, shown ? &show : &views, "modes are those of equations, such as fput; %s",
-                          reader->scene->chain_count > 1 ? "not all chains here have some" : "this chain has none");
     return BEAD_OK;
 }
 
@@ -88,25 +70,31 @@ static enum bead_error check_moments(const struct bead_reader *reader, const str
     struct bead_at where = bead_at_key(at, "at");
     const char *unit = bead_scene_plain(reader->scene) ? "" : " s";
     double until = reader->scene->simulate.until;
-    if (output->profile_time_count == 0)
+    if (output->curves.profile_time_count == 0)
         return bead_wrong(reader, &where, "is missing: the times of the profiles, such as [0, %g]", *unit ? 1e-3 : 10);
-    double last = output->moments[output->profile_time_count - 1];
+    double last = output->curves.profile_times[output->curves.profile_time_count - 1];
     if (last > until)
         return bead_wrong(reader, &where, "goes to %g%s; must not be later than the end of the run at %g%s", last, unit, until,
                           unit);
     return BEAD_OK;
 }
 
-enum bead_error bead_output_check_show(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+BEAD_OUTPUT_CHECK(bead_output_check_show)
 {
+    const struct bead_show_type *show = bead_output_show(output);
     struct bead_at where = bead_at_key(at, "show");
-    enum bead_error err = check_modes(reader, at, output);
-    if (err || (output->kind != BEAD_OUTPUT_TABLE && output->kind != BEAD_OUTPUT_PLOT))
-        return err;
-    if (output->show == BEAD_SHOW_SENSORS && !bead_scene_has_sensors(reader->scene))
+    if (bead_scene_plain(reader->scene) && show->not_of_equations)
+        return bead_wrong(reader, &where, "%s", show->not_of_equations);
+    if (show->drawing || output->still.panel_count > 0)
+        return BEAD_OK;
+    enum bead_error err = show->modes ? bead_output_need_modes(reader, &where) : BEAD_OK;
+    if (!err && output->curves.show == BEAD_SHOW_SENSORS && !bead_scene_has_sensors(reader->scene))
         return bead_wrong(reader, &where, "shows sensors, but no bead of the chain has a `sensor`");
-    err = check_keys(reader, at, output);
-    return err || output->show != BEAD_SHOW_PROFILES ? err : check_moments(reader, at, output);
+    if (!err)
+        err = check_keys(reader, at, output);
+    if (!err && show->of_field)
+        err = bead_output_check_field(reader, at, output);
+    return err || output->curves.show != BEAD_SHOW_PROFILES ? err : check_moments(reader, at, output);
 }
 
 /* A list of rising times. */
@@ -122,12 +110,13 @@ BEAD_OUTPUT_READER(bead_output_read_profile_times)
                           BEAD_PROFILE_TIMES);
     for (size_t i = 0; i < at->node->count; i++) {
         struct bead_at element = {at, NULL, i, at->node->items[i]};
-        enum bead_error err = bead_read_number(reader, &element, &number, &output->moments[i]);
+        enum bead_error err = bead_read_number(reader, &element, &number, &output->curves.profile_times[i]);
         if (err)
             return err;
-        if (i > 0 && !(output->moments[i] > output->moments[i - 1]))
-            return bead_wrong(reader, &element, "is %g, not later than the one before; times must rise", output->moments[i]);
-        output->profile_time_count = i + 1;
+        if (i > 0 && !(output->curves.profile_times[i] > output->curves.profile_times[i - 1]))
+            return bead_wrong(reader, &element, "is %g, not later than the one before; times must rise",
+                              output->curves.profile_times[i]);
+        output->curves.profile_time_count = i + 1;
     }
     return BEAD_OK;
 }

@@ -99,7 +99,7 @@ static enum bead_error check_equations(const struct bead_reader *reader, const s
 enum bead_error bead_scene_read_simulate(struct bead_reader *reader, const struct bead_at *at)
 {
     struct bead_simulate *simulate = &reader->scene->simulate;
-    enum bead_error err = bead_options_read(reader, at, &bead_simulate_options, 0, simulate);
+    enum bead_error err = bead_options_read(reader, at, &bead_simulate_options, simulate);
     if (err)
         return err;
     struct bead_at step = bead_at_key(at, "step");

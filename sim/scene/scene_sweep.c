@@ -169,7 +169,7 @@ READER(read_measure)
     static const char *const peaks[] = {"force", "none", NULL};
     struct bead_sweep_measures *measures = &((struct bead_sweep_spec *)settings)->measures;
     (void)option;
-    enum bead_error err = bead_options_read(reader, at, &bead_sweep_measure_options, 0, measures);
+    enum bead_error err = bead_options_read(reader, at, &bead_sweep_measure_options, measures);
     struct bead_at peak = bead_at_key(at, "peak"), beads = bead_at_key(at, "beads");
     unsigned chosen = 0;
     if (!err && peak.node != at->node)
@@ -256,7 +256,7 @@ static enum bead_error read_sweep(struct bead_reader *reader, const struct bead_
     struct bead_sweep_spec *sweep = &scene->sweeps[index];
     sweep->place = at->node->place;
     sweep->chain = index;
-    enum bead_error err = bead_options_read(reader, at, &bead_sweep_options, 0, sweep);
+    enum bead_error err = bead_options_read(reader, at, &bead_sweep_options, sweep);
     if (!err)
         err = check_sweep_keys(reader, at, sweep);
     if (!err)

@@ -14,35 +14,35 @@ enum bead_error bead_output_check_sweep(const struct bead_reader *reader, const 
 {
     const struct bead_scene *scene = reader->scene;
     const struct bead_output *outputs = scene->outputs;
-    const enum bead_output_kind kind = outputs[index].kind;
-    static const char *const keys[BEAD_OUTPUT_KINDS] = {"trajectory", "image", "movie", "plot", "table", "sweep", "sheet"};
-    struct bead_at where = bead_at_key(at, keys[kind]);
-    bool of_sweeps =
-        kind == BEAD_OUTPUT_SWEEP || kind == BEAD_OUTPUT_SHEET || kind == BEAD_OUTPUT_PLOT || kind == BEAD_OUTPUT_TABLE;
-    if ((kind == BEAD_OUTPUT_SWEEP || kind == BEAD_OUTPUT_SHEET) && scene->sweep_count == 0)
+    const struct bead_output_type *type = bead_output_type(outputs[index].kind);
+    struct bead_at where = bead_at_key(at, bead_output_key(outputs[index].kind));
+    if (!type->options && scene->sweep_count == 0)
         return bead_wrong(reader, &where, "needs a sweep: the scene has neither `sweep` nor `sweeps`");
-    if (scene->sweep_count > 0 && !of_sweeps)
+    if (scene->sweep_count > 0 && !type->sweep_options)
         return bead_wrong(
             reader, &where,
             "shows a single run, and a sweep has many; must be sweep, sheet, plot or table (--configuration N shows one run of a "
             "sweep's file)");
-    for (size_t i = 0; i < index && kind == BEAD_OUTPUT_SWEEP; i++) {
-        if (outputs[i].kind == BEAD_OUTPUT_SWEEP)
+    for (size_t i = 0; i < index && type->stores_sweep; i++) {
+        if (outputs[i].kind == outputs[index].kind)
             return bead_wrong(reader, &where, "is a second file of the same results; one is enough");
     }
     return BEAD_OK;
 }
 
 /* A row of a sheet must be a magnetism of one of the sweeps. */
-static enum bead_error check_magnetism(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+BEAD_OUTPUT_CHECK(bead_output_check_sheet)
 {
+    enum bead_error err = bead_output_check_field(reader, at, output);
+    if (err)
+        return err;
     struct bead_at list = bead_at_key(at, "magnetism");
-    for (size_t i = 0; i < output->magnetism_count; i++) {
+    for (size_t i = 0; i < output->sheet.magnetism_count; i++) {
         double nearest = INFINITY;
         for (size_t s = 0; s < reader->scene->sweep_count; s++) {
             for (size_t g = 0; g < reader->scene->sweeps[s].group_count; g++) {
                 double m = reader->scene->sweeps[s].groups[g].magnetism;
-                if (fabs(m - output->magnetism[i]) < fabs(nearest - output->magnetism[i]))
+                if (fabs(m - output->sheet.magnetism[i]) < fabs(nearest - output->sheet.magnetism[i]))
                     nearest = m;
             }
         }
@@ -50,29 +50,25 @@ static enum bead_error check_magnetism(const struct bead_reader *reader, const s
         struct bead_at element = {&list, NULL, i, single ? list.node : list.node->items[i]};
         if (!isfinite(nearest))
             return bead_wrong(reader, &list, "is given, but the sweep has no magnetisms to choose from");
-        if (fabs(nearest - output->magnetism[i]) > sheet_near)
-            return bead_wrong(reader, single ? &list : &element, "is %g; the nearest of the sweep is %.4g", output->magnetism[i],
-                              nearest);
+        if (fabs(nearest - output->sheet.magnetism[i]) > sheet_near)
+            return bead_wrong(reader, single ? &list : &element, "is %g; the nearest of the sweep is %.4g",
+                              output->sheet.magnetism[i], nearest);
     }
     return BEAD_OK;
 }
 
-enum bead_error bead_output_check_sweep_shown(const struct bead_reader *reader, const struct bead_at *at,
-                                              const struct bead_output *output)
+BEAD_OUTPUT_CHECK(bead_output_check_sweep_curves)
 {
-    struct bead_at where = bead_at_key(at, "show");
-    if (output->kind == BEAD_OUTPUT_SWEEP)
-        return BEAD_OK;
-    if (output->kind == BEAD_OUTPUT_SHEET)
-        return check_magnetism(reader, at, output);
-    struct bead_at range = bead_at_key(at, "range");
-    if (output->kind == BEAD_OUTPUT_PLOT && output->sweep_show == BEAD_SWEEP_DECAY && output->range[0] <= 0)
-        return bead_wrong(reader, &range, "begins at %g; must be above 0: the axes of decay are logarithmic", output->range[0]);
+    const bool decay = output->sweep_curves.show == BEAD_SWEEP_DECAY;
+    struct bead_at where = bead_at_key(at, "show"), range = bead_at_key(at, "range");
+    if (decay && output->plot.range[0] <= 0)
+        return bead_wrong(reader, &range, "begins at %g; must be above 0: the axes of decay are logarithmic",
+                          output->plot.range[0]);
     for (size_t i = 0; i < reader->scene->sweep_count; i++) {
         const struct bead_sweep_spec *sweep = &reader->scene->sweeps[i];
-        if (output->sweep_show == BEAD_SWEEP_DECAY && !sweep->measures.decay)
+        if (decay && !sweep->measures.decay)
             return bead_wrong(reader, &where, "decay is not measured; must have `measure: {decay: true}` in every sweep");
-        if (output->sweep_show != BEAD_SWEEP_DECAY && !sweep->measures.peak)
+        if (!decay && !sweep->measures.peak)
             return bead_wrong(reader, &where, "peaks are not measured (measure: {peak: none}); must be decay");
     }
     return BEAD_OK;
@@ -94,9 +90,9 @@ BEAD_OUTPUT_READER(bead_output_read_threshold)
         snprintf(all + used, sizeof all - used, "%s%s", i ? ", " : "", info->name);
         bead_suggest_try(&search, info->name);
         if (strcmp(info->name, text) == 0) {
-            free(output->threshold);
-            output->threshold = strdup(text);
-            return output->threshold ? BEAD_OK : bead_no_memory(reader);
+            free(output->sweep_curves.threshold);
+            output->sweep_curves.threshold = strdup(text);
+            return output->sweep_curves.threshold ? BEAD_OK : bead_no_memory(reader);
         }
     }
     return bead_wrong(reader, at, "is %s; must be %s%s", bead_node_show(at->node, shown, sizeof shown), all,
@@ -114,15 +110,15 @@ BEAD_OUTPUT_READER(bead_output_read_magnetism)
         return BEAD_OK;
     if (at->node->kind == BEAD_NODE_MAP || count == 0)
         return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
-    output->magnetism = calloc(count, sizeof *output->magnetism);
-    if (!output->magnetism)
+    output->sheet.magnetism = calloc(count, sizeof *output->sheet.magnetism);
+    if (!output->sheet.magnetism)
         return bead_no_memory(reader);
     for (size_t i = 0; i < count; i++) {
         struct bead_at element = {at, NULL, i, one ? at->node : at->node->items[i]};
-        enum bead_error err = bead_read_number(reader, one ? at : &element, &number, &output->magnetism[i]);
+        enum bead_error err = bead_read_number(reader, one ? at : &element, &number, &output->sheet.magnetism[i]);
         if (err)
             return err;
     }
-    output->magnetism_count = count;
+    output->sheet.magnetism_count = count;
     return BEAD_OK;
 }

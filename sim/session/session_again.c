@@ -29,12 +29,12 @@ static enum bead_error settle_with_default(struct bead_session *s, struct bead_m
 static enum bead_error limit_to_file(struct bead_session *s, struct bead_output *output, struct bead_message *msg)
 {
     struct bead_span beads = bead_trajectory_beads(s->trajectory);
-    if (output->beads.first > beads.last || output->beads.last < beads.first)
+    if (output->shown.beads.first > beads.last || output->shown.beads.last < beads.first)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s holds beads %zu to %zu only", s->job.input, beads.first, beads.last);
-    output->beads.first = output->beads.first < beads.first ? beads.first : output->beads.first;
-    output->beads.last = output->beads.last > beads.last ? beads.last : output->beads.last;
-    if (!(output->time[0] >= s->native.start))
-        output->time[0] = s->native.start;
+    output->shown.beads.first = output->shown.beads.first < beads.first ? beads.first : output->shown.beads.first;
+    output->shown.beads.last = output->shown.beads.last > beads.last ? beads.last : output->shown.beads.last;
+    if (!(output->shown.time[0] >= s->native.start))
+        output->shown.time[0] = s->native.start;
     return BEAD_OK;
 }
 

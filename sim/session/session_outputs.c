@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/scene/output_kinds.h"
 #include "sim/session/session_data.h"
 
 static const char *base_name(const char *path)
@@ -86,10 +87,28 @@ enum bead_error bead_session_list_outputs(struct bead_session *s, struct bead_me
         m->output = &s->source->outputs[i];
         m->type = bead_session_find_type(&s->job, m->output);
         m->asked = is_asked(s, m->output);
-        if (m->output->kind == BEAD_OUTPUT_TRAJECTORY && !s->keeper)
+        if (bead_output_type(m->output->kind)->stores_samples && !s->keeper)
             s->keeper = m->output;
     }
     return BEAD_OK;
+}
+
+/* ---- what cannot be made ---- */
+
+bool bead_session_holds_sweep(const struct bead_made *made)
+{
+    return bead_output_type(made->output->kind)->stores_sweep;
+}
+
+const char *bead_session_skipped(const struct bead_session *session, size_t index)
+{
+    for (size_t i = 0; i < session->made_count; i++) {
+        const struct bead_made *made = &session->made[i];
+        bool results = session->sweep && bead_session_holds_sweep(made); /* which every program makes */
+        if (made->asked && !made->type && !made->sweep_type && !results && index-- == 0)
+            return made->output->path;
+    }
+    return NULL;
 }
 
 /* ---- one file ---- */
@@ -99,7 +118,7 @@ const struct bead_output *bead_session_find_again(const struct bead_scene *scene
     const struct bead_output *found = NULL;
     for (size_t i = 0; i < scene->output_count; i++) {
         const struct bead_output *output = &scene->outputs[i];
-        if (output->kind == BEAD_OUTPUT_TRAJECTORY)
+        if (bead_output_type(output->kind)->stores_samples)
             continue;
         if (strcmp(base_name(output->path), base_name(file)) == 0)
             return output;

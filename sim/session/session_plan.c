@@ -3,6 +3,7 @@
 
 #include "beadreel/trajectory.h"
 #include "sim/run/run_kinds.h"
+#include "sim/scene/output_kinds.h"
 #include "sim/session/session_data.h"
 
 /* Times for people, of beads in microseconds or milliseconds, of equations without unit. */
@@ -124,16 +125,15 @@ static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, 
 /* What the whole run does without. */
 static void plan_skips(const struct bead_session *s, FILE *out)
 {
-    bool file = false, graphics = false, samples = false, kinds[BEAD_OUTPUT_KINDS] = {false};
+    bool file = false, graphics = false, samples = false;
     for (size_t i = 0; i < s->made_count; i++) {
         const struct bead_made *m = &s->made[i];
         if (!m->sink)
             continue;
-        kinds[m->output->kind] = true;
+        file = file || bead_output_type(m->output->kind)->stores_samples;
+        graphics = graphics || bead_output_type(m->output->kind)->draws;
         samples = samples || (m->needs.grid.every > 0 && m->needs.fields);
     }
-    file = kinds[BEAD_OUTPUT_TRAJECTORY];
-    graphics = kinds[BEAD_OUTPUT_IMAGE] || kinds[BEAD_OUTPUT_MOVIE] || kinds[BEAD_OUTPUT_PLOT];
     if (!samples)
         fprintf(out, "skipped: samples (no output reads any)\n");
     if (!file)

@@ -4,6 +4,7 @@
 
 #include "beadreel/file.h"
 #include "sim/run/run_kinds.h"
+#include "sim/scene/output_kinds.h"
 #include "sim/session/session_data.h"
 
 /* Pictures take the trajectory's samples when they come at least this often, in units of the spacing that shows every
@@ -17,10 +18,8 @@ enum bead_error bead_session_out_of_memory(struct bead_message *msg)
 
 bool bead_output_needs_end(const struct bead_output *output)
 {
-    bool timed = output->show == BEAD_SHOW_SENSORS || output->show == BEAD_SHOW_PROFILES;
-    if (output->kind == BEAD_OUTPUT_PLOT)
-        return timed || output->show == BEAD_SHOW_PEAKS;
-    return output->kind != BEAD_OUTPUT_TABLE || timed || output->show == BEAD_SHOW_MEASURES;
+    const struct bead_show_type *show = bead_output_show(output);
+    return !show || show->ends >> output->kind & 1;
 }
 
 enum bead_error bead_session_find_resolution(struct bead_session *s, struct bead_message *msg)
@@ -59,18 +58,20 @@ struct bead_driver bead_session_play(const struct bead_session *s, const char *w
 static unsigned kept_fields(const struct bead_session *s)
 {
     const struct bead_output *k = s->keeper;
-    bool all = k->fields & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && k->beads.first == 0 && k->beads.last == SIZE_MAX;
+    bool all = k->trajectory.fields & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && k->shown.beads.first == 0 &&
+               k->shown.beads.last == SIZE_MAX;
     for (size_t i = 0; i < s->chain_count; i++)
         all = all && !(bead_chain_spec(s->chains[i])->damping_coefficient > 0) && !bead_chain_spec(s->chains[i])->equation.name;
-    return all ? k->fields | BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE) : k->fields;
+    return all ? k->trajectory.fields | BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE)
+               : k->trajectory.fields;
 }
 
 /* What an output reads of samples. */
 static unsigned fields_of(const struct bead_session *s, const struct bead_output *output)
 {
-    bool shows = output->kind == BEAD_OUTPUT_TABLE || output->kind == BEAD_OUTPUT_PLOT;
-    bool modes = (shows && output->show == BEAD_SHOW_MODES) || bead_views_any(output->views, output->view_count, BEAD_SHOWS_MODES);
-    unsigned fields = shows && output->show != BEAD_SHOW_PROFILES ? 0 : BEAD_FIELD_BIT(output->field);
+    const struct bead_show_type *show = bead_output_show(output);
+    bool modes = (show && show->modes) || bead_views_any(output->views.kinds, output->views.count, BEAD_SHOWS_MODES);
+    unsigned fields = show && !show->of_field ? 0 : BEAD_FIELD_BIT(output->shown.field);
     for (size_t c = 0; modes && c < s->chain_count; c++)
         fields |= bead_chain_mode_fields(s->chains[c]);
     return fields ? fields : BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
@@ -79,17 +80,20 @@ static unsigned fields_of(const struct bead_session *s, const struct bead_output
 static bool covers(const struct bead_session *s, const struct bead_output *output)
 {
     const struct bead_output *k = s->keeper;
-    if (output->kind == BEAD_OUTPUT_TABLE && output->show == BEAD_SHOW_MEASURES)
-        return false; /* no interval is close enough, but its own */
+    const struct bead_show_type *show = bead_output_show(output);
+    if (show && show->own_times)
+        return false;
     unsigned needs = fields_of(s, output);
-    double from = isnan(output->time[0]) ? 0 : output->time[0], to = isnan(output->time[1]) ? s->end : output->time[1];
-    return k && (kept_fields(s) & needs) == needs && k->beads.first <= output->beads.first && k->beads.last >= output->beads.last &&
-           s->native.start <= from && s->native.end >= fmin(to, s->end) * (1 - 1e-9) && s->native.every <= coarsest * s->resolution;
+    double from = isnan(output->shown.time[0]) ? 0 : output->shown.time[0],
+           to = isnan(output->shown.time[1]) ? s->end : output->shown.time[1];
+    return k && (kept_fields(s) & needs) == needs && k->shown.beads.first <= output->shown.beads.first &&
+           k->shown.beads.last >= output->shown.beads.last && s->native.start <= from &&
+           s->native.end >= fmin(to, s->end) * (1 - 1e-9) && s->native.every <= coarsest * s->resolution;
 }
 
 enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
-    m->shared = s->trajectory || (m->output != s->keeper && m->output->every == 0 && covers(s, m->output));
+    m->shared = s->trajectory || (m->output != s->keeper && m->output->shown.every == 0 && covers(s, m->output));
     struct bead_run_context context = {.scene = s->source,
                                        .chains = s->chains,
                                        .chain_count = s->chain_count,

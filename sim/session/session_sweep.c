@@ -28,7 +28,7 @@ static enum bead_error find_path(struct bead_session *s, struct bead_made *m, st
 {
     char *whole = NULL;
     enum bead_error err = bead_file_join(s->job.output ? s->job.output : ".", m->output->path, &whole, msg);
-    if (err || s->job.parts == 0 || m->output->kind != BEAD_OUTPUT_SWEEP) {
+    if (err || s->job.parts == 0 || !bead_session_holds_sweep(m)) {
         m->path = whole;
         return err;
     }
@@ -43,7 +43,7 @@ enum bead_error bead_session_open_sweep(struct bead_session *s, struct bead_mess
     bool file = false;
     for (size_t i = 0; !err && i < s->made_count; i++) {
         struct bead_made *m = &s->made[i];
-        bool results = m->output->kind == BEAD_OUTPUT_SWEEP;
+        bool results = bead_session_holds_sweep(m);
         m->type = NULL;
         m->asked = m->asked && (results || s->job.parts == 0); /* a part has no statistics */
         m->sweep_type = results ? NULL : find_sink(&s->job, m->output);
@@ -259,7 +259,7 @@ static bool needs_results(const struct bead_session *s)
     bool needs = false;
     for (size_t i = 0; i < s->made_count; i++) {
         const struct bead_made *m = &s->made[i];
-        needs = needs || (m->asked && (m->output->kind == BEAD_OUTPUT_SWEEP || (m->sweep_type && !m->sweep_type->run)));
+        needs = needs || (m->asked && (bead_session_holds_sweep(m) || (m->sweep_type && !m->sweep_type->run)));
     }
     return needs;
 }
@@ -275,7 +275,7 @@ static enum bead_error compute(struct bead_session *s, const char *results, cons
 static enum bead_error write_output(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
     struct bead_result *r = &s->results[s->result_count];
-    bool results = m->output->kind == BEAD_OUTPUT_SWEEP && !s->sweep_read;
+    bool results = bead_session_holds_sweep(m) && !s->sweep_read;
     if (!m->asked || (!results && !m->sweep_type))
         return BEAD_OK;
     *r = (struct bead_result){m->path, 0, 0};
@@ -299,7 +299,7 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
     if (!s->results)
         return bead_session_out_of_memory(msg);
     for (size_t i = 0; i < s->made_count; i++) {
-        if (s->made[i].asked && s->made[i].output->kind == BEAD_OUTPUT_SWEEP && !s->sweep_read)
+        if (s->made[i].asked && bead_session_holds_sweep(&s->made[i]) && !s->sweep_read)
             results = s->made[i].path;
     }
     enum bead_error err = s->sweep_read ? BEAD_OK : bead_file_make_directory(s->job.output, msg);
@@ -382,7 +382,7 @@ enum bead_error bead_session_plan_sweep(const struct bead_session *s, FILE *out,
         fprintf(out, "of these, part %zu of %zu\n", s->job.part, s->job.parts);
     for (size_t i = 0; i < s->made_count; i++) {
         const struct bead_made *m = &s->made[i];
-        bool results = m->output->kind == BEAD_OUTPUT_SWEEP && !s->sweep_read;
+        bool results = bead_session_holds_sweep(m) && !s->sweep_read;
         if (!m->asked)
             fprintf(out, "output %s: skipped: %s\n", m->output->path,
                     s->job.parts > 0 ? "a part has no statistics" : "not asked for (--only)");

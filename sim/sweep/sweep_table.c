@@ -64,7 +64,7 @@ static enum bead_error write_magnetism(const struct out *o, struct bead_message 
     for (size_t p = 0; p < bead_sweep_panels(o->sweep); p++) {
         for (size_t place = 0; place < bead_sweep_panel(o->sweep, p)->places; place++) {
             struct bead_sweep_statistics s;
-            enum bead_error err = bead_sweep_statistics(o->sweep, p, place, o->output->threshold, &s, msg);
+            enum bead_error err = bead_sweep_statistics(o->sweep, p, place, o->output->sweep_curves.threshold, &s, msg);
             if (err)
                 return err;
             for (size_t i = 0; i < s.row_count; i++) {
@@ -155,7 +155,7 @@ static const struct kind {
 static const struct kind *kind_of(const struct bead_output *output)
 {
     size_t i = sizeof kinds / sizeof *kinds - 1;
-    while (i > 0 && kinds[i].show != output->sweep_show)
+    while (i > 0 && kinds[i].show != output->sweep_curves.show)
         i--;
     return &kinds[i];
 }

@@ -291,10 +291,10 @@ static void compare_copies(enum bead_follow follow)
     struct bead_caption captions[] = {{1e-4, 3e-4, NAN, "F_{max}", {0}}, {5e-4, NAN, NAN, "the last", {0}}};
     struct bead_output changed = w.scene->outputs[0];
     const struct bead_output *output = &changed;
-    changed.follow = follow;
-    changed.window = 12;
-    changed.captions = captions;
-    changed.caption_count = 2;
+    changed.movie.follow = follow;
+    changed.movie.window = 12;
+    changed.movie.captions = captions;
+    changed.movie.caption_count = 2;
     struct bead_composer_setup setup = {.output = output,
                                         .chains = (const struct bead_chain *const *)w.chains,
                                         .chain_count = 2,
@@ -359,10 +359,10 @@ static char *run_with_threads(const char *directory, int threads, struct bead_gr
     struct bead_needs needs;
     char name[] = "m.hash", result[300];
     double u[BEADS], f[BEADS];
-    output.follow = BEAD_FOLLOW_FRONT;
-    output.window = 10;
-    output.captions = captions;
-    output.caption_count = 1;
+    output.movie.follow = BEAD_FOLLOW_FRONT;
+    output.movie.window = 10;
+    output.movie.captions = captions;
+    output.movie.caption_count = 1;
     output.path = name; /* a codec for tests; scenes may not ask for it */
     struct bead_run_context context = {.scene = w.scene,
                                        .chains = (const struct bead_chain *const *)w.chains,

@@ -29,7 +29,7 @@ static void captions_come_and_go(void **state)
                                   {5e-3, NAN, 2, "two seconds of the film", {0}},
                                   {8e-3, 20e-3, NAN, "longer than there is time", {0}},
                                   {9e-3, NAN, NAN, "the last", {0}}};
-    struct bead_output output = {.captions = list, .caption_count = 5};
+    struct bead_output output = {.movie = {.captions = list, .caption_count = 5}};
     static const struct {
         double time;
         size_t caption;
@@ -51,7 +51,7 @@ static void long_captions_stay_longer(void **state)
     memset(text, 'x', 90);
     text[90] = '\0';
     struct bead_caption list[] = {{0, NAN, NAN, text, {0}}};
-    struct bead_output output = {.captions = list, .caption_count = 1};
+    struct bead_output output = {.movie = {.captions = list, .caption_count = 1}};
     assert_int_equal(bead_captions_find(&output, 1, 5.9), 0);
     assert_int_equal(bead_captions_find(&output, 1, 6.1), SIZE_MAX);
 }
@@ -68,12 +68,12 @@ static void long_captions_take_two_lines(void **state)
                                    "This one is a good deal longer, says more than anybody wants to know about a chain of beads "
                                    "and will not fit into one line of a picture that is as small as this",
                                    {0}}};
-    struct bead_output output = {.captions = list, .caption_count = 1};
+    struct bead_output output = {.movie = {.captions = list, .caption_count = 1}};
     assert_int_equal(bead_captions_lines(&output, &look, 1280), 1);
-    output.caption_count = 2;
+    output.movie.caption_count = 2;
     assert_int_equal(bead_captions_lines(&output, &look, 1280), 2);
     assert_int_equal(bead_captions_lines(&output, &look, 4000), 1);
-    output.caption_count = 0;
+    output.movie.caption_count = 0;
     assert_int_equal(bead_captions_lines(&output, &look, 1280), 0);
 }
 

@@ -257,7 +257,7 @@ static void test_modes_are_panels(void **state)
     const struct bead_chain *const chains[] = {chain};
     struct bead_run_context context = {
         .scene = parsed, .chains = chains, .chain_count = 1, .end = 10, .resolution = 0.25, .directory = "."};
-    assert_int_equal(bead_plot_data_create(&parsed->outputs[0].panels[0], &context, SIZE_MAX, &data, &msg), BEAD_OK);
+    assert_int_equal(bead_plot_data_create(&parsed->outputs[0].still.panels[0], &context, SIZE_MAX, &data, &msg), BEAD_OK);
     for (size_t i = 0; i <= 40; i++) {
         double u[9], v[9] = {0}, time = 0.25 * (double)i;
         struct bead_sample sample = {.time = time, .index = i, .active = 7};

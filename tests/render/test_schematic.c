@@ -161,7 +161,7 @@ static void setups_of_all_lengths(void **state)
         for (size_t o = 0; o < s->scene->output_count; o++) {
             if (draw(s, o, &seen, NULL))
                 fail_msg("no room for %s in %s", s->scene->outputs[o].path, chains[i]);
-            if (s->scene->outputs[o].show == BEAD_SHOW_SETUP)
+            if (s->scene->outputs[o].curves.show == BEAD_SHOW_SETUP)
                 assert_true(wrote(&seen, "striker"));
         }
         clear_stage(s);

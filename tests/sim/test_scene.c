@@ -46,26 +46,27 @@ static void outputs_have_the_defaults_of_their_kind(void **state)
     const struct bead_output *o = scene->outputs;
     assert_int_equal(scene->output_count, 6);
     assert_int_equal(o[0].kind, BEAD_OUTPUT_TRAJECTORY);
-    assert_int_equal(o[0].fields, BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) |
-                                      BEAD_FIELD_BIT(BEAD_FIELD_FORCE));
-    assert_true(o[0].every == 0 && isnan(o[0].time[0]) && isnan(o[0].time[1]));
-    assert_true(o[0].beads.first == 0 && o[0].beads.last == SIZE_MAX);
-    assert_true(o[1].size[0] == 1920 && o[1].size[1] == 1080 && !o[1].size_is_length);
-    assert_string_equal(o[1].colormap, "auto");
-    assert_int_equal(o[1].scale, BEAD_SCALE_LINEAR);
-    assert_int_equal(o[1].field, BEAD_FIELD_FORCE);
-    assert_true(o[1].axes && isnan(o[1].range[0]) && isnan(o[1].range[1]) && isnan(o[1].at) && o[1].magnify == 0);
-    assert_int_equal(o[1].view_count, 1);
-    assert_int_equal(o[1].views[0], BEAD_VIEW_SPACETIME);
-    assert_true(o[2].size[0] == 0.178 && o[2].size[1] == 0.12 && o[2].size_is_length && o[2].dpi == 600);
-    assert_string_equal(o[3].colormap, "auto");
-    assert_int_equal(o[3].scale, BEAD_SCALE_SQRT);
-    assert_true(o[3].fps == 60 && o[3].duration == 10 && o[3].size[0] == 1920);
-    assert_int_equal(o[3].quality, BEAD_QUALITY_STANDARD);
-    assert_int_equal(o[3].view_count, 3);
-    assert_int_equal(o[3].views[2], BEAD_VIEW_SPACETIME);
-    assert_int_equal(o[4].show, BEAD_SHOW_PEAKS);
-    assert_true(o[5].size[0] == 640 && !o[5].size_is_length);
+    assert_int_equal(o[0].trajectory.fields, BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) |
+                                                 BEAD_FIELD_BIT(BEAD_FIELD_FORCE));
+    assert_true(o[0].shown.every == 0 && isnan(o[0].shown.time[0]) && isnan(o[0].shown.time[1]));
+    assert_true(o[0].shown.beads.first == 0 && o[0].shown.beads.last == SIZE_MAX);
+    assert_true(o[1].paper.size[0] == 1920 && o[1].paper.size[1] == 1080 && !o[1].paper.size_is_length);
+    assert_string_equal(o[1].colours.colormap, "auto");
+    assert_int_equal(o[1].colours.scale, BEAD_SCALE_LINEAR);
+    assert_int_equal(o[1].shown.field, BEAD_FIELD_FORCE);
+    assert_true(o[1].views.axes && isnan(o[1].colours.range[0]) && isnan(o[1].colours.range[1]) && isnan(o[1].image.at) &&
+                o[1].views.magnify == 0);
+    assert_int_equal(o[1].views.count, 1);
+    assert_int_equal(o[1].views.kinds[0], BEAD_VIEW_SPACETIME);
+    assert_true(o[2].paper.size[0] == 0.178 && o[2].paper.size[1] == 0.12 && o[2].paper.size_is_length && o[2].paper.dpi == 600);
+    assert_string_equal(o[3].colours.colormap, "auto");
+    assert_int_equal(o[3].colours.scale, BEAD_SCALE_SQRT);
+    assert_true(o[3].movie.fps == 60 && o[3].movie.duration == 10 && o[3].paper.size[0] == 1920);
+    assert_int_equal(o[3].movie.quality, BEAD_QUALITY_STANDARD);
+    assert_int_equal(o[3].views.count, 3);
+    assert_int_equal(o[3].views.kinds[2], BEAD_VIEW_SPACETIME);
+    assert_int_equal(o[4].curves.show, BEAD_SHOW_PEAKS);
+    assert_true(o[5].paper.size[0] == 640 && !o[5].paper.size_is_length);
     bead_scene_free(scene);
 }
 
@@ -84,21 +85,24 @@ static void outputs_mean_what_they_say(void **state)
         "  - {table: beads.csv, show: bead-peaks}\n"
         "  - {table: sensors.csv, show: sensors, every: 1 \xc2\xb5s}\n");
     const struct bead_output *o = scene->outputs;
-    assert_int_equal(o[0].fields, BEAD_FIELD_BIT(BEAD_FIELD_STRAIN) - 1);
-    assert_true(o[0].every == 1e-6 && o[0].beads.first == 7 && o[0].beads.last == 7 && isnan(o[0].time[0]) && o[0].time[1] == 1e-3);
-    assert_int_equal(o[1].field, BEAD_FIELD_VELOCITY);
-    assert_true(o[1].time[0] == 0 && o[1].time[1] == 1.5e-3 && o[1].beads.first == 20 && o[1].beads.last == 40);
-    assert_true(o[1].size[0] == 0.086 && o[1].size[1] == 0.06 && o[1].size_is_length && o[1].dpi == 300);
-    assert_true(o[1].range[0] == 1e-3 && o[1].range[1] == 2 && !o[1].axes && o[1].at == 0.7e-3 && o[1].magnify == 60);
-    assert_int_equal(o[1].scale, BEAD_SCALE_LOG);
-    assert_int_equal(o[1].view_count, 2);
-    assert_int_equal(o[1].views[1], BEAD_VIEW_SENSORS);
+    assert_int_equal(o[0].trajectory.fields, BEAD_FIELD_BIT(BEAD_FIELD_STRAIN) - 1);
+    assert_true(o[0].shown.every == 1e-6 && o[0].shown.beads.first == 7 && o[0].shown.beads.last == 7 &&
+                isnan(o[0].shown.time[0]) && o[0].shown.time[1] == 1e-3);
+    assert_int_equal(o[1].shown.field, BEAD_FIELD_VELOCITY);
+    assert_true(o[1].shown.time[0] == 0 && o[1].shown.time[1] == 1.5e-3 && o[1].shown.beads.first == 20 &&
+                o[1].shown.beads.last == 40);
+    assert_true(o[1].paper.size[0] == 0.086 && o[1].paper.size[1] == 0.06 && o[1].paper.size_is_length && o[1].paper.dpi == 300);
+    assert_true(o[1].colours.range[0] == 1e-3 && o[1].colours.range[1] == 2 && !o[1].views.axes && o[1].image.at == 0.7e-3 &&
+                o[1].views.magnify == 60);
+    assert_int_equal(o[1].colours.scale, BEAD_SCALE_LOG);
+    assert_int_equal(o[1].views.count, 2);
+    assert_int_equal(o[1].views.kinds[1], BEAD_VIEW_SENSORS);
     assert_string_equal(o[2].path, "b/a.webm");
-    assert_true(o[2].fps == 25 && o[2].duration == 2.5 && o[2].range[0] == -1 && isnan(o[2].range[1]));
-    assert_int_equal(o[2].quality, BEAD_QUALITY_LOSSLESS);
-    assert_int_equal(o[2].theme, BEAD_THEME_LIGHT);
-    assert_int_equal(o[4].show, BEAD_SHOW_BEAD_PEAKS);
-    assert_true(o[5].every == 1e-6);
+    assert_true(o[2].movie.fps == 25 && o[2].movie.duration == 2.5 && o[2].colours.range[0] == -1 && isnan(o[2].colours.range[1]));
+    assert_int_equal(o[2].movie.quality, BEAD_QUALITY_LOSSLESS);
+    assert_int_equal(o[2].paper.theme, BEAD_THEME_LIGHT);
+    assert_int_equal(o[4].curves.show, BEAD_SHOW_BEAD_PEAKS);
+    assert_true(o[5].shown.every == 1e-6);
     assert_int_equal(o[5].place.line, 10);
     assert_int_equal(o[5].place.column, 5);
     bead_scene_free(scene);
@@ -289,7 +293,7 @@ static void flags(void **state)
         char text[256];
         snprintf(text, sizeof text, BEADS "outputs: [{image: a.png, axes: %s}]\n", words[i].word);
         struct bead_scene *scene = parse(text);
-        assert_int_equal(scene->outputs[0].axes, words[i].value);
+        assert_int_equal(scene->outputs[0].views.axes, words[i].value);
         bead_scene_free(scene);
     }
 }

@@ -86,9 +86,9 @@ static void settings_change_the_scene(void **state)
     size_t count = sizeof settings / sizeof *settings;
     struct bead_scene *scene = parse_with(text, settings, count);
     assert_true(scene->simulate.step == 1e-7 && scene->chains[0].striker_velocity == 1);
-    assert_true(scene->outputs[0].size[0] == 640 && scene->outputs[0].size[1] == 360);
-    assert_int_equal(scene->outputs[0].scale, BEAD_SCALE_SQRT);
-    assert_int_equal(scene->outputs[1].show, BEAD_SHOW_BEAD_PEAKS);
+    assert_true(scene->outputs[0].paper.size[0] == 640 && scene->outputs[0].paper.size[1] == 360);
+    assert_int_equal(scene->outputs[0].colours.scale, BEAD_SCALE_SQRT);
+    assert_int_equal(scene->outputs[1].curves.show, BEAD_SHOW_BEAD_PEAKS);
     assert_int_equal(scene->chains[0].segments[0].count, 20);
     assert_string_equal(scene->chains[0].segments[1].sensor, "t");
     assert_int_equal(scene->chains[0].wall, BEAD_WALL_RIGID);
@@ -96,7 +96,7 @@ static void settings_change_the_scene(void **state)
     assert_true(material_of(scene, "x")->colour[2] == 1);
     /* Its text is the whole scene as run. */
     struct bead_scene *again = parse(scene->text);
-    assert_true(again->simulate.step == 1e-7 && again->chains[0].striker_velocity == 1 && again->outputs[0].size[0] == 640);
+    assert_true(again->simulate.step == 1e-7 && again->chains[0].striker_velocity == 1 && again->outputs[0].paper.size[0] == 640);
     assert_int_equal(again->chains[0].segment_count, 2);
     assert_string_equal(again->title, "#1: a, b");
     /* And a fixed point: nothing changes when it is written once more. */
@@ -115,6 +115,28 @@ static void settings_under_an_alias_change_one_place(void **state)
                    (const char *const[]){"chains.b.c.beads.0.count=5"}, 1);
     assert_int_equal(scene->chains[0].segments[0].count, 3);
     assert_int_equal(scene->chains[1].segments[0].count, 5);
+    bead_scene_free(scene);
+}
+
+/* Outputs of every kind are called by their file. */
+static void settings_name_files_of_every_kind(void **state)
+{
+    (void)state;
+    static const char runs[] =
+        BEADS "outputs: [{trajectory: a.h5}, {image: a.png}, {movie: a.mp4}, {plot: a.pdf, show: peaks}, {table: a.csv}]\n";
+    static const char *const of_runs[] = {"outputs.a.h5.every=1 us", "outputs.a.png.scale=log", "outputs.a.mp4.fps=25",
+                                          "outputs.a.pdf.scale=log", "outputs.a.csv.show=bead-peaks"};
+    static const char sweep[] = "sweep: {cells: 4, configurations: 3}\n"
+                                "outputs: [{sweep: a.h5}, {sheet: sheet.png}, {plot: a.pdf}, {table: a.csv}]\n";
+    static const char *const of_sweeps[] = {"outputs.sheet.png.configurations=3", "outputs.a.h5.sweep=b.h5",
+                                            "outputs.a.pdf.show=mean", "outputs.a.csv.show=configurations"};
+    struct bead_scene *scene = parse_with(runs, of_runs, sizeof of_runs / sizeof *of_runs);
+    assert_true(scene->outputs[0].shown.every == 1e-6 && scene->outputs[2].movie.fps == 25);
+    bead_scene_free(scene);
+    scene = parse_with(sweep, of_sweeps, sizeof of_sweeps / sizeof *of_sweeps);
+    assert_string_equal(scene->outputs[0].path, "b.h5");
+    assert_int_equal(scene->outputs[1].sheet.configurations, 3);
+    assert_int_equal(scene->outputs[2].sweep_curves.show, BEAD_SWEEP_MEAN);
     bead_scene_free(scene);
 }
 
@@ -210,6 +232,7 @@ int main(void)
         cmocka_unit_test(files_that_cannot_be_read),
         cmocka_unit_test(settings_change_the_scene),
         cmocka_unit_test(settings_under_an_alias_change_one_place),
+        cmocka_unit_test(settings_name_files_of_every_kind),
         cmocka_unit_test(wrong_settings_name_their_place),
         cmocka_unit_test(cut_scenes_are_survived),
         cmocka_unit_test(changed_scenes_are_survived),

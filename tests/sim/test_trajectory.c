@@ -323,7 +323,7 @@ static void grids(void **state)
     struct bead_run_context context = {.scene = NULL, .end = 1e-3, .resolution = 1e-6, .native = {0.1e-3, 4e-6, 0.5e-3}};
     struct bead_scene scene = {.file = NULL};
     context.scene = &scene;
-    struct bead_output output = {.time = {NAN, NAN}, .every = 9e-6};
+    struct bead_output output = {.shown = {.time = {NAN, NAN}, .every = 9e-6}};
     struct bead_grid grid;
     assert_int_equal(bead_sink_grid(&output, &context, &grid, &msg), BEAD_OK);
     assert_near(grid.every, 8e-6, 1e-18);

@@ -1,0 +1,559 @@
+/* Keys of outputs: a table for each kind, of rows that are its own and rows that several kinds share. What the values must be like
+ * besides is checked in scene_output.c. */
+#include <math.h>
+
+#include "sim/scene/scene_output.h"
+
+#define OUTPUT(member) offsetof(struct bead_output, member)
+
+static const char *const plot_shows[] = {"sensors", "peaks", "setup", "contact", "cell", "modes", "profiles", NULL};
+static const unsigned plot_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_SETUP,   BEAD_SHOW_CONTACT,
+                                       BEAD_SHOW_CELL,    BEAD_SHOW_MODES, BEAD_SHOW_PROFILES};
+static const char *const table_shows[] = {"sensors", "peaks", "bead-peaks", "measures", "modes", "profiles", "chain", NULL};
+static const unsigned table_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS,    BEAD_SHOW_BEAD_PEAKS, BEAD_SHOW_MEASURES,
+                                        BEAD_SHOW_MODES,   BEAD_SHOW_PROFILES, BEAD_SHOW_CHAIN};
+static const char *const sweep_plot_shows[] = {"median", "mean", "both", "decay", NULL};
+static const char *const sweep_table_shows[] = {"magnetism", "configurations", "decay", NULL};
+static const unsigned sweep_table_values[] = {BEAD_SWEEP_MAGNETISM, BEAD_SWEEP_CONFIGURATIONS, BEAD_SWEEP_DECAY};
+static const char *const scales[] = {"linear", "sqrt", "log", NULL};
+static const char *const normalisings[] = {"none", "first", "max", NULL};
+static const char *const samplings[] = {"area", "max", NULL};
+static const char *const qualities[] = {"draft", "standard", "high", "lossless", NULL};
+static const char *const styles[] = {"auto", "paper", "slide", "movie", NULL};
+static const char *const themes[] = {"auto", "light", "dark", NULL};
+static const char *const follows[] = {"all", "front", NULL};
+#define FIELD_NAME(id, name, unit, title, place) name,
+static const char *const fields[] = {BEAD_FIELDS(FIELD_NAME) NULL};
+#define FIELD_LISTED(id, name, unit, title, place) name ", "
+#define FIELDS                                     BEAD_FIELDS(FIELD_LISTED)
+#define VIEW_LISTED(ID, view, ...)                 #view ", "
+#define VIEWS                                      BEAD_VIEWS(VIEW_LISTED)
+
+const char *const *bead_output_field_names(void)
+{
+    return fields;
+}
+
+/* The first row of a kind: its key has the file as its value. */
+#define FILE_ROW(name, files)                                                                   \
+    {                                                                                           \
+        .key = name, .type = BEAD_OPTION_CUSTOM, .required = true, .shape = files,              \
+        .help = "the file, or a list of files: the same in each", .read = bead_output_read_path \
+    }
+
+/* ---- shared: what of the chains ---- */
+
+static const struct bead_option field_row[] = {
+    {.key = "field",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(shown.field),
+     .initial = "force",
+     .choices = fields,
+     .help = "what to show; force is the bead force, the mean of a bead's two contacts; strain is a field of equations"},
+};
+static const struct bead_option time_row[] = {
+    {.key = "time",
+     .type = BEAD_OPTION_PAIR,
+     .offset = OUTPUT(shown.time),
+     .unit = "s",
+     .of_motion = true,
+     .initial = "auto",
+     .low = 0,
+     .high = 1e6,
+     .word = "auto",
+     .word_value = NAN,
+     .help = "from when to when; auto: the whole run"},
+};
+static const struct bead_option beads_row[] = {
+    {.key = "beads",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "all",
+     .shape = "all, one number, or [first, last]; 0 is the striker",
+     .help = "which beads",
+     .read = bead_output_read_beads},
+};
+static const struct bead_option every_row[] = {
+    {.key = "every",
+     .offset = OUTPUT(shown.every),
+     .unit = "s",
+     .of_motion = true,
+     .initial = "auto",
+     .low = 1e-12,
+     .high = 1e3,
+     .word = "auto",
+     .help = "time between samples; auto: as close as the output needs"},
+};
+static const struct bead_option trust_row[] = {
+    {.key = "trust",
+     .type = BEAD_OPTION_FLAG,
+     .offset = OUTPUT(shown.trust),
+     .initial = "false",
+     .help = "compute twice, to different accuracy, and mark from when on the two differ by more than 1 % of the picture's range"},
+};
+
+/* ---- shared: how it looks ---- */
+
+static const struct bead_option page_rows[] = {
+    {.key = "style",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(paper.style),
+     .initial = "auto",
+     .choices = styles,
+     .help = "preset; paper: 8 pt STIX, 86 mm wide (178 mm for several chains); slide: large type for a projector; movie: type and "
+             "colours of movies; auto: paper for sizes that are lengths, else screen"},
+    {.key = "dpi",
+     .offset = OUTPUT(paper.dpi),
+     .initial = "600",
+     .low = 10,
+     .high = 4800,
+     .help = "pixels per inch, of sizes that are lengths and of the raster in vector files"},
+    {.key = "size",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "auto",
+     .shape = "[width, height], both in pixels (1 to 32768) or both lengths such as 86 mm; or auto",
+     .help = "size of the picture; auto: that of the style, else [1920, 1080], in vector files (.pdf, .svg) [178 mm, 120 mm]",
+     .read = bead_output_read_size},
+};
+static const struct bead_option theme_row[] = {
+    {.key = "theme",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(paper.theme),
+     .initial = "auto",
+     .choices = themes,
+     .help = "colours of paper and ink; auto: dark for movies, light for the rest"},
+};
+static const struct bead_option caption_row[] = {
+    {.key = "caption",
+     .type = BEAD_OPTION_TEXT,
+     .offset = OUTPUT(still.caption),
+     .help = "text below the picture; _x and ^{xy} set lower and higher, *x* in italics"},
+};
+static const struct bead_option colormap_row[] = {
+    {.key = "colormap",
+     .type = BEAD_OPTION_TEXT,
+     .offset = OUTPUT(colours.colormap),
+     .initial = "auto",
+     .help = "colour map: see --list colormaps; auto is viridis (of dark sheets inferno), and vik for velocity and displacement"},
+};
+static const struct bead_option square_root_row[] = {
+    {.key = "scale",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(colours.scale),
+     .initial = "sqrt",
+     .choices = scales,
+     .help = "from values to colours"},
+};
+static const struct bead_option range_row[] = {
+    {.key = "range",
+     .type = BEAD_OPTION_CUSTOM,
+     .offset = OUTPUT(colours.range),
+     .initial = "auto",
+     .shape = "auto, or [low, high] in the unit of the field",
+     .word = "auto",
+     .word_value = NAN,
+     .help = "values at the ends of the colour bar; auto: what occurs",
+     .read = bead_output_read_colour_range},
+};
+static const struct bead_option magnify_row[] = {
+    {.key = "magnify",
+     .offset = OUTPUT(views.magnify),
+     .initial = "auto",
+     .low = 0,
+     .high = 1e9,
+     .open = BEAD_OPEN_LOW,
+     .word = "auto",
+     .help = "factor on displacements in the view of the beads"},
+};
+static const struct bead_option axes_row[] = {
+    {.key = "axes",
+     .type = BEAD_OPTION_FLAG,
+     .offset = OUTPUT(views.axes),
+     .initial = "true",
+     .help = "axes, labels and colour bar around the picture; false: bare pixels"},
+};
+/* Of pictures with panels, and of the panels. */
+static const struct bead_option panels_rows[] = {
+    {.key = "panels",
+     .type = BEAD_OPTION_CUSTOM,
+     .shape = "a list of rows, each a list of panels such as [{field: force, chain: clean}, {show: peaks}]",
+     .help = "several panels in one picture; a panel takes the keys of an image, with `show` those of a plot, and `chain` and "
+             "`title`; panels of one field share its range and bar",
+     .read = bead_output_read_panels},
+    {.key = "letters",
+     .type = BEAD_OPTION_FLAG,
+     .offset = OUTPUT(still.letters),
+     .initial = "true",
+     .help = "(a), (b), ... at the panels"},
+};
+static const struct bead_option panel_rows[] = {
+    {.key = "chain",
+     .type = BEAD_OPTION_CUSTOM,
+     .offset = OUTPUT(panel.chain),
+     .initial = "all",
+     .shape = "all, or the name of a chain",
+     .help = "of panels: whose waves are shown",
+     .read = bead_output_read_chain},
+    {.key = "title",
+     .type = BEAD_OPTION_TEXT,
+     .offset = OUTPUT(panel.title),
+     .help = "of panels: what stands above instead of the chain's name; set like `caption`"},
+};
+
+/* ---- images and movies ---- */
+
+/* Of an image, be it a panel or not. */
+static const struct bead_option image_rows[] = {
+    {.key = "scale",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(colours.scale),
+     .initial = "linear",
+     .choices = scales,
+     .help = "from values to colours"},
+    {.key = "sample",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(image.sampling),
+     .initial = "area",
+     .choices = samplings,
+     .help = "what a pixel of spacetime shows of the samples in it; area: their mean; max: the one furthest from 0, so that thin "
+             "pulses keep their height"},
+    {.key = "views",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "[spacetime]",
+     .shape = VIEWS "in a list",
+     .help = "what to draw, from top to bottom",
+     .read = bead_output_read_views},
+    {.key = "at",
+     .offset = OUTPUT(image.at),
+     .unit = "s",
+     .of_motion = true,
+     .initial = "auto",
+     .low = 0,
+     .high = 1e6,
+     .word = "auto",
+     .word_value = NAN,
+     .help = "time of a still, of views other than spacetime; auto: the end"},
+};
+static const struct bead_option image_file[] = {
+    FILE_ROW("image", "FILE.png, .pdf or .svg"),
+};
+static const struct bead_option_rows image_shared[] = {
+    {BEAD_OPTIONS(field_row)},   {BEAD_OPTIONS(time_row)},     {BEAD_OPTIONS(beads_row)},
+    {BEAD_OPTIONS(every_row)},   {BEAD_OPTIONS(colormap_row)}, {BEAD_OPTIONS(image_rows)},
+    {BEAD_OPTIONS(range_row)},   {BEAD_OPTIONS(magnify_row)},  {BEAD_OPTIONS(trust_row)},
+    {BEAD_OPTIONS(page_rows)},   {BEAD_OPTIONS(theme_row)},    {BEAD_OPTIONS(axes_row)},
+    {BEAD_OPTIONS(caption_row)}, {BEAD_OPTIONS(panels_rows)},  {NULL, 0}};
+const struct bead_options bead_image_options = {"image", "a picture of a field in space and time, or a still",
+                                                BEAD_OPTIONS(image_file), image_shared, &bead_output_family};
+
+static const struct bead_option_rows image_panel_shared[] = {{BEAD_OPTIONS(field_row)},    {BEAD_OPTIONS(time_row)},
+                                                             {BEAD_OPTIONS(beads_row)},    {BEAD_OPTIONS(every_row)},
+                                                             {BEAD_OPTIONS(colormap_row)}, {BEAD_OPTIONS(image_rows)},
+                                                             {BEAD_OPTIONS(range_row)},    {BEAD_OPTIONS(magnify_row)},
+                                                             {BEAD_OPTIONS(trust_row)},    {NULL, 0}};
+const struct bead_options bead_image_panel_options = {NULL, "a panel that is an image", BEAD_OPTIONS(panel_rows),
+                                                      image_panel_shared, &bead_output_family};
+
+static const struct bead_option movie_rows[] = {
+    FILE_ROW("movie", "FILE.mp4, .mkv, .webm, .gif, .png or .apng"),
+    {.key = "size",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "[1920, 1080]",
+     .shape = "[width, height] in pixels, 1 to 32768",
+     .help = "size of the frame",
+     .read = bead_output_read_size},
+    {.key = "colormap",
+     .type = BEAD_OPTION_TEXT,
+     .offset = OUTPUT(colours.colormap),
+     .initial = "auto",
+     .help = "colour map: see --list colormaps; auto is inferno, and vik for velocity and displacement"},
+    {.key = "views",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "[beads, profile, spacetime]",
+     .shape = VIEWS "in a list",
+     .help = "what to draw, from top to bottom",
+     .read = bead_output_read_views},
+    {.key = "modes",
+     .type = BEAD_OPTION_COUNT,
+     .offset = OUTPUT(movie.modes),
+     .initial = "5",
+     .low = 1,
+     .high = BEAD_MODES,
+     .help = "how many modes the view `modes` shows"},
+    {.key = "fps", .offset = OUTPUT(movie.fps), .initial = "60", .low = 1, .high = 240, .help = "frames per second"},
+    {.key = "duration",
+     .offset = OUTPUT(movie.duration),
+     .unit = "s",
+     .initial = "10 s",
+     .low = 0.01,
+     .high = 36000,
+     .help = "how long the motion is shown, whatever time it took; a card comes on top"},
+    {.key = "captions",
+     .type = BEAD_OPTION_CUSTOM,
+     .shape = "a list such as [{at: 0.2 ms, text: The front has left the striker}]",
+     .help = "texts below the picture: see outputs.captions",
+     .read = bead_output_read_captions},
+    {.key = "card",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "false",
+     .shape = "true, false, a time such as 3 s, or a map",
+     .help = "before the motion, title, chains and scale of time; true: for 3 s. See outputs.card",
+     .read = bead_output_read_card},
+    {.key = "follow",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(movie.follow),
+     .initial = "all",
+     .choices = follows,
+     .help =
+         "what beads and profile show: all beads, or a window of them that moves with the front, each chain its own; "
+         "spacetime marks the window at the present. Give long chains long films: nobody can follow more than half a bead a frame"},
+    {.key = "window",
+     .type = BEAD_OPTION_COUNT,
+     .offset = OUTPUT(movie.window),
+     .initial = "40",
+     .low = 4,
+     .high = 1000,
+     .help = "how many beads `follow: front` shows at most"},
+    {.key = "poster",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "none",
+     .shape = "none or FILE.png",
+     .help = "one frame as a picture; in mp4 files also the cover",
+     .read = bead_output_read_poster},
+    {.key = "poster-at",
+     .offset = OUTPUT(movie.poster_at),
+     .unit = "s",
+     .of_motion = true,
+     .initial = "auto",
+     .low = 0,
+     .high = 1e6,
+     .word = "auto",
+     .word_value = NAN,
+     .help = "time of the motion that the poster shows; auto: where there is most to see"},
+    {.key = "quality",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(movie.quality),
+     .initial = "standard",
+     .choices = qualities,
+     .help = "quality of the encoding; a draft has at most 30 pictures a second, each shown for some frames"},
+};
+static const struct bead_option_rows movie_shared[] = {{BEAD_OPTIONS(field_row)}, {BEAD_OPTIONS(time_row)},
+                                                       {BEAD_OPTIONS(beads_row)}, {BEAD_OPTIONS(square_root_row)},
+                                                       {BEAD_OPTIONS(range_row)}, {BEAD_OPTIONS(magnify_row)},
+                                                       {BEAD_OPTIONS(trust_row)}, {BEAD_OPTIONS(theme_row)},
+                                                       {BEAD_OPTIONS(axes_row)},  {NULL, 0}};
+const struct bead_options bead_movie_options = {"movie", "a movie; a .png is an animated one", BEAD_OPTIONS(movie_rows),
+                                                movie_shared, &bead_output_family};
+
+/* ---- plots and tables ---- */
+
+/* Of curves and of their numbers. */
+static const struct bead_option curves_rows[] = {
+    {.key = "modes",
+     .type = BEAD_OPTION_COUNT,
+     .offset = OUTPUT(curves.modes),
+     .initial = "5",
+     .low = 1,
+     .high = BEAD_MODES,
+     .help = "how many modes `show: modes` shows"},
+    {.key = "field",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(shown.field),
+     .initial = "force",
+     .choices = fields,
+     .help = "what `show: profiles` shows"},
+    {.key = "at",
+     .type = BEAD_OPTION_CUSTOM,
+     .unit = "s",
+     .of_motion = true,
+     .low = 0,
+     .high = 1e6,
+     .shape = "a list of times",
+     .help = "when `show: profiles` shows the chain; one curve each, 12 at most",
+     .read = bead_output_read_profile_times},
+};
+/* Of a plot, be it a panel or not. */
+static const struct bead_option plot_rows[] = {
+    {.key = "show",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(curves.show),
+     .initial = "sensors",
+     .choices = plot_shows,
+     .values = plot_values,
+     .help = "what to plot: the force at every sensor against time; the peak force of every contact, chains in one plot; energies "
+             "of modes against time; profiles, a field along the chain at several times; or a schematic drawing: of the "
+             "experiment, of a "
+             "contact, of the cells"},
+    {.key = "scale",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(plot.scale),
+     .initial = "linear",
+     .choices = scales,
+     .help = "axis of the peaks"},
+    {.key = "normalise",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(plot.normalise),
+     .initial = "none",
+     .choices = normalisings,
+     .help =
+         "what the forces of sensors are divided by; first: the largest force at the first sensor of the same chain; max: each by "
+         "its own largest"},
+    {.key = "range",
+     .type = BEAD_OPTION_CUSTOM,
+     .offset = OUTPUT(plot.range),
+     .initial = "auto",
+     .shape = "auto, or [low, high] in N (plain numbers where forces are normalised)",
+     .word = "auto",
+     .word_value = NAN,
+     .help = "ends of the axis of forces; auto: what occurs",
+     .read = bead_output_read_plot_range},
+};
+static const struct bead_option plot_file[] = {
+    FILE_ROW("plot", "FILE.png, .pdf or .svg"),
+    {.key = "contact",
+     .type = BEAD_OPTION_COUNT,
+     .offset = OUTPUT(plot.contact),
+     .initial = "auto",
+     .low = 0,
+     .high = BEAD_SCENE_BEADS,
+     .word = "auto",
+     .word_value = BEAD_CONTACT_AUTO,
+     .help = "the contact of the first chain that `show: contact` draws; contact j is between beads j and j + 1, 0 is the striker"},
+    {.key = "compression",
+     .offset = OUTPUT(plot.compression),
+     .initial = "0.2",
+     .low = 0,
+     .high = 0.6,
+     .open = BEAD_OPEN_LOW,
+     .help = "of `show: contact`: what the smaller bead is flattened by, as a part of its radius"},
+};
+static const struct bead_option_rows plot_shared[] = {{BEAD_OPTIONS(curves_rows)}, {BEAD_OPTIONS(plot_rows)},
+                                                      {BEAD_OPTIONS(time_row)},    {BEAD_OPTIONS(every_row)},
+                                                      {BEAD_OPTIONS(trust_row)},   {BEAD_OPTIONS(page_rows)},
+                                                      {BEAD_OPTIONS(theme_row)},   {BEAD_OPTIONS(caption_row)},
+                                                      {BEAD_OPTIONS(panels_rows)}, {NULL, 0}};
+const struct bead_options bead_plot_options = {"plot",
+                                               "curves of sensors against time or of peaks along the chain; or a schematic drawing",
+                                               BEAD_OPTIONS(plot_file), plot_shared, &bead_output_family};
+
+static const struct bead_option_rows plot_panel_shared[] = {{BEAD_OPTIONS(curves_rows)}, {BEAD_OPTIONS(plot_rows)},
+                                                            {BEAD_OPTIONS(time_row)},    {BEAD_OPTIONS(every_row)},
+                                                            {BEAD_OPTIONS(trust_row)},   {NULL, 0}};
+const struct bead_options bead_plot_panel_options = {NULL, "a panel that is a plot", BEAD_OPTIONS(panel_rows), plot_panel_shared,
+                                                     &bead_output_family};
+const struct bead_options bead_panel_options = {
+    "outputs.panels", "a panel takes keys of an image, or with `show` those of a plot, and", BEAD_OPTIONS(panel_rows), NULL, NULL};
+
+static const struct bead_option table_rows[] = {
+    FILE_ROW("table", "FILE.csv"),
+    {.key = "show",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(curves.show),
+     .initial = "peaks",
+     .choices = table_shows,
+     .values = table_values,
+     .help = "what to list: the force at every sensor, the peak of every contact or of every bead, measures of the run (--list "
+             "measures), the energies of modes, profiles, a field along the chain at several times, or the beads and contacts of "
+             "the chain"},
+};
+static const struct bead_option_rows table_shared[] = {
+    {BEAD_OPTIONS(curves_rows)}, {BEAD_OPTIONS(time_row)}, {BEAD_OPTIONS(every_row)}, {NULL, 0}};
+const struct bead_options bead_table_options = {"table", "numbers", BEAD_OPTIONS(table_rows), table_shared, &bead_output_family};
+
+/* ---- trajectories ---- */
+
+static const struct bead_option trajectory_rows[] = {
+    FILE_ROW("trajectory", "FILE.h5"),
+    {.key = "fields",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "[displacement, velocity, force]",
+     .shape = "a list of " FIELDS "or all",
+     .help = "what to store; strain is a field of equations",
+     .read = bead_output_read_fields},
+};
+static const struct bead_option_rows trajectory_shared[] = {
+    {BEAD_OPTIONS(time_row)}, {BEAD_OPTIONS(beads_row)}, {BEAD_OPTIONS(every_row)}, {NULL, 0}};
+const struct bead_options bead_trajectory_options = {"trajectory", "samples of fields in an H5MD file",
+                                                     BEAD_OPTIONS(trajectory_rows), trajectory_shared, &bead_output_family};
+
+/* ---- of scenes with sweeps ---- */
+
+static const struct bead_option sweep_rows[] = {
+    FILE_ROW("sweep", "FILE.h5"),
+};
+const struct bead_options bead_sweep_file_options = {"sweep", "spins and results of every configuration of a sweep",
+                                                     BEAD_OPTIONS(sweep_rows), NULL, &bead_output_family};
+
+static const struct bead_option sheet_rows[] = {
+    FILE_ROW("sheet", "FILE.png, .pdf or .svg"),
+    {.key = "configurations",
+     .type = BEAD_OPTION_COUNT,
+     .offset = OUTPUT(sheet.configurations),
+     .initial = "auto",
+     .low = 1,
+     .high = 64,
+     .word = "auto",
+     .word_value = 0,
+     .help = "pictures in a row; auto: as many as have room"},
+    {.key = "magnetism",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "auto",
+     .shape = "auto, a number, or a list of numbers from 0 to 1",
+     .help = "which rows; auto: as many of the sweep's as have room",
+     .read = bead_output_read_magnetism},
+};
+static const struct bead_option_rows sheet_shared[] = {{BEAD_OPTIONS(field_row)},
+                                                       {BEAD_OPTIONS(colormap_row)},
+                                                       {BEAD_OPTIONS(square_root_row)},
+                                                       {BEAD_OPTIONS(range_row)},
+                                                       {BEAD_OPTIONS(page_rows)},
+                                                       {BEAD_OPTIONS(theme_row)},
+                                                       {NULL, 0}};
+const struct bead_options bead_sheet_options = {
+    "sheet",
+    "contact sheet of a sweep: small pictures in space and time of many configurations, rows by magnetism; only those are run",
+    BEAD_OPTIONS(sheet_rows), sheet_shared, &bead_output_family};
+
+static const struct bead_option threshold_row[] = {
+    {.key = "threshold",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "law",
+     .shape = "a name of --list thresholds",
+     .help = "how the magnetism of the threshold is found",
+     .read = bead_output_read_threshold},
+};
+static const struct bead_option sweep_plot_rows[] = {
+    FILE_ROW("plot", "FILE.png, .pdf or .svg"),
+    {.key = "show",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(sweep_curves.show),
+     .initial = "both",
+     .choices = sweep_plot_shows,
+     .help = "force against magnetism, with median, mean, or both; or how peaks decay along the chain (measure: {decay: true})"},
+    {.key = "range",
+     .type = BEAD_OPTION_CUSTOM,
+     .offset = OUTPUT(plot.range),
+     .initial = "auto",
+     .shape = "auto, or [low, high] in units of the clean chain's peak",
+     .word = "auto",
+     .word_value = NAN,
+     .help = "ends of the axis of forces (`show: decay`: and energies); auto: what occurs",
+     .read = bead_output_read_sweep_range},
+};
+static const struct bead_option_rows sweep_plot_shared[] = {
+    {BEAD_OPTIONS(threshold_row)}, {BEAD_OPTIONS(page_rows)}, {BEAD_OPTIONS(theme_row)}, {BEAD_OPTIONS(caption_row)}, {NULL, 0}};
+const struct bead_options bead_sweep_plot_options = {"plot of a sweep", "force against magnetism, or peaks along the chain",
+                                                     BEAD_OPTIONS(sweep_plot_rows), sweep_plot_shared, &bead_output_family};
+
+static const struct bead_option sweep_table_rows[] = {
+    FILE_ROW("table", "FILE.csv"),
+    {.key = "show",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = OUTPUT(sweep_curves.show),
+     .initial = "magnetism",
+     .choices = sweep_table_shows,
+     .values = sweep_table_values,
+     .help = "statistics of every magnetism, results of every configuration, or mean peaks along the chain"},
+};
+static const struct bead_option_rows sweep_table_shared[] = {{BEAD_OPTIONS(threshold_row)}, {NULL, 0}};
+const struct bead_options bead_sweep_table_options = {"table of a sweep", "numbers of it", BEAD_OPTIONS(sweep_table_rows),
+                                                      sweep_table_shared, &bead_output_family};
