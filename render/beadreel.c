@@ -60,7 +60,8 @@ int main(int argc, char **argv)
                  "A name without a path is a ready scene (--list scenes).\n",
         .examples = "Examples:\n"
                     "  beadreel clean-vs-delocalised -o demo\n"
-                    "  beadreel scene.yaml --only beads.mp4 --set outputs.0.size='[640, 360]'\n",
+                    "  beadreel scene.yaml --only beads.mp4 --set outputs.0.size='[640, 360]'\n"
+                    "  beadreel --list keys movie                keys of one part of a scene\n",
         .lists = lists,
         .sinks = sinks,
         .sweep_sinks = sweep_sinks,

@@ -8,6 +8,10 @@ _beadreel()
     if [[ $cur == --*=* ]]; then
         option=${cur%%=*} value=${cur#*=} prefix=$option=
     fi
+    if [[ " ${COMP_WORDS[*]} " == *" --list keys "* || " ${COMP_WORDS[*]} " == *" --list=keys "* ]] && [[ $prev == *keys ]]; then
+        mapfile -t COMPREPLY < <(compgen -W "$("$program" --list keys 2>/dev/null | sed -n '/^[a-z][^:]*: /{s/: .*//;s/[.()]/ /g;p}')" -- "$cur")
+        return
+    fi
     case $option in
         --list)
             mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "$("$program" --help 2>/dev/null |

@@ -26,7 +26,8 @@ int main(int argc, char **argv)
                  "A name without a path is a ready scene (--list scenes).\n",
         .examples = "Examples:\n"
                     "  beadsim clean-vs-delocalised -o results\n"
-                    "  beadsim scene.yaml --set simulate.method=rkn8 --set simulate.step='0.1 us' --only peaks.csv\n",
+                    "  beadsim scene.yaml --set simulate.method=rkn8 --set simulate.step='0.1 us' --only peaks.csv\n"
+                    "  beadsim --list keys table           keys of one part of a scene\n",
         .lists = lists,
         .sinks = sinks,
         .sweep_sinks = sweep_sinks,

@@ -394,6 +394,8 @@ static enum bead_error act(const struct command *command, struct bead_message *m
         print_version(command->program, stdout);
         return BEAD_OK;
     case COMMAND_LIST:
+        if (command->input && command->list->print == command_list_keys)
+            return bead_scene_help_of(command->input, stdout, msg);
         return command->list->print(stdout, msg);
     case COMMAND_INFO:
         return command_info(command, stdout, msg);

@@ -38,6 +38,16 @@ near_miss() {
     shift
     fails 2 "$beadreel" "$@" && says "did you mean \`$expected\`"
 }
+
+for part in scene chain simulate sweep trajectory image movie plot table sheet captions panels fput power pulse; do
+    ok "--list keys $part" exits 0 "$beadsim" --list keys $part
+    ok "--list keys $part is a part of --list keys" bash -c "[ -s '$T/out' ] && ! grep -vxFf <('$beadsim' --list keys) '$T/out' | grep -q ."
+done
+ok "--list keys movie names its keys" bash -c "'$beadreel' --list keys movie | grep -q '^  duration '"
+ok "--list keys movie has no keys of tables" bash -c "! '$beadreel' --list keys movie | grep -q '^  show '"
+ok "--list keys chain has its striker" bash -c "'$beadreel' --list keys chain | grep -q '^chain.striker: '"
+ok "strain is a field to store" bash -c "'$beadreel' --list keys trajectory | grep -q 'energy, strain'"
+ok "--list keys moovie" near_miss movie --list keys moovie
 ok "unknown long option" near_miss --threads --thraeds 2 scene.yaml
 ok "unknown long option with a value" near_miss --progress --progres5=plain scene.yaml
 ok "unknown long option far from all" fails 2 "$beadreel" --frobnicate scene.yaml
