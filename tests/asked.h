@@ -41,6 +41,7 @@ static inline struct peaks find_peaks(const char *text, const char *simulate, do
     for (size_t k = 0; shake > 0 && k < built.chain->contacts; k++)
         built.chain->stiffness[k] *= 1 + shake * random_part(&state);
     struct bead_run_settings settings = {.chain = built.chain,
+                                         .simulate = &built.scene->simulate,
                                          .kernels = bead_kernels_find(NULL),
                                          .end = end > 0 ? end : INFINITY,
                                          .passage = !(end > 0),

@@ -26,6 +26,7 @@ static inline struct bead_run *start_run(const struct built *built, struct bead_
     struct bead_message msg = {""};
     struct bead_run *run = NULL;
     settings.chain = built->chain;
+    settings.simulate = settings.simulate ? settings.simulate : &built->scene->simulate;
     settings.kernels = settings.kernels ? settings.kernels : bead_kernels_find(NULL);
     if (bead_run_create(&settings, &run, &msg))
         fail_msg("%s", msg.text);

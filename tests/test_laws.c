@@ -158,7 +158,7 @@ static struct bead_method_choice choose(struct setup *x, const char *method, enu
     struct bead_method_choice choice = {0};
     x->scene.simulate.method = (char *)(uintptr_t)method;
     x->scene.simulate.accuracy = 1e-6;
-    *err = bead_choose_method(x->chain, &choice, msg);
+    *err = bead_choose_method(x->chain, &x->chain->scene->simulate, &choice, msg);
     return choice;
 }
 

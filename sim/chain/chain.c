@@ -212,12 +212,19 @@ enum bead_error bead_chain_create(const struct bead_scene *scene, size_t index, 
     *chain = NULL;
     if (index >= scene->chain_count)
         return bead_fail(msg, BEAD_ERROR_USAGE, "chain %zu: the scene has %zu", index, scene->chain_count);
+    return bead_chain_create_of(scene, &scene->chains[index], chain, msg);
+}
+
+enum bead_error bead_chain_create_of(const struct bead_scene *scene, const struct bead_chain_spec *spec, struct bead_chain **chain,
+                                     struct bead_message *msg)
+{
+    *chain = NULL;
     struct bead_chain *made = calloc(1, sizeof *made);
     if (!made)
         return out_of_memory(msg);
     made->scene = scene;
-    made->spec = &scene->chains[index];
-    made->law = made->spec->law.row;
+    made->spec = spec;
+    made->law = spec->law.row;
     made->system = made->spec->equation.system;
     enum bead_error err = fill(made, msg);
     if (err)

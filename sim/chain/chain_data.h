@@ -28,4 +28,9 @@ struct bead_chain {
     size_t sensor_count;
 };
 
+/* The chain of a specification that need not be one of the scene's, made of the scene's materials. Both must outlive it. Errors:
+ * those of bead_chain_create. */
+BEAD_CHECK enum bead_error bead_chain_create_of(const struct bead_scene *scene, const struct bead_chain_spec *spec,
+                                                struct bead_chain **chain, struct bead_message *msg);
+
 #endif

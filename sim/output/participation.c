@@ -44,13 +44,6 @@ double bead_clean_index(size_t beads, double participation, double clean)
 
 /* ---- the clean wave ---- */
 
-/* A chain of equal cells, its scene and what they are made of. */
-struct clean {
-    struct bead_scene scene;
-    struct bead_chain_spec spec;
-    struct bead_segment segment;
-};
-
 static bool same_cell(const struct bead_segment *a, const struct bead_segment *b)
 {
     return a->cell_beads == b->cell_beads && memcmp(a->cell, b->cell, a->cell_beads * sizeof *a->cell) == 0;
@@ -117,8 +110,11 @@ static bool pass(struct bead_run *run, const struct bead_chain *chain)
 
 static enum bead_error measure(const struct bead_chain *chain, double *clean, struct bead_message *msg)
 {
+    struct bead_simulate asked = chain->scene->simulate;
+    asked.step = 0;
+    asked.accuracy = accuracy;
     const struct bead_run_settings settings = {
-        .chain = chain, .kernels = bead_kernels_find(NULL), .end = INFINITY, .passage = true};
+        .chain = chain, .simulate = &asked, .kernels = bead_kernels_find(NULL), .end = INFINITY, .passage = true};
     const unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY);
     struct bead_run *run = NULL;
     struct bead_sample sample = {0};
@@ -144,18 +140,13 @@ enum bead_error bead_participation_clean(const struct bead_chain *chain, double 
     if (!cell)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a cell of %zu beads", most);
     const size_t beads = find_cell(chain, cell), all = chain->beads - 1 < BEAD_ORDER_BEADS ? chain->beads - 1 : BEAD_ORDER_BEADS;
-    struct clean c = {.scene = *chain->scene, .spec = *chain->spec};
+    /* The same chain, but of equal cells. */
+    struct bead_segment segment = {.cell = cell, .cell_beads = beads, .count = (all + beads - 1) / beads, .spins = BEAD_SPINS_UP};
+    struct bead_chain_spec spec = *chain->spec;
     struct bead_chain *made = NULL;
-    c.segment =
-        (struct bead_segment){.cell = cell, .cell_beads = beads, .count = (all + beads - 1) / beads, .spins = BEAD_SPINS_UP};
-    c.spec.segments = &c.segment;
-    c.spec.segment_count = 1;
-    c.scene.chains = &c.spec;
-    c.scene.chain_count = 1;
-    c.scene.simulate.until = NAN;
-    c.scene.simulate.step = 0;
-    c.scene.simulate.accuracy = accuracy;
-    enum bead_error err = bead_chain_create(&c.scene, 0, &made, msg);
+    spec.segments = &segment;
+    spec.segment_count = 1;
+    enum bead_error err = bead_chain_create_of(chain->scene, &spec, &made, msg);
     if (!err)
         err = measure(made, clean, msg);
     bead_chain_destroy(made);

@@ -26,9 +26,9 @@ static const struct bead_equation *equation_of(const struct bead_chain *chain)
     return bead_equation_find(chain->spec->equation.name);
 }
 
-static struct bead_motion_settings settings_of(const struct bead_chain *chain, double tolerance_factor)
+static struct bead_motion_settings settings_of(const struct bead_chain *chain, const struct bead_simulate *asked,
+                                               double tolerance_factor)
 {
-    const struct bead_simulate *asked = &chain->scene->simulate;
     tolerance_factor = tolerance_factor > 0 ? tolerance_factor : 1;
     return (struct bead_motion_settings){.spec = &chain->spec->equation,
                                          .points = chain->beads,
@@ -39,10 +39,10 @@ static struct bead_motion_settings settings_of(const struct bead_chain *chain, d
 }
 
 /* Errors carry the file and the chain. */
-static enum bead_error create_motion(const struct bead_chain *chain, double tolerance_factor, struct bead_motion **motion,
-                                     struct bead_message *msg)
+static enum bead_error create_motion(const struct bead_chain *chain, const struct bead_simulate *asked, double tolerance_factor,
+                                     struct bead_motion **motion, struct bead_message *msg)
 {
-    struct bead_motion_settings settings = settings_of(chain, tolerance_factor);
+    struct bead_motion_settings settings = settings_of(chain, asked, tolerance_factor);
     struct bead_message inner;
     enum bead_error err = equation_of(chain)->create(&settings, motion, &inner);
     const char *name = bead_chain_name(chain);
@@ -52,11 +52,11 @@ static enum bead_error create_motion(const struct bead_chain *chain, double tole
                : BEAD_OK;
 }
 
-static enum bead_error pace(const struct bead_chain *chain, double tolerance_factor, struct bead_pace *pace,
-                            struct bead_message *msg)
+static enum bead_error pace(const struct bead_chain *chain, const struct bead_simulate *asked, double tolerance_factor,
+                            struct bead_pace *pace, struct bead_message *msg)
 {
     struct bead_motion *motion;
-    enum bead_error err = create_motion(chain, tolerance_factor, &motion, msg);
+    enum bead_error err = create_motion(chain, asked, tolerance_factor, &motion, msg);
     if (err)
         return err;
     equation_of(chain)->pace(motion, pace);
@@ -88,7 +88,7 @@ static enum bead_error create(const struct bead_run_settings *settings, struct b
         run->value[f] = run->memory + f * n;
     run->settings = *settings;
     run->equation = equation_of(settings->chain);
-    enum bead_error err = create_motion(settings->chain, settings->tolerance_factor, &run->motion, msg);
+    enum bead_error err = create_motion(settings->chain, settings->simulate, settings->tolerance_factor, &run->motion, msg);
     if (err) {
         destroy(run);
         return err;

@@ -44,7 +44,7 @@ static bool never_opens(const struct bead_chain *chain)
 }
 
 /* What `auto` stands for. */
-static const char *automatic(const struct bead_chain *chain, const char **why)
+static const char *automatic(const struct bead_chain *chain, double accuracy, const char **why)
 {
     if (chain->spec->damping_coefficient > 0) {
         *why = "damping: forces follow velocities";
@@ -58,7 +58,7 @@ static const char *automatic(const struct bead_chain *chain, const char **why)
         *why = "the energy cannot open any contact";
         return "rkn8-plain";
     }
-    if (share_of(chain) * chain->scene->simulate.accuracy >= low_accuracy) {
+    if (share_of(chain) * accuracy >= low_accuracy) {
         *why = "little accuracy is asked: opening contacts need no correction";
         return "rkn8-plain";
     }
@@ -70,11 +70,12 @@ static const char *automatic(const struct bead_chain *chain, const char **why)
     return "rkn8";
 }
 
-enum bead_error bead_choose_method(const struct bead_chain *chain, struct bead_method_choice *choice, struct bead_message *msg)
+enum bead_error bead_choose_method(const struct bead_chain *chain, const struct bead_simulate *asked,
+                                   struct bead_method_choice *choice, struct bead_message *msg)
 {
-    const char *asked = chain->scene->simulate.method, *file = chain->scene->file, *why = "as asked";
-    const bool any = strcmp(asked, "auto") == 0;
-    const char *name = any ? automatic(chain, &why) : asked;
+    const char *file = chain->scene->file, *why = "as asked";
+    const bool any = strcmp(asked->method, "auto") == 0;
+    const char *name = any ? automatic(chain, asked->accuracy, &why) : asked->method;
     const struct bead_method *method = bead_method_row(name);
     if (!method)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: there is no method `%s`: see --list methods", file, name);

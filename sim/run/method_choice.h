@@ -1,4 +1,4 @@
-/* Choice: the method that a scene asks for, or that `auto` picks, how long its steps may be, and why. */
+/* Choice: the method that is asked for, or that `auto` picks, how long its steps may be, and why. */
 #ifndef BEADREEL_SIM_RUN_METHOD_CHOICE_H
 #define BEADREEL_SIM_RUN_METHOD_CHOICE_H
 
@@ -6,6 +6,7 @@
 
 struct bead_chain;
 struct bead_method;
+struct bead_simulate;
 
 struct bead_method_choice {
     const struct bead_method *method;
@@ -15,8 +16,8 @@ struct bead_method_choice {
 };
 
 /* Errors: SCENE, with the method's name. */
-BEAD_CHECK enum bead_error bead_choose_method(const struct bead_chain *chain, struct bead_method_choice *choice,
-                                              struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_choose_method(const struct bead_chain *chain, const struct bead_simulate *asked,
+                                              struct bead_method_choice *choice, struct bead_message *msg);
 /* Step in units of 1/omega for peaks as accurate as that. */
 double bead_method_theta(const struct bead_method_choice *choice, double accuracy);
 

@@ -41,20 +41,20 @@ struct bead_run {
     uint64_t hash;
 };
 
-enum bead_error bead_run_stepping(const struct bead_chain *chain, struct bead_stepping *stepping, struct bead_message *msg)
+enum bead_error bead_run_stepping(const struct bead_chain *chain, const struct bead_simulate *asked, struct bead_stepping *stepping,
+                                  struct bead_message *msg)
 {
-    return bead_run_comparison_stepping(chain, 1, stepping, msg);
+    return bead_run_comparison_stepping(chain, asked, 1, stepping, msg);
 }
 
-double bead_run_tolerance_factor(const struct bead_chain *const *chains, size_t count)
+double bead_run_tolerance_factor(const struct bead_chain *const *chains, size_t count, const struct bead_simulate *asked)
 {
-    const struct bead_simulate *asked = &chains[0]->scene->simulate;
     bool fixed = asked->step > 0, room = true;
     for (size_t i = 0; i < count; i++) {
         struct bead_method_choice choice;
         struct bead_message msg;
         double omega = bead_chain_omega(chains[i], bead_chain_energy(chains[i]));
-        if (bead_choose_method(chains[i], &choice, &msg))
+        if (bead_choose_method(chains[i], asked, &choice, &msg))
             continue; /* the run itself says why */
         room = room && (fixed ? 2 * asked->step * omega <= choice.method->info.theta_max
                               : bead_method_theta(&choice, 10 * asked->accuracy) < choice.cap);
@@ -62,22 +62,22 @@ double bead_run_tolerance_factor(const struct bead_chain *const *chains, size_t 
     return fixed ? (room ? 2 : 0.5) : (room ? 10 : 0.1);
 }
 
-enum bead_error bead_run_comparison_stepping(const struct bead_chain *chain, double tolerance_factor,
-                                             struct bead_stepping *stepping, struct bead_message *msg)
+enum bead_error bead_run_comparison_stepping(const struct bead_chain *chain, const struct bead_simulate *asked,
+                                             double tolerance_factor, struct bead_stepping *stepping, struct bead_message *msg)
 {
     struct bead_method_choice choice;
     const char *file = chain->scene->file;
-    enum bead_error err = bead_choose_method(chain, &choice, msg);
+    enum bead_error err = bead_choose_method(chain, asked, &choice, msg);
     if (err)
         return err;
     const struct bead_method_info *method = &choice.method->info;
-    double omega = bead_chain_omega(chain, bead_chain_energy(chain)), step = tolerance_factor * chain->scene->simulate.step;
-    double theta = bead_method_theta(&choice, tolerance_factor * chain->scene->simulate.accuracy);
+    double omega = bead_chain_omega(chain, bead_chain_energy(chain)), step = tolerance_factor * asked->step;
+    double theta = bead_method_theta(&choice, tolerance_factor * asked->accuracy);
     *stepping = (struct bead_stepping){.method = choice.method,
                                        .step = step > 0 ? step : theta / omega,
                                        .omega = omega,
                                        .theta = theta,
-                                       .accuracy = choice.share * tolerance_factor * chain->scene->simulate.accuracy,
+                                       .accuracy = choice.share * tolerance_factor * asked->accuracy,
                                        .variable = !(step > 0) && method->variable,
                                        .why = choice.why};
     /* The bound is generous: a step is hopeless only when it exceeds the limit twice over. */
@@ -114,7 +114,7 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
     r->front.arrival = NAN;
     const double tolerance_factor = settings->tolerance_factor > 0 ? settings->tolerance_factor : 1;
     const struct bead_span span = settings->peak_span ? *settings->peak_span : (struct bead_span){0, SIZE_MAX};
-    enum bead_error err = bead_run_comparison_stepping(settings->chain, tolerance_factor, &r->stepping, msg);
+    enum bead_error err = bead_run_comparison_stepping(settings->chain, settings->simulate, tolerance_factor, &r->stepping, msg);
     if (!err)
         err = bead_stepper_create(settings->chain, r->stepping.method, settings->kernels, settings->full_window, &r->stepper, msg);
     if (!err)
@@ -129,10 +129,10 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
         bead_run_destroy(r);
         return err;
     }
-    if (!(settings->chain->scene->simulate.step > 0))
+    if (!(settings->simulate->step > 0))
         r->stepper->event_tolerance = event_part * r->stepping.accuracy * fabs(settings->chain->spec->striker_velocity);
     r->control = bead_step_control_start(r->stepper, r->stepping.theta, r->stepping.omega);
-    r->drift_bound = drift_part * settings->chain->scene->simulate.accuracy;
+    r->drift_bound = drift_part * settings->simulate->accuracy;
     r->energy_start = bead_stepper_energy(r->stepper, &r->stepper->end);
     r->momentum_start = bead_stepper_momentum(r->stepper, &r->stepper->end);
     r->input = bead_chain_energy(settings->chain);

@@ -16,6 +16,7 @@
 
 #include "beadreel/error.h"
 #include "beadreel/sample.h"
+#include "beadreel/scene.h"
 #include "beadreel/sink.h"
 #include "sim/integrate/kernels.h"
 
@@ -23,16 +24,18 @@ struct bead_run;
 
 struct bead_run_settings {
     const struct bead_chain *chain;
+    const struct bead_simulate *simulate; /* accuracy, method and step asked for; mostly those of the chain's scene */
     const struct bead_kernels *kernels;
     double end;   /* s: the last step ends here; INFINITY: not known, steps keep their length */
     bool passage; /* peaks count until the front has arrived only, and not knowing end, the run is over then */
     bool contact_peaks, bead_peaks;
     const struct bead_span *peak_span; /* of these contacts and beads only; NULL: all */
     bool full_window, hash;
-    double tolerance_factor; /* a comparison run: accuracy, or the step given, times this; 0: as the scene says */
+    double tolerance_factor; /* a comparison run: accuracy, or the step given, times this; 0: as asked */
 };
 
-/* Method and step that a chain's scene asks for. Errors: SCENE (with the method's name), NUMBERS (step too long to be stable). */
+/* Method and step that a chain is run with as asked. Errors: SCENE (with the method's name), NUMBERS (step too long to be stable).
+ */
 struct bead_stepping {
     const struct bead_method *method;
     double step;     /* s, the first */
@@ -42,15 +45,16 @@ struct bead_stepping {
     bool variable;   /* later steps follow the state */
     const char *why; /* this method */
 };
-BEAD_CHECK enum bead_error bead_run_stepping(const struct bead_chain *chain, struct bead_stepping *stepping,
-                                             struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_run_stepping(const struct bead_chain *chain, const struct bead_simulate *asked,
+                                             struct bead_stepping *stepping, struct bead_message *msg);
 
 /* The same for a comparison run, a second run with another tolerance. */
-BEAD_CHECK enum bead_error bead_run_comparison_stepping(const struct bead_chain *chain, double tolerance_factor,
-                                                        struct bead_stepping *stepping, struct bead_message *msg);
-/* The tolerance factor of a comparison run of all these chains: 10 times the accuracy, or 2 times the step that the scene gives; a
+BEAD_CHECK enum bead_error bead_run_comparison_stepping(const struct bead_chain *chain, const struct bead_simulate *asked,
+                                                        double tolerance_factor, struct bead_stepping *stepping,
+                                                        struct bead_message *msg);
+/* The tolerance factor of a comparison run of all these chains: 10 times the accuracy, or 2 times the step asked for; a
  * tenth or half where the method has no room for that. */
-double bead_run_tolerance_factor(const struct bead_chain *const *chains, size_t count);
+double bead_run_tolerance_factor(const struct bead_chain *const *chains, size_t count, const struct bead_simulate *asked);
 
 BEAD_CHECK enum bead_error bead_run_create(const struct bead_run_settings *settings, struct bead_run **run,
                                            struct bead_message *msg);

@@ -6,11 +6,11 @@
 /* Samples this often, in units of 1/omega, show every oscillation. */
 static const double resolving = 0.25;
 
-static enum bead_error pace_of_beads(const struct bead_chain *chain, double tolerance_factor, struct bead_pace *pace,
-                                     struct bead_message *msg)
+static enum bead_error pace_of_beads(const struct bead_chain *chain, const struct bead_simulate *asked, double tolerance_factor,
+                                     struct bead_pace *pace, struct bead_message *msg)
 {
     struct bead_stepping stepping;
-    enum bead_error err = bead_run_comparison_stepping(chain, tolerance_factor > 0 ? tolerance_factor : 1, &stepping, msg);
+    enum bead_error err = bead_run_comparison_stepping(chain, asked, tolerance_factor > 0 ? tolerance_factor : 1, &stepping, msg);
     if (!err)
         *pace = (struct bead_pace){stepping.method->info.name, stepping.step, resolving / stepping.omega, stepping.variable,
                                    stepping.why};
@@ -36,11 +36,11 @@ const struct bead_run_kind *bead_run_kind_of(const struct bead_chain *chain)
     return chain->system ? &bead_run_of_equation : &of_beads;
 }
 
-double bead_run_tolerance_factor_of(const struct bead_chain *const *chains, size_t count)
+double bead_run_tolerance_factor_of(const struct bead_chain *const *chains, size_t count, const struct bead_simulate *asked)
 {
     if (!chains[0]->system)
-        return bead_run_tolerance_factor(chains, count);
-    return chains[0]->scene->simulate.step > 0 ? 0.5 : 10;
+        return bead_run_tolerance_factor(chains, count, asked);
+    return asked->step > 0 ? 0.5 : 10;
 }
 
 enum bead_error bead_runner_create(const struct bead_run_settings *settings, struct bead_runner *runner, struct bead_message *msg)

@@ -19,15 +19,15 @@ struct bead_run_kind {
     uint64_t (*steps)(const struct bead_run *run);
     uint64_t (*hash)(const struct bead_run *run);
     /* What such a run would do: `tolerance_factor` as in bead_run_settings. */
-    enum bead_error (*pace)(const struct bead_chain *chain, double tolerance_factor, struct bead_pace *pace,
-                            struct bead_message *msg);
+    enum bead_error (*pace)(const struct bead_chain *chain, const struct bead_simulate *asked, double tolerance_factor,
+                            struct bead_pace *pace, struct bead_message *msg);
 };
 
 extern const struct bead_run_kind bead_run_of_equation;
 const struct bead_run_kind *bead_run_kind_of(const struct bead_chain *chain);
 
 /* The tolerance factor of a comparison run of all these chains: see bead_run_tolerance_factor. */
-double bead_run_tolerance_factor_of(const struct bead_chain *const *chains, size_t count);
+double bead_run_tolerance_factor_of(const struct bead_chain *const *chains, size_t count, const struct bead_simulate *asked);
 
 /* A run of any kind. */
 struct bead_runner {

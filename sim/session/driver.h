@@ -30,6 +30,7 @@ struct bead_consumer {
 struct bead_driver {
     const struct bead_chain *const *chains;
     size_t chain_count;
+    const struct bead_simulate *simulate; /* what the runs are asked for */
     struct bead_consumer *consumers;
     size_t consumer_count;
     double end;    /* s; INFINITY: until every front has arrived */

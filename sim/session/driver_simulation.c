@@ -56,8 +56,12 @@ static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
     if (!passed->runs || !passed->outcomes)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu chains", p->chain_count);
     passed->count = p->chain_count;
-    struct bead_run_settings settings = {
-        .kernels = p->kernels, .end = p->end, .passage = p->passage, .full_window = p->full_window, .hash = p->hash};
+    struct bead_run_settings settings = {.simulate = p->simulate,
+                                         .kernels = p->kernels,
+                                         .end = p->end,
+                                         .passage = p->passage,
+                                         .full_window = p->full_window,
+                                         .hash = p->hash};
     for (size_t i = 0; i < p->consumer_count; i++) {
         settings.contact_peaks |= p->consumers[i].needs.contact_peaks;
         settings.bead_peaks |= p->consumers[i].needs.bead_peaks;
@@ -74,7 +78,8 @@ static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
 static enum bead_error create_comparison_runs(struct pass *pass, struct bead_message *msg)
 {
     const struct bead_driver *p = pass->play;
-    struct bead_run_settings settings = {.kernels = p->kernels,
+    struct bead_run_settings settings = {.simulate = p->simulate,
+                                         .kernels = p->kernels,
                                          .end = p->end,
                                          .passage = p->passage,
                                          .full_window = p->full_window,

@@ -112,7 +112,7 @@ static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, 
     if (count == 0)
         return BEAD_OK;
     struct bead_pace pace;
-    enum bead_error err = bead_run_kind_of(s->chains[0])->pace(s->chains[0], s->tolerance_factor, &pace, msg);
+    enum bead_error err = bead_run_kind_of(s->chains[0])->pace(s->chains[0], asked, s->tolerance_factor, &pace, msg);
     if (err)
         return err;
     fprintf(out, " needs all chains a second time, for comparison: ");
@@ -151,7 +151,7 @@ enum bead_error bead_session_plan(const struct bead_session *s, FILE *out, struc
         return bead_session_plan_sweep(s, out, msg);
     for (size_t i = 0; i < s->chain_count; i++) {
         struct bead_pace pace;
-        enum bead_error err = bead_run_kind_of(s->chains[i])->pace(s->chains[i], 1, &pace, msg);
+        enum bead_error err = bead_run_kind_of(s->chains[i])->pace(s->chains[i], &s->source->simulate, 1, &pace, msg);
         if (err)
             return err;
         plan_chain(s, i, &pace, out);

@@ -27,12 +27,12 @@ enum bead_error bead_session_find_resolution(struct bead_session *s, struct bead
     s->resolution = INFINITY;
     for (size_t i = 0; i < s->chain_count; i++) {
         struct bead_pace pace;
-        enum bead_error err = bead_run_kind_of(s->chains[i])->pace(s->chains[i], 1, &pace, msg);
+        enum bead_error err = bead_run_kind_of(s->chains[i])->pace(s->chains[i], &s->source->simulate, 1, &pace, msg);
         if (err)
             return err;
         s->resolution = fmin(s->resolution, pace.resolution);
     }
-    s->tolerance_factor = bead_run_tolerance_factor_of(s->chains, s->chain_count);
+    s->tolerance_factor = bead_run_tolerance_factor_of(s->chains, s->chain_count, &s->source->simulate);
     return BEAD_OK;
 }
 
@@ -40,6 +40,7 @@ struct bead_driver bead_session_play(const struct bead_session *s, const char *w
 {
     return (struct bead_driver){.chains = s->chains,
                                 .chain_count = s->chain_count,
+                                .simulate = &s->source->simulate,
                                 .end = s->end,
                                 .needed = s->end,
                                 .passage = s->passage,

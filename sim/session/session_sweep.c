@@ -346,7 +346,7 @@ static enum bead_error plan_panel(const struct bead_session *s, size_t index, FI
     struct bead_stepping stepping;
     enum bead_error err = bead_sweep_chain_create(s->sweep, index, BEAD_SWEEP_CLEAN, &chain, msg);
     if (!err)
-        err = bead_run_stepping(bead_sweep_chain_of(chain), &stepping, msg);
+        err = bead_run_stepping(bead_sweep_chain_of(chain), &s->source->simulate, &stepping, msg);
     if (!err) {
         fprintf(out, "sweep %s%s%zu configurations of %zu beads", panel->name, *panel->name ? ": " : "", panel->configurations,
                 panel->beads);

@@ -144,6 +144,7 @@ static enum bead_error measure(struct measure *m, const struct bead_kernels *ker
     const double until = m->sweep->scene->simulate.until;
     find_span(m);
     struct bead_run_settings settings = {.chain = m->chain,
+                                         .simulate = &m->sweep->scene->simulate,
                                          .kernels = kernels,
                                          .end = isnan(until) ? INFINITY : until,
                                          .passage = isnan(until),

@@ -109,6 +109,7 @@ static enum bead_error run_one(struct watched *w, struct bead_message *msg)
     span.last = span.last < w->chain->beads ? span.last : w->chain->beads - 1;
     span.first = span.first < span.last ? span.first : span.last;
     const struct bead_run_settings settings = {.chain = w->chain,
+                                               .simulate = &sweep->scene->simulate,
                                                .kernels = w->work->kernels,
                                                .end = w->end,
                                                .passage = isnan(sweep->scene->simulate.until),

@@ -17,8 +17,11 @@ struct task {
 static bool make_run(struct task *task, struct bead_run **run)
 {
     struct bead_message msg = {""};
-    struct bead_run_settings settings = {
-        .chain = task->built.chain, .kernels = bead_kernels_find(NULL), .end = task->end, .contact_peaks = true};
+    struct bead_run_settings settings = {.chain = task->built.chain,
+                                         .simulate = &task->built.scene->simulate,
+                                         .kernels = bead_kernels_find(NULL),
+                                         .end = task->end,
+                                         .contact_peaks = true};
     enum bead_error err = bead_run_create(&settings, run, &msg);
     while (!err && bead_run_time(*run) < task->end)
         err = bead_run_step(*run, &msg);

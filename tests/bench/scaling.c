@@ -55,8 +55,11 @@ static struct scaling_row measure(size_t beads)
     snprintf(text, sizeof text,
              "chain: {beads: [{cell: [large-steel, aluminium], count: %zu, spins: random, magnetism: 0, seed: 5}]}\n", beads / 2);
     struct built built = build(text, "accuracy: 1e-6, until: 1 ms");
-    struct bead_run_settings settings = {
-        .chain = built.chain, .kernels = bead_kernels_find(NULL), .end = 1e-3, .contact_peaks = true};
+    struct bead_run_settings settings = {.chain = built.chain,
+                                         .simulate = &built.scene->simulate,
+                                         .kernels = bead_kernels_find(NULL),
+                                         .end = 1e-3,
+                                         .contact_peaks = true};
     struct bead_run *run;
     struct bead_message msg = {""};
     if (bead_run_create(&settings, &run, &msg))
@@ -81,8 +84,12 @@ static enum bead_error one_chain(void *context, size_t index, bool calling, stru
              "chain: {beads: [{cell: [large-steel, aluminium], count: %zu, spins: random, magnetism: 0, seed: %zu}]}\n", *cells,
              index + 1);
     enum bead_error err = try_build(text, "accuracy: 1e-6", &built, msg);
-    struct bead_run_settings settings = {
-        .chain = built.chain, .kernels = bead_kernels_find(NULL), .end = INFINITY, .passage = true, .contact_peaks = true};
+    struct bead_run_settings settings = {.chain = built.chain,
+                                         .simulate = &built.scene->simulate,
+                                         .kernels = bead_kernels_find(NULL),
+                                         .end = INFINITY,
+                                         .passage = true,
+                                         .contact_peaks = true};
     if (!err)
         err = bead_run_create(&settings, &run, msg);
     while (!err && isnan(bead_run_arrival(run)))

@@ -87,12 +87,13 @@ static void runs_differ(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct built built = build(P3_CHAIN, cases[i].simulate);
         const struct bead_chain *chain = built.chain;
+        const struct bead_simulate *asked = &built.scene->simulate;
         struct bead_stepping first, comparison;
         struct bead_message msg = {""};
-        double tolerance_factor = bead_run_tolerance_factor(&chain, 1);
+        double tolerance_factor = bead_run_tolerance_factor(&chain, 1, asked);
         assert_near(tolerance_factor, cases[i].tolerance_factor, 0);
-        assert_int_equal(bead_run_stepping(chain, &first, &msg), BEAD_OK);
-        assert_int_equal(bead_run_comparison_stepping(chain, tolerance_factor, &comparison, &msg), BEAD_OK);
+        assert_int_equal(bead_run_stepping(chain, asked, &first, &msg), BEAD_OK);
+        assert_int_equal(bead_run_comparison_stepping(chain, asked, tolerance_factor, &comparison, &msg), BEAD_OK);
         assert_true(fabs(log(comparison.step / first.step)) > 0.1);
         release(&built);
     }

@@ -112,7 +112,7 @@ static void smooth_chains_are_as_asked(void **state)
         struct bead_message msg = {""};
         snprintf(simulate, sizeof simulate, "until: 3 ms, accuracy: %g", asked[a]);
         struct built built = build(P4_CHAIN, simulate);
-        assert_int_equal(bead_run_stepping(built.chain, &stepping, &msg), BEAD_OK);
+        assert_int_equal(bead_run_stepping(built.chain, &built.scene->simulate, &stepping, &msg), BEAD_OK);
         assert_string_equal(stepping.method->info.name, "rkn8-plain");
         release(&built);
         double error = peaks_of(P4_CHAIN, simulate, 3e-3, "p4_peaks.csv");

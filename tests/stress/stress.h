@@ -111,6 +111,7 @@ static inline struct trial try_chain(const struct bead_chain *chain, struct bead
     struct bead_run *run = NULL;
     double start = cpu_seconds();
     settings.chain = chain;
+    settings.simulate = &bead_chain_scene(chain)->simulate;
     settings.contact_peaks = settings.hash = true;
     settings.kernels = settings.kernels ? settings.kernels : bead_kernels_find(NULL);
     trial.error = bead_run_create(&settings, &run, &trial.message);

@@ -18,7 +18,8 @@ static void two_beads(struct stress *stress, const char *other)
     snprintf(name, sizeof name, "2 beads, steel on %s", other);
     struct built built = build(text, "accuracy: 1e-10");
     const double end = 1e-3, *m = built.chain->mass, v = built.chain->spec->striker_velocity;
-    struct bead_run_settings settings = {.chain = built.chain, .kernels = bead_kernels_find(NULL), .end = end};
+    struct bead_run_settings settings = {
+        .chain = built.chain, .simulate = &built.scene->simulate, .kernels = bead_kernels_find(NULL), .end = end};
     enum bead_error err = bead_run_create(&settings, &run, &msg);
     while (!err && bead_run_time(run) < end)
         err = bead_run_step(run, &msg);
