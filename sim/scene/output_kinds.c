@@ -1,6 +1,9 @@
 /* The table of the kinds of outputs. A new kind is a row here, a table of keys in output_options.c, and a sink that makes it. */
 #include "sim/scene/output_kinds.h"
 
+#include <string.h>
+#include <strings.h>
+
 #include "sim/scene/scene_output.h"
 
 static const struct bead_output_type types[BEAD_OUTPUT_KINDS] = {
@@ -42,6 +45,21 @@ static const struct bead_options *main_options(const struct bead_output_type *ty
 const char *bead_output_key(enum bead_output_kind kind)
 {
     return main_options(&types[kind])->rows[0].key;
+}
+
+const char *bead_output_endings(enum bead_output_kind kind)
+{
+    return strchr(main_options(&types[kind])->rows[0].shape, '.'); /* behind FILE */
+}
+
+bool bead_output_ends_like(const char *endings, const char *path)
+{
+    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path, *dot = strrchr(base, '.');
+    for (const char *known = endings; dot && dot > base && known; known = strchr(known + 1, '.')) {
+        if (strcspn(known, ", ") == strlen(dot) && strncasecmp(known, dot, strlen(dot)) == 0)
+            return true;
+    }
+    return false;
 }
 
 /* The kinds, those that sweeps have otherwise, and panels. */

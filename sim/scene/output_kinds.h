@@ -25,6 +25,10 @@ struct bead_output_type {
 /* The row of a kind, and its key: "image". */
 const struct bead_output_type *bead_output_type(enum bead_output_kind kind);
 const char *bead_output_key(enum bead_output_kind kind);
+/* How files of a kind end: ".png, .pdf or .svg". */
+const char *bead_output_endings(enum bead_output_kind kind);
+/* Does a file end like one of these? */
+bool bead_output_ends_like(const char *endings, const char *path);
 
 /* What plots and tables can show: one row a value of `show`. */
 struct bead_show_type {

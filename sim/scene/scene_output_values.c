@@ -1,24 +1,8 @@
 /* Readers of the values of outputs' keys that are more than a number, a word or a choice. */
 #include <math.h>
 #include <string.h>
-#include <strings.h>
 
 #include "sim/scene/scene_output.h"
-
-/* Does a file end like one of the row's shape, "FILE.png, .pdf or .svg"? */
-static enum bead_error check_extension(const struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                       const char *path)
-{
-    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path, *dot = strrchr(base, '.');
-    const char *all = strchr(option->shape, '.');
-    char shown[64];
-    for (const char *known = all; dot && dot > base && known; known = strchr(known + 1, '.')) {
-        if (strcspn(known, ", ") == strlen(dot) && strncasecmp(known, dot, strlen(dot)) == 0)
-            return BEAD_OK;
-    }
-    return bead_wrong(reader, at, "`%s` does not end like a file of this kind; must be a name with %s",
-                      bead_text_show(path, shown, sizeof shown), all);
-}
 
 BEAD_OUTPUT_READER(bead_output_read_path)
 {
@@ -31,7 +15,12 @@ BEAD_OUTPUT_READER(bead_output_read_path)
         return bead_wrong(reader, at, "is empty; must be the name of a file");
     if (output->path[length - 1] == '/')
         return bead_wrong(reader, at, "ends in `/`; must be the name of a file, not of a directory");
-    return check_extension(reader, at, option, output->path);
+    const char *endings = strchr(option->shape, '.');
+    char shown[64];
+    return bead_output_ends_like(endings, output->path)
+               ? BEAD_OK
+               : bead_wrong(reader, at, "`%s` does not end like a file of this kind; must be a name with %s",
+                            bead_text_show(output->path, shown, sizeof shown), endings);
 }
 
 /* Index of the element's name among `names`, at most once in a list: bits of those before are in *seen. */

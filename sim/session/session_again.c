@@ -9,10 +9,7 @@
 static enum bead_error settle_with_default(struct bead_session *s, struct bead_message *msg)
 {
     static const struct bead_file_kind kinds[] = {
-        {"png", "image", NULL}, {"pdf", "image", NULL},  {"svg", "image", NULL},
-        {"mp4", "movie", NULL}, {"mkv", "movie", NULL},  {"webm", "movie", NULL},
-        {"gif", "movie", NULL}, {"apng", "movie", NULL}, {"csv", "table", ", show: sensors"},
-        {NULL, NULL, NULL}};
+        {BEAD_OUTPUT_IMAGE, NULL}, {BEAD_OUTPUT_MOVIE, NULL}, {BEAD_OUTPUT_TABLE, ", show: sensors"}, {BEAD_OUTPUT_KINDS, NULL}};
     struct bead_settings settings = {0};
     char *outputs = NULL;
     enum bead_error err = bead_session_outputs_for(s->job.output, kinds, &outputs, msg);

@@ -85,11 +85,12 @@ BEAD_CHECK enum bead_error bead_session_take_again(struct bead_session *session,
 /* NULL: this program does not make it. */
 const struct bead_sink_type *bead_session_find_type(const struct bead_job *job, const struct bead_output *output);
 
-/* What a file's name says about the output wanted: kind "table", more ", show: sensors" or NULL. */
+/* An output that a file alone can ask for, by its ending; more: ", show: sensors" or NULL. */
 struct bead_file_kind {
-    const char *extension, *kind, *more;
+    enum bead_output_kind kind; /* BEAD_OUTPUT_KINDS: behind the last */
+    const char *more;
 };
-/* `[{movie: "a.mp4"}]` for a file of one of the kinds, the last of which is NULL; to be freed. Errors: USAGE, MEMORY. */
+/* `[{movie: "a.mp4"}]` for a file of the first kind that it ends like; to be freed. Errors: USAGE, MEMORY. */
 BEAD_CHECK enum bead_error bead_session_outputs_for(const char *file, const struct bead_file_kind *kinds, char **outputs,
                                                     struct bead_message *msg);
 /* Settings of a scene: `first` (NULL: none; borrowed), the outputs, then the job's. */

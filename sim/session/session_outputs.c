@@ -147,9 +147,9 @@ enum bead_error bead_session_take_again(struct bead_session *s, const char *from
 
 static enum bead_error no_kind(const char *file, const struct bead_file_kind *kinds, struct bead_message *msg)
 {
-    char names[128] = "";
-    for (size_t used = 0; kinds->extension && used < sizeof names; kinds++)
-        used += (size_t)snprintf(names + used, sizeof names - used, "%s.%s", used ? ", " : "", kinds->extension);
+    char names[160] = "";
+    for (size_t used = 0; kinds->kind != BEAD_OUTPUT_KINDS && used < sizeof names; kinds++)
+        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", bead_output_endings(kinds->kind));
     return bead_fail(msg, BEAD_ERROR_USAGE, "--output: `%s` ends like none of %s", file, names);
 }
 
@@ -158,9 +158,9 @@ enum bead_error bead_session_outputs_for(const char *file, const struct bead_fil
 {
     const struct bead_file_kind *kind = kinds;
     *outputs = NULL;
-    while (kind->extension && strcasecmp(kind->extension, extension(file)) != 0)
+    while (kind->kind != BEAD_OUTPUT_KINDS && !bead_output_ends_like(bead_output_endings(kind->kind), file))
         kind++;
-    if (!kind->extension)
+    if (kind->kind == BEAD_OUTPUT_KINDS)
         return no_kind(file, kinds, msg);
     char *quoted = calloc(2 * strlen(file) + 1, 1), *to = quoted;
     for (const char *from = file; quoted && *from; from++) {
@@ -168,7 +168,8 @@ enum bead_error bead_session_outputs_for(const char *file, const struct bead_fil
             *to++ = '\\';
         *to++ = *from;
     }
-    int length = quoted ? asprintf(outputs, "[{%s: \"%s\"%s}]", kind->kind, quoted, kind->more ? kind->more : "") : -1;
+    int length =
+        quoted ? asprintf(outputs, "[{%s: \"%s\"%s}]", bead_output_key(kind->kind), quoted, kind->more ? kind->more : "") : -1;
     free(quoted);
     if (length >= 0)
         return BEAD_OK;

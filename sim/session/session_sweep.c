@@ -55,14 +55,12 @@ enum bead_error bead_session_open_sweep(struct bead_session *s, struct bead_mess
     return err ? err : bead_sweep_create(s->scene, &s->sweep, msg);
 }
 
-static const struct bead_file_kind sheet_kinds[] = {
-    {"png", "sheet", NULL}, {"pdf", "sheet", NULL}, {"svg", "sheet", NULL}, {NULL, NULL, NULL}};
+static const struct bead_file_kind sheet_kinds[] = {{BEAD_OUTPUT_SHEET, NULL}, {BEAD_OUTPUT_KINDS, NULL}};
 
 /* Once more, with an output that its scene does not have. */
 static enum bead_error open_with_default(struct bead_session *s, struct bead_message *msg)
 {
-    static const struct bead_file_kind kinds[] = {
-        {"png", "plot", NULL}, {"pdf", "plot", NULL}, {"svg", "plot", NULL}, {"csv", "table", NULL}, {NULL, NULL, NULL}};
+    static const struct bead_file_kind kinds[] = {{BEAD_OUTPUT_PLOT, NULL}, {BEAD_OUTPUT_TABLE, NULL}, {BEAD_OUTPUT_KINDS, NULL}};
     struct bead_settings settings = {0};
     char *outputs = NULL;
     enum bead_error err = bead_session_outputs_for(s->job.output, s->job.sheet ? sheet_kinds : kinds, &outputs, msg);
@@ -204,11 +202,11 @@ static enum bead_error open_configurations(const struct bead_session *s, struct 
 enum bead_error bead_session_load_configuration(struct bead_session *s, struct bead_message *msg)
 {
     /* The peaks that sweeps measure are those of bead forces. */
-    static const struct bead_file_kind kinds[] = {
-        {"mp4", "movie", NULL},     {"mkv", "movie", NULL},  {"webm", "movie", NULL},
-        {"gif", "movie", NULL},     {"apng", "movie", NULL}, {"png", "image", NULL},
-        {"pdf", "image", NULL},     {"svg", "image", NULL},  {"csv", "table", ", show: bead-peaks"},
-        {"h5", "trajectory", NULL}, {NULL, NULL, NULL}};
+    static const struct bead_file_kind kinds[] = {{BEAD_OUTPUT_IMAGE, NULL},
+                                                  {BEAD_OUTPUT_MOVIE, NULL},
+                                                  {BEAD_OUTPUT_TABLE, ", show: bead-peaks"},
+                                                  {BEAD_OUTPUT_TRAJECTORY, NULL},
+                                                  {BEAD_OUTPUT_KINDS, NULL}};
     struct bead_sweep *sweep = NULL;
     struct bead_scene *scene = NULL;
     char *outputs = NULL, *text = NULL;
