@@ -8,7 +8,6 @@
 #include "render/draw/raster.h"
 #include "render/draw/warnings.h"
 #include "render/movie/captions.h"
-#include "render/movie/movie_card.h"
 #include "render/view/camera.h"
 #include "render/view/magnify.h"
 

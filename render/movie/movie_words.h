@@ -39,4 +39,10 @@ void bead_line_draw(cairo_t *cr, struct bead_text_style style, const char *plain
 bool bead_heading_has(const struct bead_chain *chain);
 void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_chain *chain, struct bead_rect rect);
 
+/* ---- the title card: what is to be seen, and how slowly ---- */
+
+/* Over the whole of a frame of width x height px. `text`: a line below the title; NULL or "": none. */
+void bead_card_draw(cairo_t *cr, const struct bead_look *look, const struct bead_facts *facts, const char *title, const char *text,
+                    int width, int height);
+
 #endif

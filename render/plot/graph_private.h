@@ -1,6 +1,5 @@
-/* What the parts of a graph share: graph.c (entry, files), graph_range.c (axes), graph_layout.c (where things go), graph_mask.c and
- * graph_words.c (words at rulers), graph_legend.c, graph_draw.c, graph_panel.c
- * (inside of the axes), graph_curve.c (curves and points). Lengths in px. */
+/* What the parts of a graph share: graph.c (entry, files), graph_range.c (axes), graph_layout.c (where things go), graph_words.c
+ * (words at rulers), graph_legend.c, graph_draw.c (the page), graph_curve.c (curves and points). Lengths in px. */
 #ifndef BEADREEL_RENDER_PLOT_GRAPH_PRIVATE_H
 #define BEADREEL_RENDER_PLOT_GRAPH_PRIVATE_H
 
@@ -126,7 +125,6 @@ void graph_draw_series(cairo_t *cr, const struct bead_look *look, const struct g
 void graph_ruler_style(cairo_t *cr, const struct bead_look *look);
 /* Curves, points and rulers, as they are drawn and as words avoid them. */
 void graph_draw_contents(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell);
-void graph_draw_bands(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell);
 void graph_draw_all(cairo_t *cr, const struct graph_layout *layout);
 
 #endif

@@ -1,7 +1,100 @@
-/* Words of rulers: beside their line, where they hide nothing. */
+/* Words of rulers: beside their line, where they hide nothing. A mask of what curves, points and rulers cover finds free room for
+ * them, and for legends. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "render/plot/graph_private.h"
+
+/* In units of the label's font size. */
+static const double cell_size = 0.18, word_air = 0.28;
+
+double graph_air(const struct bead_look *look)
+{
+    return word_air * look->label;
+}
+
+static void sum(struct graph_mask *mask, const unsigned char *covered, size_t stride)
+{
+    size_t across = (size_t)mask->width + 1;
+    for (size_t y = 0; y < (size_t)mask->height; y++) {
+        unsigned row = 0;
+        for (size_t x = 0; x < (size_t)mask->width; x++) {
+            row += covered[y * stride + x] > 0;
+            mask->sums[(y + 1) * across + x + 1] = mask->sums[y * across + x + 1] + row;
+        }
+    }
+}
+
+/* The cell's contents drawn small: whatever leaves a trace covers. */
+enum bead_error graph_mask_make(const struct graph_cell *cell, const struct bead_look *look, struct graph_mask *mask,
+                                struct bead_message *msg)
+{
+    double size = fmax(1, cell_size * look->label);
+    *mask = (struct graph_mask){
+        (int)floor(cell->plot.width / size), (int)floor(cell->plot.height / size), size, cell->plot.x, cell->plot.y, NULL};
+    mask->width = mask->width > 0 ? mask->width : 1;
+    mask->height = mask->height > 0 ? mask->height : 1;
+    mask->sums = calloc(((size_t)mask->width + 1) * ((size_t)mask->height + 1), sizeof *mask->sums);
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, mask->width, mask->height);
+    cairo_t *cr = cairo_create(surface);
+    cairo_scale(cr, 1 / size, 1 / size);
+    cairo_translate(cr, -mask->x, -mask->y);
+    graph_draw_contents(cr, look, cell);
+    cairo_surface_flush(surface);
+    const unsigned char *covered = cairo_image_surface_get_data(surface);
+    bool drawn = mask->sums && covered && cairo_status(cr) == CAIRO_STATUS_SUCCESS;
+    if (drawn)
+        sum(mask, covered, (size_t)cairo_image_surface_get_stride(surface));
+    cairo_destroy(cr);
+    cairo_surface_destroy(surface);
+    if (!drawn) {
+        graph_mask_free(mask);
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the layout of a graph");
+    }
+    return BEAD_OK;
+}
+
+void graph_mask_free(struct graph_mask *mask)
+{
+    free(mask->sums);
+    mask->sums = NULL;
+}
+
+/* Cells from..to (not included) that the box touches. */
+static void cells_of(const struct graph_mask *mask, struct graph_box box, int from[2], int to[2])
+{
+    from[0] = (int)fmax(0, floor((box.x - mask->x) / mask->cell));
+    from[1] = (int)fmax(0, floor((box.y - mask->y) / mask->cell));
+    to[0] = (int)fmin(mask->width, ceil((box.x + box.width - mask->x) / mask->cell));
+    to[1] = (int)fmin(mask->height, ceil((box.y + box.height - mask->y) / mask->cell));
+}
+
+unsigned graph_mask_covered(const struct graph_mask *mask, struct graph_box box)
+{
+    int from[2], to[2];
+    size_t across = (size_t)mask->width + 1;
+    if (box.x < mask->x || box.y < mask->y || box.x + box.width > mask->x + mask->width * mask->cell ||
+        box.y + box.height > mask->y + mask->height * mask->cell)
+        return 1u << 30;
+    cells_of(mask, box, from, to);
+    size_t x0 = (size_t)from[0], y0 = (size_t)from[1], x1 = (size_t)to[0], y1 = (size_t)to[1];
+    return mask->sums[y1 * across + x1] + mask->sums[y0 * across + x0] - mask->sums[y0 * across + x1] -
+           mask->sums[y1 * across + x0];
+}
+
+void graph_mask_cover(struct graph_mask *mask, struct graph_box box)
+{
+    int from[2], to[2];
+    size_t across = (size_t)mask->width + 1;
+    cells_of(mask, box, from, to);
+    for (int y = from[1]; y < mask->height; y++) {
+        for (int x = from[0]; x < mask->width; x++) {
+            int rows = (y < to[1] ? y + 1 : to[1]) - from[1], columns = (x < to[0] ? x + 1 : to[0]) - from[0];
+            if (rows > 0 && columns > 0) /* counts cells that were covered already twice: covered is covered */
+                mask->sums[((size_t)y + 1) * across + (size_t)x + 1] += (unsigned)(rows * columns);
+        }
+    }
+}
 
 /* Places tried along a ruler. */
 enum { ALONG = 24 };

@@ -10,7 +10,6 @@
 #include <cmocka.h>
 
 #include "render/draw/palette.h"
-#include "render/draw/palette_cut.h"
 #include "render/encode/convert.h"
 #include "render/paint/pixel_kernels.h"
 
