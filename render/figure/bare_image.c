@@ -74,7 +74,7 @@ static enum bead_error make_areas(struct bead_still *b, const double time[2], st
             return scene_error(b, "beads: begin behind the end of the chain", msg);
         b->beads.last = setup.beads.last > b->beads.last ? setup.beads.last : b->beads.last;
         b->tops[c + 1] = (int)((long long)b->page.height * (long long)(c + 1) / (long long)chains);
-        setup.across = b->tops[c + 1] - b->tops[c];
+        setup.places = b->tops[c + 1] - b->tops[c];
         err = bead_area_create(&setup, &b->areas[c], msg);
     }
     return err;

@@ -1,12 +1,52 @@
-#include "render/view/area_data.h"
-
+/* Areas: samples into sums of pixels as they come, and their columns out again. The space-time view, bare images and contact sheets
+ * are made of them. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/view/area.h"
 #include "render/view/area_kernels.h"
 #include "sim/base/large.h"
+
+/* How a bead lies in rows, where these are fewer. Of means: its share of its row and of the next; of values furthest from 0: the
+ * first and the last row that it reaches into. */
+struct share {
+    double own, next;
+    size_t row, last;
+};
+
+/* Rows of sums are beads where the picture has a pixel or more for each, else pixels. */
+struct bead_area {
+    struct bead_area_setup setup;
+    size_t beads, rows;
+    double *sums;    /* [columns][rows], integral over time of value - rest, averaged over the row; or the value furthest from 0 in
+                        row and column, NaN where all was at rest; in columns done what their pixels show */
+    double *covered; /* s, [columns]; a column's sums have no values where it is 0 */
+    double *rest;    /* [beads], values of beads that had not moved at the first sample */
+    double *resting; /* [rows], the same in rows */
+    double *before, *now; /* [rows], value - rest (or value) of the last sample and of this */
+    double *low, *high;   /* [rows], of columns done */
+    double *shown;        /* [rows], a column on its way out */
+    struct share *shares; /* [beads], with fewer rows */
+    unsigned *level;      /* [places], with fewer rows; else NULL */
+    double *beyond;       /* [rows], part of the pixel across a row's upper border that lies beyond it */
+    double *levels;       /* [levels], a column's on their way to pixels */
+    size_t lit_before;    /* rows of `before` that may differ from rest */
+    double time_before;
+    int done; /* columns before this one are over */
+    bool started;
+};
+
+static bool keeps_largest(const struct bead_area *a)
+{
+    return a->setup.sampling == BEAD_SAMPLING_MAX;
+}
+
+static double *column(const struct bead_area *a, int c)
+{
+    return a->sums + (size_t)c * a->rows;
+}
 
 static double *numbers(size_t count)
 {
@@ -27,7 +67,7 @@ static struct share share_of(const struct bead_area *a, size_t i)
 /* Pixels narrower than beads lie in a cell, or across the border of two. In units of 1/pixels of a bead. */
 static void find_levels(struct bead_area *a)
 {
-    size_t pixels = (size_t)a->setup.across;
+    size_t pixels = (size_t)a->setup.places;
     for (size_t p = 0; p < pixels; p++) {
         size_t from = p * a->beads, to = from + a->beads, bead = from / pixels, border = (bead + 1) * pixels;
         a->level[p] = (unsigned)(to > border ? a->rows + bead : bead);
@@ -39,10 +79,10 @@ static void find_levels(struct bead_area *a)
 /* False: no memory. */
 static bool allocate(struct bead_area *a)
 {
-    size_t along = (size_t)a->setup.along, across = (size_t)a->setup.across;
-    bool fits = a->rows < SIZE_MAX / sizeof(double) / along;
-    a->sums = fits ? bead_large_take(a->rows * along * sizeof(double)) : NULL;
-    a->covered = numbers(along);
+    size_t columns = (size_t)a->setup.columns, places = (size_t)a->setup.places;
+    bool fits = a->rows < SIZE_MAX / sizeof(double) / columns;
+    a->sums = fits ? bead_large_take(a->rows * columns * sizeof(double)) : NULL;
+    a->covered = numbers(columns);
     a->rest = numbers(a->beads);
     a->resting = numbers(a->rows);
     a->before = numbers(a->rows);
@@ -51,11 +91,11 @@ static bool allocate(struct bead_area *a)
     a->high = numbers(a->rows);
     a->shown = numbers(a->rows);
     a->shares = a->rows < a->beads ? calloc(a->beads, sizeof *a->shares) : NULL;
-    a->level = a->rows < across ? calloc(across, sizeof *a->level) : NULL;
+    a->level = a->rows < places ? calloc(places, sizeof *a->level) : NULL;
     a->beyond = numbers(a->rows);
     a->levels = numbers(bead_area_levels(a));
     return a->sums && a->covered && a->rest && a->resting && a->before && a->now && a->low && a->high && a->shown && a->beyond &&
-           a->levels && (a->shares || a->rows == a->beads) && (a->level || a->rows == across);
+           a->levels && (a->shares || a->rows == a->beads) && (a->level || a->rows == places);
 }
 
 enum bead_error bead_area_create(const struct bead_area_setup *setup, struct bead_area **area, struct bead_message *msg)
@@ -65,11 +105,11 @@ enum bead_error bead_area_create(const struct bead_area_setup *setup, struct bea
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image");
     a->setup = *setup;
     a->beads = setup->beads.last - setup->beads.first + 1;
-    a->rows = a->beads < (size_t)setup->across ? a->beads : (size_t)setup->across;
+    a->rows = a->beads < (size_t)setup->places ? a->beads : (size_t)setup->places;
     if (!allocate(a)) {
         bead_area_destroy(a);
         *area = NULL;
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image of %d x %d pixels", setup->along, setup->across);
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image of %d x %d pixels", setup->columns, setup->places);
     }
     for (size_t i = 0; a->shares && i < a->beads; i++)
         a->shares[i] = share_of(a, i);
@@ -150,13 +190,13 @@ static size_t into_rows(const struct bead_area *a, const double *values, size_t 
 static double edge(const struct bead_area *a, int c)
 {
     const double *time = a->setup.time;
-    return c == a->setup.along ? time[1] : time[0] + (time[1] - time[0]) * c / a->setup.along;
+    return c == a->setup.columns ? time[1] : time[0] + (time[1] - time[0]) * c / a->setup.columns;
 }
 
 static int column_of(const struct bead_area *a, double time)
 {
-    double place = (time - a->setup.time[0]) / (a->setup.time[1] - a->setup.time[0]) * a->setup.along;
-    return place > 1 ? (int)fmin(place, a->setup.along) - 1 : 0; /* or the one before: rounding must not lose a piece */
+    double place = (time - a->setup.time[0]) / (a->setup.time[1] - a->setup.time[0]) * a->setup.columns;
+    return place > 1 ? (int)fmin(place, a->setup.columns) - 1 : 0; /* or the one before: rounding must not lose a piece */
 }
 
 static void clear(const struct bead_area *a, double *sums)
@@ -181,12 +221,21 @@ static void add_piece(struct bead_area *a, int c, double from, double to, double
     a->covered[c] += length;
 }
 
+/* What column c, which samples have touched, shows: in rows. */
+static void show_column(const struct bead_area *a, int c, double *rows)
+{
+    if (keeps_largest(a))
+        bead_area_largest(a->rows, a->resting, column(a, c), rows);
+    else
+        bead_area_means(a->rows, a->covered[c], a->resting, column(a, c), rows);
+}
+
 /* While the column is at hand. */
 static void finish(struct bead_area *a, int c)
 {
     if (!(a->covered[c] > 0))
         return;
-    bead_area_show(a, c, column(a, c));
+    show_column(a, c, column(a, c));
     bead_area_spread(a->rows, column(a, c), a->low, a->high);
 }
 
@@ -227,13 +276,13 @@ void bead_area_feed(struct bead_area *area, double time, const double *values, s
     set_at_rest(a, a->now, touched, lit);
     set_at_rest(a, a->before, a->lit_before, lit);
     if (a->started && time > a->time_before) {
-        for (int c = column_of(a, a->time_before); c < a->setup.along && edge(a, c) < time; c++) {
+        for (int c = column_of(a, a->time_before); c < a->setup.columns && edge(a, c) < time; c++) {
             double from = fmax(a->time_before, edge(a, c)), to = fmin(time, edge(a, c + 1));
             if (to > from)
                 add_piece(a, c, from, to, time, lit);
         }
     }
-    while (a->done < a->setup.along && edge(a, a->done + 1) <= time)
+    while (a->done < a->setup.columns && edge(a, a->done + 1) <= time)
         finish(a, a->done++);
     double *spare = a->before;
     a->before = a->now;
@@ -241,4 +290,74 @@ void bead_area_feed(struct bead_area *area, double time, const double *values, s
     a->lit_before = lit;
     a->time_before = time;
     a->started = true;
+}
+
+/* Rows of a column: where it lies, or in the room for one. */
+static const double *rows_of(const struct bead_area *a, int c)
+{
+    if (c < a->done)
+        return column(a, c);
+    show_column(a, c, a->shown);
+    return a->shown;
+}
+
+size_t bead_area_levels(const struct bead_area *area)
+{
+    return area->rows < (size_t)area->setup.places ? 2 * area->rows - 1 : area->rows;
+}
+
+const unsigned *bead_area_level(const struct bead_area *area)
+{
+    return area->level;
+}
+
+bool bead_area_column_levels(const struct bead_area *area, int c, double *values)
+{
+    const struct bead_area *a = area;
+    if (!(a->covered[c] > 0))
+        return false;
+    const double *rows = rows_of(a, c);
+    memcpy(values, rows, a->rows * sizeof *values);
+    if (a->level && keeps_largest(a))
+        bead_area_borders_largest(a->rows - 1, rows, values + a->rows);
+    else if (a->level)
+        bead_area_borders(a->rows - 1, a->beyond, rows, values + a->rows);
+    return true;
+}
+
+bool bead_area_column(const struct bead_area *area, int c, double *means)
+{
+    const struct bead_area *a = area;
+    if (!a->level)
+        return bead_area_column_levels(a, c, means);
+    bool touched = bead_area_column_levels(a, c, a->levels);
+    for (size_t p = 0; touched && p < (size_t)a->setup.places; p++)
+        means[p] = a->levels[a->level[p]];
+    return touched;
+}
+
+static void extend(size_t n, const double *lows, const double *highs, double *low, double *high)
+{
+    for (size_t i = 0; i < n; i++) {
+        *low = lows[i] < *low ? lows[i] : *low;
+        *high = highs[i] > *high ? highs[i] : *high;
+    }
+}
+
+void bead_area_extremes(const struct bead_area *area, double *low, double *high)
+{
+    const struct bead_area *a = area;
+    *low = INFINITY;
+    *high = -INFINITY;
+    extend(a->rows, a->low, a->high, low, high);
+    for (int c = a->done; c < a->setup.columns; c++) {
+        const double *rows = a->covered[c] > 0 ? rows_of(a, c) : NULL;
+        if (rows)
+            extend(a->rows, rows, rows, low, high);
+    }
+}
+
+size_t bead_area_places(const struct bead_area *area)
+{
+    return (size_t)area->setup.places;
 }

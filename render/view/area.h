@@ -19,7 +19,7 @@ struct bead_area;
 struct bead_area_setup {
     struct bead_span beads; /* or contacts */
     double time[2];         /* s */
-    int across, along;      /* pixels along the chain, along time */
+    int places, columns;    /* pixels along the chain, along time */
     enum bead_sampling sampling;
 };
 
@@ -29,7 +29,7 @@ void bead_area_destroy(struct bead_area *area);
 /* Values of all beads at `time`, later than the one before; beads >= active have the values they had at the first sample. Costs
  * as much as beads are active. */
 void bead_area_feed(struct bead_area *area, double time, const double *values, size_t active);
-/* Means (or values furthest from 0) of the pixels of time column `c` from the chain's first to its last, [across]; false: no sample
+/* Means (or values furthest from 0) of the pixels of time column `c` from the chain's first to its last, [places]; false: no sample
  * has touched it. */
 bool bead_area_column(const struct bead_area *area, int c, double *means);
 /* The same without repetition: the different values that pixels of a column can have, [levels], and for each pixel which of them it
@@ -37,7 +37,7 @@ bool bead_area_column(const struct bead_area *area, int c, double *means);
 size_t bead_area_levels(const struct bead_area *area);
 const unsigned *bead_area_level(const struct bead_area *area);
 bool bead_area_column_levels(const struct bead_area *area, int c, double *values);
-size_t bead_area_across(const struct bead_area *area);
+size_t bead_area_places(const struct bead_area *area);
 /* Least and largest of all pixels touched; low > high where there are none. */
 void bead_area_extremes(const struct bead_area *area, double *low, double *high);
 

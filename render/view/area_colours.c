@@ -10,7 +10,7 @@ typedef uint8_t pixels_anywhere __attribute__((vector_size(BLOCK), aligned(1), m
 
 /* Room for a few columns side by side: rows of the image are written BLOCK bytes at a time, not a byte in each. */
 struct block {
-    size_t across, levels;
+    size_t places, levels;
     const unsigned *level;
     double *values;   /* [levels], of a column */
     uint8_t *columns; /* [BLOCK][levels] */
@@ -22,7 +22,7 @@ static void put_rows(const struct block *b, int count, uint8_t *origin, ptrdiff_
     for (size_t l = 0; l < b->levels; l++)
         for (size_t c = 0; c < BLOCK; c++)
             b->rows[BLOCK * l + c] = b->columns[c * b->levels + l];
-    for (size_t p = 0; p < b->across; p++) {
+    for (size_t p = 0; p < b->places; p++) {
         const uint8_t *row = b->rows + BLOCK * (b->level ? b->level[p] : p);
         uint8_t *to = origin + (ptrdiff_t)p * step;
         if (count == BLOCK)
@@ -38,7 +38,7 @@ static void put_columns(const struct block *b, int count, uint8_t *origin, ptrdi
     for (int c = 0; c < count; c++) {
         const uint8_t *column = b->columns + (size_t)c * b->levels;
         uint8_t *row = origin + c * step;
-        for (size_t p = 0; p < b->across; p++)
+        for (size_t p = 0; p < b->places; p++)
             row[p] = column[b->level ? b->level[p] : p];
     }
 }
@@ -58,7 +58,7 @@ static int take_columns(const struct block *b, const struct bead_area *area, con
 enum bead_error bead_area_colour(const struct bead_area *area, const struct bead_colour_table *table, int from, int to,
                                  const struct bead_area_image *image, int *done, struct bead_message *msg)
 {
-    struct block b = {.across = bead_area_across(area), .levels = bead_area_levels(area), .level = bead_area_level(area)};
+    struct block b = {.places = bead_area_places(area), .levels = bead_area_levels(area), .level = bead_area_level(area)};
     b.values = malloc(b.levels * sizeof *b.values);
     b.columns = calloc(b.levels, BLOCK);
     b.rows = malloc(b.levels * BLOCK);
@@ -67,11 +67,11 @@ enum bead_error bead_area_colour(const struct bead_area *area, const struct bead
     bool touched = true;
     for (*done = from; !err && touched && *done < to;) {
         int most = to - *done < BLOCK ? to - *done : BLOCK, count = take_columns(&b, area, table, *done, most);
-        uint8_t *origin = image->origin + *done * image->along;
-        if (image->across == 1)
-            put_columns(&b, count, origin, image->along);
+        uint8_t *origin = image->origin + *done * image->column_step;
+        if (image->place_step == 1)
+            put_columns(&b, count, origin, image->column_step);
         else
-            put_rows(&b, count, origin, image->across);
+            put_rows(&b, count, origin, image->place_step);
         touched = count == most;
         *done += count;
     }

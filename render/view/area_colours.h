@@ -8,10 +8,10 @@
 #include "render/draw/colour_table.h"
 #include "render/view/area.h"
 
-/* Where pixels go: pixel p of column c to origin[c * along + p * across]. One of the two steps is 1. */
+/* Where pixels go: pixel p of column c to origin[c * column_step + p * place_step]. One of the two steps is 1. */
 struct bead_area_image {
     uint8_t *origin;
-    ptrdiff_t along, across;
+    ptrdiff_t column_step, place_step;
 };
 
 /* Columns from..to - 1, as far as samples have touched them; `done`: the first that was not. Errors: MEMORY. */

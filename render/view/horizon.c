@@ -8,7 +8,7 @@
 static const double core = 1, seam = 3;
 
 struct bead_horizon {
-    struct bead_area_setup setup; /* across: places, a bead each or a pixel where these are fewer */
+    struct bead_area_setup setup; /* places: a bead each or a pixel where these are fewer */
     struct bead_area *area;       /* of the difference */
     double *difference;           /* [last bead + 1] */
     double *means;                /* [places] */
@@ -24,11 +24,11 @@ enum bead_error bead_horizon_create(const struct bead_area_setup *setup, struct 
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a horizon");
     size_t beads = setup->beads.last - setup->beads.first + 1;
     h->setup = *setup;
-    h->setup.across = beads < (size_t)setup->across ? (int)beads : setup->across;
+    h->setup.places = beads < (size_t)setup->places ? (int)beads : setup->places;
     h->earliest = INT_MAX;
     h->difference = calloc(setup->beads.last + 1, sizeof *h->difference);
-    h->means = calloc((size_t)h->setup.across, sizeof *h->means);
-    h->first = calloc((size_t)h->setup.across, sizeof *h->first);
+    h->means = calloc((size_t)h->setup.places, sizeof *h->means);
+    h->first = calloc((size_t)h->setup.places, sizeof *h->first);
     enum bead_error err =
         h->difference && h->means && h->first ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a horizon");
     if (!err)
@@ -37,7 +37,7 @@ enum bead_error bead_horizon_create(const struct bead_area_setup *setup, struct 
         bead_horizon_destroy(h);
         return err;
     }
-    for (int p = 0; p < h->setup.across; p++)
+    for (int p = 0; p < h->setup.places; p++)
         h->first[p] = INT_MAX;
     *horizon = h;
     return BEAD_OK;
@@ -65,14 +65,14 @@ void bead_horizon_feed(struct bead_horizon *h, double time, const double *first,
 /* Neighbours on one side that a place looks at: single beads that stay quiet among others make no spikes. */
 static int neighbours(const struct bead_horizon *h)
 {
-    return 1 + h->setup.across / 48;
+    return 1 + h->setup.places / 48;
 }
 
 /* Column of the line at a place: the earliest of it and its neighbours. */
 static int line_at(const struct bead_horizon *h, int place)
 {
     int earliest = INT_MAX, side = neighbours(h), last = place + side;
-    for (int p = place > side ? place - side : 0; p <= last && p < h->setup.across; p++)
+    for (int p = place > side ? place - side : 0; p <= last && p < h->setup.places; p++)
         earliest = h->first[p] < earliest ? h->first[p] : earliest;
     return earliest;
 }
@@ -82,7 +82,7 @@ static int changed_from(const struct bead_horizon *h, int place)
 {
     int earliest = INT_MAX, side = neighbours(h) + 1;
     for (int p = place - side; p <= place + side; p++) {
-        int column = p >= 0 && p < h->setup.across ? line_at(h, p) : INT_MAX;
+        int column = p >= 0 && p < h->setup.places ? line_at(h, p) : INT_MAX;
         earliest = column < earliest ? column : earliest;
     }
     return earliest;
@@ -94,7 +94,7 @@ int bead_horizon_find(struct bead_horizon *h, double threshold, int to)
     for (int c = h->done; c < to; c++) {
         if (!bead_area_column(h->area, c, h->means))
             continue;
-        for (int p = 0; p < h->setup.across; p++) {
+        for (int p = 0; p < h->setup.places; p++) {
             if (h->first[p] < INT_MAX || !(fabs(h->means[p]) > threshold))
                 continue;
             h->first[p] = c;
@@ -110,7 +110,7 @@ int bead_horizon_find(struct bead_horizon *h, double threshold, int to)
 double bead_horizon_time(const struct bead_horizon *h)
 {
     const double *time = h->setup.time;
-    return h->earliest == INT_MAX ? INFINITY : time[0] + (time[1] - time[0]) * h->earliest / h->setup.along;
+    return h->earliest == INT_MAX ? INFINITY : time[0] + (time[1] - time[0]) * h->earliest / h->setup.columns;
 }
 
 double bead_horizon_reach(const struct bead_look *look)
@@ -130,16 +130,16 @@ void bead_horizon_stroke(cairo_t *cr, const struct bead_look *look)
     cairo_stroke(cr);
 }
 
-/* One point of the line: `across` from 0 to 1 along the chain, `along` in columns. */
+/* One point of the line: `place` from 0 to 1 along the chain, `column` with parts. */
 struct point {
-    double across, along;
+    double place, column;
 };
 
 static void add_point(cairo_t *cr, struct bead_rect plot, bool time_down, int columns, struct point p, bool begin)
 {
-    double along = p.along / columns;
-    double x = plot.x + plot.width * (time_down ? p.across : along);
-    double y = plot.y + plot.height * (time_down ? along : 1 - p.across);
+    double time = p.column / columns;
+    double x = plot.x + plot.width * (time_down ? p.place : time);
+    double y = plot.y + plot.height * (time_down ? time : 1 - p.place);
     if (begin)
         cairo_move_to(cr, x, y);
     else
@@ -149,7 +149,7 @@ static void add_point(cairo_t *cr, struct bead_rect plot, bool time_down, int co
 void bead_horizon_draw(const struct bead_horizon *h, cairo_t *cr, const struct bead_look *look, struct bead_rect plot,
                        bool time_down, bool closed)
 {
-    int places = h->setup.across, columns = h->setup.along;
+    int places = h->setup.places, columns = h->setup.columns;
     bool drawing = false;
     if (h->earliest == INT_MAX)
         return;
@@ -160,16 +160,16 @@ void bead_horizon_draw(const struct bead_horizon *h, cairo_t *cr, const struct b
     for (int p = 0; p < places; p++) {
         int column = line_at(h, p);
         double reach = 2 * bead_horizon_reach(look); /* beyond the end: out of sight */
-        double along = column < INT_MAX ? column : columns * (1 + reach / (time_down ? plot.height : plot.width));
+        double end = column < INT_MAX ? column : columns * (1 + reach / (time_down ? plot.height : plot.width));
         if (column == INT_MAX && !closed) {
             drawing = false;
             continue;
         }
         if (p == 0 || !drawing) /* from the edge of the chain, or of the bead */
-            add_point(cr, plot, time_down, columns, (struct point){(double)p / places, along}, true);
-        add_point(cr, plot, time_down, columns, (struct point){(p + 0.5) / places, along}, false);
+            add_point(cr, plot, time_down, columns, (struct point){(double)p / places, end}, true);
+        add_point(cr, plot, time_down, columns, (struct point){(p + 0.5) / places, end}, false);
         if (p + 1 == places)
-            add_point(cr, plot, time_down, columns, (struct point){1, along}, false);
+            add_point(cr, plot, time_down, columns, (struct point){1, end}, false);
         drawing = true;
     }
     bead_horizon_stroke(cr, look);

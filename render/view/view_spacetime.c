@@ -22,11 +22,11 @@ struct bead_view {
     struct bead_rect plot;
     struct bead_area *area;
     struct bead_horizon *horizon; /* NULL: not asked for */
-    int along, across;            /* pixels along time, along the chain */
+    int columns, places;          /* pixels along time, along the chain */
     uint8_t *indices;             /* [plot.height][plot.width], colours of the columns (or rows) done */
     int first, done;              /* time columns first <= c < done have their final colours */
     int shown;                    /* columns up to here are in the frame */
-    int mark[2];                  /* pixels across that the cursor shows the camera's window at */
+    int mark[2];                  /* places that the cursor shows the camera's window at */
     bool drawn, finished;
     uint32_t colour[256]; /* as in frames */
     struct bead_colour_table table;
@@ -67,15 +67,16 @@ static enum bead_error place(struct bead_view *v, struct bead_rect plot, struct 
     if (plot.width < 1 || plot.height < 1)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "there is no room for a space-time image: make the picture larger");
     v->plot = plot;
-    v->along = v->setup.time_down ? plot.height : plot.width;
-    v->across = v->setup.time_down ? plot.width : plot.height;
+    v->columns = v->setup.time_down ? plot.height : plot.width;
+    v->places = v->setup.time_down ? plot.width : plot.height;
     return BEAD_OK;
 }
 
 /* Sums and indices are taken when the first sample comes: a view that only decorates needs none. */
 static enum bead_error prepare(struct bead_view *v, struct bead_message *msg)
 {
-    struct bead_area_setup setup = {v->setup.beads, {v->setup.time[0], v->setup.time[1]}, v->across, v->along, BEAD_SAMPLING_AREA};
+    struct bead_area_setup setup = {
+        v->setup.beads, {v->setup.time[0], v->setup.time[1]}, v->places, v->columns, BEAD_SAMPLING_AREA};
     struct bead_area_setup sampled = setup; /* the horizon is always of means */
     sampled.sampling = v->setup.sampling;
     enum bead_error err = bead_area_create(&sampled, &v->area, msg);
@@ -103,9 +104,9 @@ static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_me
         return BEAD_OK;
     struct bead_axis time, beads;
     const char *unit = bead_chain_time_unit(s->chain);
-    bead_axis_make(&time, s->time[0], s->time[1], unit, BEAD_SCALE_LINEAR, v->along, v->look.tick, !s->time_down);
+    bead_axis_make(&time, s->time[0], s->time[1], unit, BEAD_SCALE_LINEAR, v->columns, v->look.tick, !s->time_down);
     const char *name = bead_axis_along_chain(&beads, s->chain, bead_field_info(s->field)->of_contacts, s->beads.first,
-                                             s->beads.last, v->across, v->look.tick, s->time_down);
+                                             s->beads.last, v->places, v->look.tick, s->time_down);
     enum bead_side time_side = s->time_down ? BEAD_SIDE_LEFT : BEAD_SIDE_BOTTOM;
     enum bead_side bead_side = s->time_down ? BEAD_SIDE_BOTTOM : BEAD_SIDE_LEFT;
     if (!v->look.dark)
@@ -136,7 +137,7 @@ static enum bead_error feed(struct bead_view *v, const struct bead_sample *sampl
 static enum bead_error colour_columns(struct bead_view *v, int to, struct bead_message *msg)
 {
     const ptrdiff_t width = v->plot.width;
-    const struct bead_area_image up = {v->indices + (v->across - 1) * width, 1, -width}, down = {v->indices, width, 1};
+    const struct bead_area_image up = {v->indices + (v->places - 1) * width, 1, -width}, down = {v->indices, width, 1};
     enum bead_error err = BEAD_OK;
     bool before = true; /* the first sample */
     while (!err && before && v->done < to) {
@@ -196,7 +197,7 @@ static bool find_mark(struct bead_view *v)
     for (int k = 0; k < 2; k++) {
         double part = (bead_at(v, ends[k]) - (double)v->setup.beads.first + 0.5) /
                       ((double)v->setup.beads.last - (double)v->setup.beads.first + 1);
-        mark[k] = (int)lround(v->across * fmin(1, fmax(0, part)));
+        mark[k] = (int)lround(v->places * fmin(1, fmax(0, part)));
     }
     bool moved = mark[0] != v->mark[0] || mark[1] != v->mark[1];
     memcpy(v->mark, mark, sizeof mark);
@@ -210,8 +211,8 @@ static void draw_cursor(const struct bead_view *v, int at, int thickness, struct
     int left = v->plot.x + (v->setup.time_down ? 0 : at), top = v->plot.y + (v->setup.time_down ? at : 0);
     for (int y = top; y < top + height; y++) {
         for (int x = left; x < left + width; x++) {
-            int across = v->setup.time_down ? x - v->plot.x : v->plot.y + v->plot.height - 1 - y;
-            bool marked = across >= v->mark[0] && across < v->mark[1];
+            int place = v->setup.time_down ? x - v->plot.x : v->plot.y + v->plot.height - 1 - y;
+            bool marked = place >= v->mark[0] && place < v->mark[1];
             memcpy(frame->pixels + (size_t)y * frame->stride + 4 * (size_t)x, marked ? &accent : &ink, 4);
         }
     }
@@ -228,7 +229,7 @@ static int find_horizon(struct bead_view *v, int to)
 static double spacetime_horizon(struct bead_view *view)
 {
     if (!view->setup.fill)
-        find_horizon(view, view->along);
+        find_horizon(view, view->columns);
     return view->horizon ? bead_horizon_time(view->horizon) : INFINITY;
 }
 
@@ -268,10 +269,10 @@ static enum bead_error draw_lines(const struct bead_view *v, struct bead_rect pa
 /* Time columns that have passed at `time`, so that their means are final: all of them in stills. */
 static int columns_until(const struct bead_view *v, double time)
 {
-    double place = (time - v->setup.time[0]) / (v->setup.time[1] - v->setup.time[0]) * v->along;
+    double place = (time - v->setup.time[0]) / (v->setup.time[1] - v->setup.time[0]) * v->columns;
     if (!v->setup.fill)
-        return v->along;
-    return place > 0 ? (int)fmin(floor(place + 1e-6), v->along) : 0;
+        return v->columns;
+    return place > 0 ? (int)fmin(floor(place + 1e-6), v->columns) : 0;
 }
 
 static int smaller(int a, int b)
@@ -290,7 +291,7 @@ static enum bead_error draw(struct bead_view *v, double time, struct bead_frame 
                             struct bead_changes *changes, struct bead_message *msg)
 {
     int line_width = (int)v->look.line * (v->setup.camera ? 2 : 1); /* wide enough that its colours tell */
-    int until = columns_until(v, time), thickness = smaller(line_width, v->along), last = v->along - thickness;
+    int until = columns_until(v, time), thickness = smaller(line_width, v->columns), last = v->columns - thickness;
     bool cursor = v->setup.fill && time < v->setup.time[1], moved = find_mark(v);
     if (v->drawn && until == v->shown && ((cursor && !moved) || v->finished))
         return BEAD_OK;
