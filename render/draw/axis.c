@@ -40,7 +40,7 @@ static double needed(const struct room *room, double width_in_characters)
     return room->em * (room->tight ? width + least_between : fmax(width, usual_width) + between_labels);
 }
 
-static void add(struct bead_axis *axis, double shown, int decimals)
+static void axis_add(struct bead_axis *axis, double shown, int decimals)
 {
     if (axis->count == MOST_TICKS)
         return;
@@ -68,7 +68,7 @@ static bool try_step(struct bead_axis *axis, const struct room *room, int mantis
         return false;
     size_t widest = 0;
     for (double k = from; k <= to; k++) {
-        add(axis, multiple(k, mantissa, exponent), exponent < 0 ? -exponent : 0);
+        axis_add(axis, multiple(k, mantissa, exponent), exponent < 0 ? -exponent : 0);
         size_t width = characters(axis->ticks[axis->count - 1].label);
         widest = width > widest ? width : widest;
     }
@@ -165,7 +165,7 @@ static void roundest_first(struct bead_axis *axis, const struct room *room)
             double shown = multiple(k, mantissa, exponent);
             if (axis->scale == BEAD_SCALE_LOG && (!(shown > 0) || (high / low > wide && !has_one_digit(shown))))
                 continue;
-            add(axis, shown, decimals_of(shown, exponent));
+            axis_add(axis, shown, decimals_of(shown, exponent));
             keep_if_room(axis, room);
         }
     }
@@ -242,7 +242,7 @@ static void decades(struct bead_axis *axis, const struct room *room)
     minor_ticks(axis, every, apart);
     from += (to - from) % every; /* with the highest among them */
     for (int e = from; e <= to; e += every) {
-        add(axis, bead_power_of_ten(e), 0);
+        axis_add(axis, bead_power_of_ten(e), 0);
         power_label(&axis->ticks[axis->count - 1], e, plain);
     }
 }

@@ -55,7 +55,7 @@ struct writer {
     bool full;
 };
 
-static void put(struct writer *w, const char *text)
+static void markup_put(struct writer *w, const char *text)
 {
     size_t length = strlen(text);
     w->full = w->full || w->used + length >= w->size;
@@ -81,22 +81,22 @@ static const char *put_character(struct writer *w, const char *text)
     char plain[8] = "", escaped[16];
     size_t length = character(text);
     if (text[0] == ' ' && text[1] == '=') {
-        put(w, fixed_space);
+        markup_put(w, fixed_space);
         return text + 1;
     }
     if (text[0] == '=' && text[1] == ' ') {
-        put(w, "=");
-        put(w, fixed_space);
+        markup_put(w, "=");
+        markup_put(w, fixed_space);
         return text + 2;
     }
     memcpy(plain, text, length < sizeof plain ? length : sizeof plain - 1);
     bead_text_escape(plain, escaped, sizeof escaped);
-    put(w, escaped);
+    markup_put(w, escaped);
     return text + length;
 }
 
 /* The bracket that closes the one before `text`, or NULL. */
-static const char *closing(const char *text, const char *end)
+static const char *markup_closing(const char *text, const char *end)
 {
     int depth = 1;
     for (; text < end; text += character(text)) {
@@ -131,9 +131,9 @@ static void put_range(struct writer *w, const char *text, const char *end)
         if (*text == '\\' && text + 1 < end) {
             text = put_character(w, text + 1);
         } else if (to) {
-            put(w, italics);
+            markup_put(w, italics);
             put_range(w, text + 1, to);
-            put(w, upright);
+            markup_put(w, upright);
             text = to + 1;
         } else if ((*text == '_' || *text == '^') && text + 1 < end && text[1] != ' ') {
             text = put_shifted(w, text, end);
@@ -147,7 +147,7 @@ static void put_range(struct writer *w, const char *text, const char *end)
 static const char *put_shifted(struct writer *w, const char *text, const char *end)
 {
     bool down = *text == '_';
-    const char *from = text + 1, *to = *from == '{' ? closing(from + 1, end) : NULL, *after = to ? to + 1 : NULL;
+    const char *from = text + 1, *to = *from == '{' ? markup_closing(from + 1, end) : NULL, *after = to ? to + 1 : NULL;
     if (to)
         from++;
     else if (*from == '*' && (to = star(from + 1, end)) != NULL)
@@ -156,9 +156,9 @@ static const char *put_shifted(struct writer *w, const char *text, const char *e
         after = to = from + 1 + character(from + 1);
     else
         after = to = from + character(from);
-    put(w, down ? lower : higher);
+    markup_put(w, down ? lower : higher);
     put_range(w, from, to);
-    put(w, "</span>");
+    markup_put(w, "</span>");
     return after;
 }
 

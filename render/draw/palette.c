@@ -27,7 +27,7 @@ static int channel(uint32_t colour, int shift)
     return (int)(colour >> shift & 255);
 }
 
-static void measure(const struct bead_tone *tones, struct box *box)
+static void palette_measure(const struct bead_tone *tones, struct box *box)
 {
     static const double importance[] = {0.6, 1, 0.8}; /* of blue, green and red to the eye, about */
     box->spread = 0;
@@ -99,8 +99,8 @@ static void cut(struct bead_tone *tones, struct box *box, struct box *rest)
     size_t keep = best_cut(tones + box->first, box->count, box->axis);
     *rest = (struct box){.first = box->first + keep, .count = box->count - keep};
     box->count = keep;
-    measure(tones, box);
-    measure(tones, rest);
+    palette_measure(tones, box);
+    palette_measure(tones, rest);
 }
 
 static uint32_t most_frequent(const struct bead_tone *tones, const struct box *box)
@@ -119,7 +119,7 @@ size_t bead_palette_cut(struct bead_tone *tones, size_t count, size_t most, uint
     struct box boxes[MOST_BOXES] = {{.first = 0, .count = count}};
     size_t used = count > 0;
     if (used)
-        measure(tones, &boxes[0]);
+        palette_measure(tones, &boxes[0]);
     while (used < most && used < MOST_BOXES && used) {
         struct box *widest = &boxes[0];
         for (size_t i = 1; i < used; i++) {
@@ -185,7 +185,7 @@ static uint32_t pixel(const uint8_t *bgrx)
     return (uint32_t)bgrx[2] << 16 | (uint32_t)bgrx[1] << 8 | bgrx[0];
 }
 
-static int distance(uint32_t a, uint32_t b)
+static int palette_distance(uint32_t a, uint32_t b)
 {
     int sum = 0;
     for (int shift = 0; shift < 24; shift += 8) {
@@ -200,7 +200,7 @@ static size_t nearest(const struct bead_palette *palette, uint32_t colour, int *
     size_t best = 0;
     *least = 1 << 30;
     for (size_t i = 0; i < palette->used; i++) {
-        int d = distance(colour, palette->colour[i]);
+        int d = palette_distance(colour, palette->colour[i]);
         if (d < *least) {
             *least = d;
             best = i;
@@ -244,8 +244,8 @@ static enum bead_error count_tones(const struct bead_frame *frame, const struct 
     return *tones ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a palette");
 }
 
-static enum bead_error choose(struct bead_palette *palette, const struct bead_frame *frame, const struct bead_changes *rects,
-                              struct bead_message *msg)
+static enum bead_error palette_choose(struct bead_palette *palette, const struct bead_frame *frame,
+                                      const struct bead_changes *rects, struct bead_message *msg)
 {
     struct bead_tone *tones;
     size_t count;
@@ -278,7 +278,7 @@ static int tolerance(const struct bead_palette *palette)
     return palette->used < EXACT_BELOW ? 0 : NEAR;
 }
 
-static uint8_t look_up(struct bead_palette *palette, uint32_t colour)
+static uint8_t palette_look_up(struct bead_palette *palette, uint32_t colour)
 {
     uint8_t known = palette->known[colour];
     if (known)
@@ -292,8 +292,8 @@ static uint8_t look_up(struct bead_palette *palette, uint32_t colour)
     return (uint8_t)index;
 }
 
-static void convert(struct bead_palette *palette, const struct bead_frame *frame, const struct bead_changes *rects,
-                    AVFrame *picture)
+static void palette_convert(struct bead_palette *palette, const struct bead_frame *frame, const struct bead_changes *rects,
+                            AVFrame *picture)
 {
     for (size_t i = 0; i < rects->count; i++) {
         const struct bead_rect *r = &rects->rect[i];
@@ -301,14 +301,14 @@ static void convert(struct bead_palette *palette, const struct bead_frame *frame
             const uint8_t *from = frame->pixels + (size_t)y * frame->stride;
             uint8_t *to = picture->data[0] + (ptrdiff_t)y * picture->linesize[0];
             for (int x = r->x; x < visible_end(frame, r); x++)
-                to[x] = look_up(palette, pixel(from + 4 * (size_t)x));
+                to[x] = palette_look_up(palette, pixel(from + 4 * (size_t)x));
         }
     }
 }
 
 /* Give the new colours places: all of them, or those that stand best for them in half of the room there is. A changed
  * palette costs a whole new picture in the file, so a few stray pixels do not get it. */
-static bool extend(struct bead_palette *palette, const struct bead_frame *frame)
+static bool palette_extend(struct bead_palette *palette, const struct bead_frame *frame)
 {
     uint64_t pixels = 0, enough = (uint64_t)frame->width * (uint64_t)frame->height / RARE_SHARE;
     for (size_t i = 0; i < palette->missed_count; i++)
@@ -339,13 +339,13 @@ static void write_colours(const struct bead_palette *palette, AVFrame *picture)
 enum bead_error bead_palette_convert(struct bead_palette *palette, const struct bead_frame *frame, const struct bead_changes *rects,
                                      AVFrame *picture, struct bead_message *msg)
 {
-    enum bead_error err = palette->used ? BEAD_OK : choose(palette, frame, rects, msg);
+    enum bead_error err = palette->used ? BEAD_OK : palette_choose(palette, frame, rects, msg);
     if (err)
         return err;
     palette->missed_count = 0;
-    convert(palette, frame, rects, picture);
-    if (palette->missed_count && extend(palette, frame))
-        convert(palette, frame, rects, picture);
+    palette_convert(palette, frame, rects, picture);
+    if (palette->missed_count && palette_extend(palette, frame))
+        palette_convert(palette, frame, rects, picture);
     write_colours(palette, picture);
     return BEAD_OK;
 }

@@ -105,7 +105,7 @@ static void put_header(struct writer *w, const struct image *image)
     png_write_info(w->png, w->info);
 }
 
-static void put_rows(struct writer *w, const struct image *image)
+static void png_put_rows(struct writer *w, const struct image *image)
 {
     for (int y = 0; y < image->height; y++) {
         if (image->indices) {
@@ -125,7 +125,8 @@ static void put_rows(struct writer *w, const struct image *image)
 }
 
 /* Everything that libpng may jump out of. */
-static enum bead_error encode(struct writer *w, const struct image *image, FILE *file, const char *part, struct bead_message *msg)
+static enum bead_error png_encode(struct writer *w, const struct image *image, FILE *file, const char *part,
+                                  struct bead_message *msg)
 {
     if (setjmp(w->jump))
         return bead_fail(msg, BEAD_ERROR_IO, "%s: %s", part, w->error);
@@ -136,16 +137,16 @@ static enum bead_error encode(struct writer *w, const struct image *image, FILE 
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for a PNG encoder", part);
     png_set_write_fn(w->png, file, on_write, on_flush);
     put_header(w, image);
-    put_rows(w, image);
+    png_put_rows(w, image);
     return BEAD_OK;
 }
 
-static enum bead_error fill(void *context, FILE *file, const char *part, struct bead_message *msg)
+static enum bead_error png_fill(void *context, FILE *file, const char *part, struct bead_message *msg)
 {
     struct writer *w = calloc(1, sizeof *w);
     if (!w)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for a PNG encoder", part);
-    enum bead_error err = encode(w, context, file, part, msg);
+    enum bead_error err = png_encode(w, context, file, part, msg);
     png_destroy_write_struct(&w->png, &w->info);
     free(w->row);
     free(w);
@@ -208,7 +209,7 @@ enum bead_error bead_png_write(const char *path, const struct bead_frame *frame,
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for %d x %d pixels", path, frame->width, frame->height);
     if (find_palette(frame, indices, &image))
         image.indices = indices;
-    enum bead_error err = bead_file_write(path, fill, &image, bytes, msg);
+    enum bead_error err = bead_file_write(path, png_fill, &image, bytes, msg);
     free(indices);
     return err;
 }
@@ -220,5 +221,5 @@ enum bead_error bead_png_write_indexed(const char *path, int width, int height, 
     struct image image = {.width = width, .height = height, .indices = indices, .colours = 256, .notes = notes};
     for (int i = 0; i < 256; i++)
         image.palette[i] = (png_color){palette[i][0], palette[i][1], palette[i][2]};
-    return bead_file_write(path, fill, &image, bytes, msg);
+    return bead_file_write(path, png_fill, &image, bytes, msg);
 }

@@ -21,7 +21,7 @@ struct format {
     bool named; /* has names that must be made the same every time */
 };
 
-static void put(cairo_surface_t *surface, cairo_pdf_metadata_t key, const char *text)
+static void vector_put(cairo_surface_t *surface, cairo_pdf_metadata_t key, const char *text)
 {
     if (text && *text)
         cairo_pdf_surface_set_metadata(surface, key, text);
@@ -41,9 +41,9 @@ static void put_date(cairo_surface_t *surface)
 static void describe_pdf(cairo_surface_t *surface, const struct bead_picture_notes *notes)
 {
     cairo_pdf_surface_restrict_to_version(surface, CAIRO_PDF_VERSION_1_5);
-    put(surface, CAIRO_PDF_METADATA_TITLE, notes->title);
-    put(surface, CAIRO_PDF_METADATA_SUBJECT, notes->description);
-    put(surface, CAIRO_PDF_METADATA_CREATOR, notes->software);
+    vector_put(surface, CAIRO_PDF_METADATA_TITLE, notes->title);
+    vector_put(surface, CAIRO_PDF_METADATA_SUBJECT, notes->description);
+    vector_put(surface, CAIRO_PDF_METADATA_CREATOR, notes->software);
     put_date(surface);
 }
 
@@ -73,7 +73,7 @@ static cairo_status_t write_bytes(void *closure, const unsigned char *data, unsi
     return fwrite(data, 1, length, closure) == length ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
 }
 
-static enum bead_error failed(const char *part, cairo_status_t status, struct bead_message *msg)
+static enum bead_error vector_failed(const char *part, cairo_status_t status, struct bead_message *msg)
 {
     enum bead_error code = status == CAIRO_STATUS_NO_MEMORY ? BEAD_ERROR_MEMORY : BEAD_ERROR_IO;
     return bead_fail(msg, code, "%s: %s", part,
@@ -113,7 +113,7 @@ static enum bead_error write_page(const struct page *page, FILE *file, const cha
     cairo_surface_finish(surface);
     cairo_status_t status = cairo_surface_status(surface);
     cairo_surface_destroy(surface);
-    return err ? err : status ? failed(part, status, msg) : BEAD_OK;
+    return err ? err : status ? vector_failed(part, status, msg) : BEAD_OK;
 }
 
 /* By way of memory. */
@@ -133,7 +133,7 @@ static enum bead_error write_named(const struct page *page, FILE *file, const ch
     return err;
 }
 
-static enum bead_error fill(void *context, FILE *file, const char *part, struct bead_message *msg)
+static enum bead_error vector_fill(void *context, FILE *file, const char *part, struct bead_message *msg)
 {
     const struct page *page = context;
     return page->format->named ? write_named(page, file, part, msg) : write_page(page, file, part, msg);
@@ -145,5 +145,5 @@ enum bead_error bead_vector_write(const char *path, int width, int height, bead_
     struct page page = {find_format(path), width, height, draw, context, notes};
     if (!page.format || !(notes->dpi > 0))
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: a vector file is .pdf or .svg, with dots per inch > 0", path);
-    return bead_file_write(path, fill, &page, bytes, msg);
+    return bead_file_write(path, vector_fill, &page, bytes, msg);
 }

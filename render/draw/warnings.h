@@ -1,7 +1,7 @@
 /* Warnings of the libraries that draw: GLib, Pango, cairo.
  *
- * They warn and go on where a font cannot be opened, say, and the picture then has boxes for letters. A picture that was warned of is
- * an error instead:
+ * They warn and go on where a font cannot be opened, say, and the picture then has boxes for letters. A picture that was warned of
+ * is an error instead:
  *
  *   bead_warnings_watch();   ... draw, in this thread ...   err = bead_warnings_check(msg);
  *

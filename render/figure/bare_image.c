@@ -80,7 +80,7 @@ static enum bead_error make_areas(struct bead_still *b, const double time[2], st
     return err;
 }
 
-static enum bead_error prepare(struct bead_still *b, struct bead_message *msg)
+static enum bead_error bare_prepare(struct bead_still *b, struct bead_message *msg)
 {
     const struct bead_output *output = b->output;
     double end = b->context.end;
@@ -102,7 +102,7 @@ static enum bead_error prepare(struct bead_still *b, struct bead_message *msg)
     return BEAD_OK;
 }
 
-static struct bead_colour_range find_range(const struct bead_still *b)
+static struct bead_colour_range bare_find_range(const struct bead_still *b)
 {
     double low = INFINITY, high = -INFINITY;
     for (size_t c = 0; c < b->context.chain_count; c++) {
@@ -116,7 +116,7 @@ static struct bead_colour_range find_range(const struct bead_still *b)
 
 static enum bead_error fill_indices(const struct bead_still *b, uint8_t *indices, struct bead_message *msg)
 {
-    struct bead_colour_range range = find_range(b);
+    struct bead_colour_range range = bare_find_range(b);
     struct bead_colours colours = {&b->map, b->output->colours.scale, range.low, range.high};
     struct bead_colour_table table;
     enum bead_error err = BEAD_OK;
@@ -190,7 +190,7 @@ static enum bead_error bare_create(const struct bead_output *output, const struc
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image");
     b->output = output;
     b->context = *context;
-    enum bead_error err = prepare(b, msg);
+    enum bead_error err = bare_prepare(b, msg);
     if (err) {
         bare_destroy(b);
         *still = NULL;

@@ -9,7 +9,7 @@
 /* Samples for each row of pixels: between them values are linear in time. */
 enum { SAMPLES_A_PIXEL = 4 };
 
-static void destroy(struct contact_sheet *s)
+static void sheet_destroy(struct contact_sheet *s)
 {
     for (size_t i = 0; s->images && i < s->image_count; i++) {
         bead_area_destroy(s->images[i].area);
@@ -22,7 +22,7 @@ static void destroy(struct contact_sheet *s)
 }
 
 /* Which beads belong to cells that are up, or reversed; and where the chain begins to be a picture. */
-static enum bead_error read_chain(struct contact_sheet *s, struct contact_image *image, struct bead_message *msg)
+static enum bead_error sheet_read_chain(struct contact_sheet *s, struct contact_image *image, struct bead_message *msg)
 {
     struct bead_sweep_chain *made = NULL;
     enum bead_error err = bead_sweep_chain_create(s->sweep, image->panel, image->index, &made, msg);
@@ -68,7 +68,7 @@ static enum bead_error take(void *context, const struct bead_sample *sample, str
 }
 
 /* All fronts, and what the runs are like; the last arrival is the end of all pictures, where the scene gives none. */
-static enum bead_error measure(struct contact_sheet *s, const struct bead_sweep_settings *settings, struct bead_message *msg)
+static enum bead_error sheet_measure(struct contact_sheet *s, const struct bead_sweep_settings *settings, struct bead_message *msg)
 {
     const double until = bead_sweep_scene(s->sweep)->simulate.until;
     for (size_t i = 0; i < s->image_count; i++)
@@ -90,7 +90,7 @@ static enum bead_error take_pictures(struct contact_sheet *s, const struct bead_
     for (size_t i = 0; i < s->image_count && !err; i++) {
         struct contact_image *image = &s->images[i];
         taking[i] = (struct taking){image, s->output->shown.field};
-        err = read_chain(s, image, msg);
+        err = sheet_read_chain(s, image, msg);
         s->watches[i] = (struct bead_sweep_watch){.panel = image->panel,
                                                   .index = image->index,
                                                   .end = s->end,
@@ -125,7 +125,7 @@ static enum bead_error find_colours(struct contact_sheet *s, struct bead_message
 }
 
 /* Page, look and colour map. */
-static enum bead_error prepare(struct contact_sheet *s, struct bead_message *msg)
+static enum bead_error sheet_prepare(struct contact_sheet *s, struct bead_message *msg)
 {
     const struct bead_scene *scene = bead_sweep_scene(s->sweep);
     static const double smaller = 0.85;
@@ -146,16 +146,17 @@ static enum bead_error prepare(struct contact_sheet *s, struct bead_message *msg
     return err;
 }
 
-static enum bead_error run(const struct bead_output *output, const struct bead_sweep *sweep,
-                           const struct bead_sweep_settings *settings, const char *path, uint64_t *bytes, struct bead_message *msg)
+static enum bead_error sheet_run(const struct bead_output *output, const struct bead_sweep *sweep,
+                                 const struct bead_sweep_settings *settings, const char *path, uint64_t *bytes,
+                                 struct bead_message *msg)
 {
     struct contact_sheet s = {.output = output, .sweep = sweep};
-    enum bead_error err = prepare(&s, msg);
+    enum bead_error err = sheet_prepare(&s, msg);
     if (!err)
         err = contact_sheet_arrange(&s, msg);
     if (!err) {
         s.means = calloc((size_t)s.page.width, sizeof *s.means);
-        err = s.means ? measure(&s, settings, msg) : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
+        err = s.means ? sheet_measure(&s, settings, msg) : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
     }
     if (!err)
         err = take_pictures(&s, settings, msg);
@@ -164,14 +165,15 @@ static enum bead_error run(const struct bead_output *output, const struct bead_s
     if (!err)
         err = bead_page_write(&s.page, output, bead_sweep_scene(sweep), &(struct bead_drawing){contact_sheet_draw, NULL, &s}, path,
                               bytes, msg);
-    destroy(&s);
+    sheet_destroy(&s);
     return err;
 }
 
-static const char *why(const struct bead_output *output)
+static const char *sheet_why(const struct bead_output *output)
 {
     (void)output;
     return "small pictures of many configurations, rows by magnetism; nothing but these is run for it";
 }
 
-const struct bead_sweep_sink bead_contact_sheet_sink = {"sheet", BEAD_OUTPUT_SHEET, bead_still_extensions, why, NULL, run};
+const struct bead_sweep_sink bead_contact_sheet_sink = {"sheet", BEAD_OUTPUT_SHEET, bead_still_extensions, sheet_why,
+                                                        NULL,    sheet_run};

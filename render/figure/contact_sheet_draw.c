@@ -40,7 +40,7 @@ static void draw_pair(const struct contact_sheet *s, cairo_t *cr, const struct b
         bead_text_draw(cr, &style, box->x + box->width, y, right);
 }
 
-static void draw_words(const struct contact_sheet *s, cairo_t *cr, size_t index)
+static void sheet_draw_words(const struct contact_sheet *s, cairo_t *cr, size_t index)
 {
     const struct contact_image *image = &s->images[index];
     const struct bead_sweep_watch *found = &s->watches[index];
@@ -124,7 +124,7 @@ enum bead_error contact_sheet_draw(void *context, cairo_t *cr, struct bead_messa
     for (size_t i = 0; i < s->image_count && !err; i++) {
         err = draw_picture(s, cr, &s->images[i], s->means, msg);
         draw_spins(s, cr, &s->images[i]);
-        draw_words(s, cr, i);
+        sheet_draw_words(s, cr, i);
     }
     bead_colour_bar_draw(cr, &s->look, &s->colours, field->unit, field->title, s->bar, s->range.over, s->range.under);
     cairo_status_t status = cairo_status(cr);

@@ -93,7 +93,7 @@ static void add_asked(struct contact_sheet *s, size_t panel)
     }
 }
 
-static enum bead_error choose(struct contact_sheet *s, size_t room, struct bead_message *msg)
+static enum bead_error sheet_choose(struct contact_sheet *s, size_t room, struct bead_message *msg)
 {
     const size_t panels = bead_sweep_panels(s->sweep);
     const size_t most = panels * (room + s->output->sheet.magnetism_count + 1);
@@ -166,7 +166,7 @@ static enum bead_error make_images(struct contact_sheet *s, double left, double 
     return BEAD_OK;
 }
 
-static enum bead_error no_room(const struct contact_sheet *s, struct bead_message *msg)
+static enum bead_error sheet_no_room(const struct contact_sheet *s, struct bead_message *msg)
 {
     char size[BEAD_SIZE_WORDS];
     return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: size: %s have no room for %zu row%s of %zu picture%s",
@@ -176,7 +176,7 @@ static enum bead_error no_room(const struct contact_sheet *s, struct bead_messag
 }
 
 /* Most configurations of one magnetism. */
-static size_t most_configurations(const struct contact_sheet *s)
+static size_t sheet_most_configurations(const struct contact_sheet *s)
 {
     size_t most = 1;
     for (size_t p = 0; p < bead_sweep_panels(s->sweep); p++) {
@@ -193,13 +193,13 @@ enum bead_error contact_sheet_arrange(struct contact_sheet *s, struct bead_messa
 {
     const double margin = s->look.margin, gap = between * s->small, lines = (words_height + between) * s->small;
     double width = s->page.width - 2 * margin - find_bar_width(s), height = s->page.height - 2 * margin;
-    size_t most = most_configurations(s);
+    size_t most = sheet_most_configurations(s);
     s->several = bead_sweep_panels(s->sweep) > 1;
     s->columns = (size_t)fmax(1, floor((width - 5 * s->small + gap) / (wanted_width * s->small + gap)));
     if (s->output->sheet.configurations > 0)
         s->columns = s->output->sheet.configurations;
     s->columns = s->columns < most ? s->columns : most;
-    enum bead_error err = choose(s, (size_t)fmax(1, floor((height + gap) / (wanted_height * s->small + lines))), msg);
+    enum bead_error err = sheet_choose(s, (size_t)fmax(1, floor((height + gap) / (wanted_height * s->small + lines))), msg);
     if (err)
         return err;
     s->label_width = find_label_width(s);
@@ -224,7 +224,7 @@ enum bead_error contact_sheet_arrange(struct contact_sheet *s, struct bead_messa
     s->intro = (struct bead_rect){(int)round(words), (int)round(margin), (int)round(across), (int)ceil(words_high)};
     height = (height + gap) / (double)s->row_count - lines;
     if (width < least_width * s->small || height < least_height * s->small)
-        return no_room(s, msg);
+        return sheet_no_room(s, msg);
     s->bar = (struct bead_rect){(int)round(left + (double)s->columns * (width + gap) - gap + 1.5 * s->look.gap), (int)round(top),
                                 (int)round(0.8 * s->look.label), (int)round((double)s->row_count * (height + lines) - lines)};
     return make_images(s, left, top, width, height, msg);

@@ -32,7 +32,7 @@ void bead_figure_destroy(struct bead_figure *f)
     free(f);
 }
 
-static enum bead_error find_span(const struct bead_figure *f, size_t chain, struct bead_span *span, struct bead_message *msg)
+static enum bead_error figure_find_span(const struct bead_figure *f, size_t chain, struct bead_span *span, struct bead_message *msg)
 {
     const struct bead_output *output = f->output;
     bool contacts = bead_field_info(output->shown.field)->of_contacts;
@@ -79,7 +79,7 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
                                                 .mark = f->at,
                                                 .magnify = magnify,
                                                 .trust = f->output->shown.trust};
-        err = find_span(f, cell->chain, &panel->setup.beads, msg);
+        err = figure_find_span(f, cell->chain, &panel->setup.beads, msg);
     }
     f->coloured = bead_views_any(views, f->view_count, BEAD_SHOWS_COLOURS);
     f->collects = bead_views_any(views, f->view_count, BEAD_SHOWS_ALL_TIMES);
@@ -137,7 +137,7 @@ static double time_pixels(const struct bead_figure *f)
     return 2000;
 }
 
-static void choose_grid(struct bead_figure *f)
+static void figure_choose_grid(struct bead_figure *f)
 {
     const double times[2] = {f->collects ? f->time[0] : f->at, f->collects ? fmax(f->time[1], f->stills ? f->at : 0) : f->at};
     double pixels = time_pixels(f) * (f->collects ? (times[1] - times[0]) / (f->time[1] - f->time[0]) : 1);
@@ -155,7 +155,7 @@ static void explain(struct bead_figure *f)
 }
 
 /* All but the places of things. */
-static enum bead_error prepare(struct bead_figure *f, const enum bead_view_kind *views, struct bead_message *msg)
+static enum bead_error figure_prepare(struct bead_figure *f, const enum bead_view_kind *views, struct bead_message *msg)
 {
     const struct bead_output *output = f->output;
     bool is_signed = bead_chain_signed(f->context.chains[0], output->shown.field);
@@ -199,7 +199,7 @@ static enum bead_error new_figure(const struct bead_output *output, const struct
 enum bead_error bead_figure_start(struct bead_figure *f, struct bead_message *msg)
 {
     enum bead_error err = bead_figure_views(f, true, NULL, msg);
-    choose_grid(f);
+    figure_choose_grid(f);
     explain(f);
     return err;
 }
@@ -216,7 +216,7 @@ enum bead_error bead_figure_create(const struct bead_output *output, const struc
     f->margin = !f->part && output->views.axes ? look->margin : 0;
     if (settings)
         f->set = *settings;
-    err = prepare(f, output->views.kinds, msg);
+    err = figure_prepare(f, output->views.kinds, msg);
     if (err) {
         bead_figure_destroy(f);
         *figure = NULL;
@@ -234,7 +234,7 @@ void bead_figure_regrid(struct bead_figure *f, const struct bead_grid *grid)
     f->grid = *grid;
 }
 
-static unsigned fields_of(const struct bead_figure *f, bool collecting)
+static unsigned figure_fields_of(const struct bead_figure *f, bool collecting)
 {
     unsigned fields = 0;
     for (size_t v = 0; v < f->view_count; v++) {
@@ -273,10 +273,10 @@ static struct bead_span all_beads(const struct bead_figure *f)
 
 void bead_figure_needs(const struct bead_figure *f, struct bead_needs *needs)
 {
-    *needs = (struct bead_needs){.fields = fields_of(f, true) | fields_of(f, false),
+    *needs = (struct bead_needs){.fields = figure_fields_of(f, true) | figure_fields_of(f, false),
                                  .beads = all_beads(f),
                                  .grid = f->grid,
-                                 .comparison = f->output->shown.trust ? fields_of(f, true) : 0,
+                                 .comparison = f->output->shown.trust ? figure_fields_of(f, true) : 0,
                                  .until = f->grid.end,
                                  .why = f->why};
 }
@@ -292,7 +292,7 @@ static enum bead_error keep_moment(struct bead_figure *f, struct bead_cell *cell
     struct bead_sample spare = cell->moment[0];
     cell->moment[0] = cell->moment[1];
     const struct bead_chain *chain = f->context.chains[cell->chain];
-    unsigned fields = fields_of(f, false);
+    unsigned fields = figure_fields_of(f, false);
     struct bead_span span = all_beads(f);
     for (size_t i = 0; i < BEAD_FIELD_COUNT; i++) {
         size_t count = bead_field_info((enum bead_field)i)->of_contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain);

@@ -8,13 +8,13 @@
 #include "render/figure/figure_private.h"
 #include "render/view/trust_words.h"
 
-static struct bead_text_style style_of(const struct bead_look *look, double size, struct bead_rgb colour)
+static struct bead_text_style figure_style_of(const struct bead_look *look, double size, struct bead_rgb colour)
 {
     return (struct bead_text_style){
         .family = look->family, .size = size, .colour = colour, .across = BEAD_ALIGN_START, .down = BEAD_ALIGN_BASELINE};
 }
 
-static double width_of(cairo_t *cr, const struct bead_text_style *style, const char *markup)
+static double figure_width_of(cairo_t *cr, const struct bead_text_style *style, const char *markup)
 {
     double width = 0, height;
     if (*markup)
@@ -38,7 +38,7 @@ static bool fit(cairo_t *cr, const struct bead_text_style *style, const char *te
     snprintf(cut, sizeof cut, "%.500s", text);
     to_markup(cut, marked, markup, size);
     size_t length = strlen(cut);
-    while (width_of(cr, style, markup) > room) {
+    while (figure_width_of(cr, style, markup) > room) {
         while (length > 0 && ((unsigned char)cut[length - 1] & 0xC0) == 0x80)
             length--;
         length -= length > 0;
@@ -58,7 +58,7 @@ struct words {
 };
 
 /* No more digits than the time needs, five at most. */
-static void time_words(double time, const char *unit, char *text, size_t size)
+static void figure_time_words(double time, const char *unit, char *text, size_t size)
 {
     int exponent = bead_prefix_exponent(time, unit), digits = 1;
     double shown = time / bead_power_of_ten(exponent);
@@ -83,7 +83,7 @@ static void part_words(const struct bead_figure *f, struct words *words)
              !alone && f->set.title ? f->set.title : "");
     if (!f->stills)
         return;
-    time_words(f->at, bead_chain_time_unit(f->context.chains[0]), time, sizeof time);
+    figure_time_words(f->at, bead_chain_time_unit(f->context.chains[0]), time, sizeof time);
     snprintf(words->moment, sizeof words->moment, BEAD_SYMBOL("t") " = %s", time);
 }
 
@@ -117,9 +117,9 @@ static void make_heading(const struct bead_figure *f, const struct bead_cell *ce
 {
     const struct bead_look *look = &f->look;
     (void)words_of(f, cell, &h->words);
-    h->letter = h->name = style_of(look, look->title, look->ink);
-    h->magnetism = style_of(look, look->title, f->page.paper ? look->ink : look->accent);
-    h->label = style_of(look, look->label, look->faint);
+    h->letter = h->name = figure_style_of(look, look->title, look->ink);
+    h->magnetism = figure_style_of(look, look->title, f->page.paper ? look->ink : look->accent);
+    h->label = figure_style_of(look, look->label, look->faint);
     h->name.bold = !f->page.paper;
     h->gap = 0.7 * look->label;
     h->letter.bold = f->part;
@@ -151,9 +151,9 @@ static double put_heading(cairo_t *cr, const struct heading *h, double x, double
         bead_text_escape(h->words.label, label, sizeof label);
     bead_markup(h->words.letter, letters, sizeof letters);
     to_markup(h->words.name, h->words.marked, name, sizeof name);
-    double letter = *h->words.letter ? width_of(cr, &h->letter, letters) + h->gap : 0;
-    double after_name = *h->words.magnetism ? h->gap + width_of(cr, &h->magnetism, h->words.magnetism) : 0;
-    after_name += *label ? 2 * h->gap + width_of(cr, &h->label, label) : 0;
+    double letter = *h->words.letter ? figure_width_of(cr, &h->letter, letters) + h->gap : 0;
+    double after_name = *h->words.magnetism ? h->gap + figure_width_of(cr, &h->magnetism, h->words.magnetism) : 0;
+    after_name += *label ? 2 * h->gap + figure_width_of(cr, &h->label, label) : 0;
     if (draw && !fit(cr, &h->name, h->words.name, h->words.marked, room - letter - after_name, name, sizeof name))
         name[0] = '\0';
     const char *words[] = {letters, name, h->words.magnetism, label};
@@ -163,7 +163,7 @@ static double put_heading(cairo_t *cr, const struct heading *h, double x, double
             continue;
         if (draw)
             bead_text_draw(cr, styles[i], x, y, words[i]);
-        double width = width_of(cr, styles[i], words[i]);
+        double width = figure_width_of(cr, styles[i], words[i]);
         end = x + (i == 1 ? fmin(width, longest) : width);
         x = end + after[i];
     }
@@ -208,7 +208,7 @@ static void moment_words(const struct bead_figure *f, char *markup, size_t size)
     markup[0] = '\0';
     if (!f->stills)
         return;
-    time_words(f->at, bead_chain_time_unit(f->context.chains[0]), time, sizeof time);
+    figure_time_words(f->at, bead_chain_time_unit(f->context.chains[0]), time, sizeof time);
     snprintf(markup, size, BEAD_SYMBOL("t") " = %s", time);
     for (size_t v = 0; v < f->view_count; v++) {
         const struct bead_tile *panel = &f->cells[0].panel[v];
@@ -232,10 +232,11 @@ bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
         return true;
     char markup[1024], moment[256];
     moment_words(f, moment, sizeof moment);
-    struct bead_text_style bold = style_of(look, 1.2 * look->title, look->ink), right = style_of(look, look->label, look->ink);
+    struct bead_text_style bold = figure_style_of(look, 1.2 * look->title, look->ink),
+                           right = figure_style_of(look, look->label, look->ink);
     bold.bold = true;
     right.across = *title ? BEAD_ALIGN_END : BEAD_ALIGN_START;
-    double y = f->line.y + look->title, taken = width_of(cr, &right, moment);
+    double y = f->line.y + look->title, taken = figure_width_of(cr, &right, moment);
     if (*title && fit(cr, &bold, title, false, f->line.width - (taken > 0 ? taken + 2 * look->label : 0), markup, sizeof markup))
         bead_text_draw(cr, &bold, f->line.x, y, markup);
     if (*moment)
@@ -264,7 +265,7 @@ void bead_figure_bar_title(const struct bead_figure *f, char *title, size_t size
 }
 
 /* The bar gives up what its points take, so that it ends where the images do. */
-static void draw_bar(const struct bead_figure *f, cairo_t *cr)
+static void figure_draw_bar(const struct bead_figure *f, cairo_t *cr)
 {
     struct bead_rect bar = f->bar;
     int point = (int)ceil(0.9 * bar.width);
@@ -293,7 +294,7 @@ enum bead_error bead_figure_decorate(struct bead_figure *f, cairo_t *cr, struct 
             err = f->cells[c].panel[v].type->decorate(f->cells[c].panel[v].view, cr, msg);
     }
     if (f->bar.width > 0)
-        draw_bar(f, cr);
+        figure_draw_bar(f, cr);
     cairo_status_t status = cairo_status(cr);
     return err ? err : status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "figure: %s", cairo_status_to_string(status)) : BEAD_OK;
 }

@@ -45,8 +45,8 @@ static enum bead_error draw_axes(const struct bead_tile *panel, const struct bea
 /* Ranges that are found only at the end: round and less round, as wide as labels get. */
 static const double ranges[] = {888, 630, 310};
 
-static enum bead_error measure(const struct bead_figure *f, const struct bead_tile *panel, int width, int height,
-                               struct reach *reach, struct bead_message *msg)
+static enum bead_error figure_measure(const struct bead_figure *f, const struct bead_tile *panel, int width, int height,
+                                      struct reach *reach, struct bead_message *msg)
 {
     bool unknown = !bead_view_has(panel->type, BEAD_SHOWS_COLOURS) && isnan(f->output->colours.range[1]);
     cairo_surface_t *surface = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
@@ -169,7 +169,7 @@ static enum bead_error too_small(const struct bead_figure *f, struct bead_messag
 }
 
 /* What a view can make use of, px. */
-static double most_height(const struct bead_figure *f, const struct plan *plan, size_t view)
+static double figure_most_height(const struct bead_figure *f, const struct plan *plan, size_t view)
 {
     double most = 0;
     const struct bead_view_type *type = f->cells[0].panel[view].type;
@@ -181,14 +181,14 @@ static double most_height(const struct bead_figure *f, const struct plan *plan, 
 }
 
 /* Sizes of plots from what everything else takes. Rows of beads leave what they cannot use to the other views. */
-static enum bead_error divide(const struct bead_figure *f, struct plan *plan, struct bead_message *msg)
+static enum bead_error figure_divide(const struct bead_figure *f, struct plan *plan, struct bead_message *msg)
 {
     plan->width = (int)floor((f->area.width - fixed_width(f, plan)) / (double)f->columns);
     if (plan->width < smallest_plot)
         return too_small(f, msg);
     for (size_t v = 0; v < f->view_count; v++) {
         plan->stack.share[v] = f->cells[0].panel[v].type->info->still_share;
-        plan->stack.most[v] = most_height(f, plan, v);
+        plan->stack.most[v] = figure_most_height(f, plan, v);
     }
     bead_stack_divide(&plan->stack, (f->area.height - fixed_height(f, plan)) / (double)f->rows);
     for (size_t v = 0; v < f->view_count; v++) {
@@ -220,7 +220,7 @@ static enum bead_error measure_all(const struct bead_figure *f, struct plan *pla
         for (size_t v = 0; !err && v < f->view_count; v++) {
             struct bead_stack_reach *row = &plan->reach[cell->row * f->view_count + v];
             struct reach reach;
-            err = measure(f, &cell->panel[v], plan->width, plan->stack.height[v], &reach, msg);
+            err = figure_measure(f, &cell->panel[v], plan->width, plan->stack.height[v], &reach, msg);
             plan->left[cell->column] = larger(plan->left[cell->column], reach.left);
             plan->right[cell->column] = larger(plan->right[cell->column], reach.right);
             *row = (struct bead_stack_reach){larger(row->above, reach.top), larger(row->below, reach.bottom)};
@@ -245,7 +245,7 @@ static void put_cell(const struct bead_figure *f, const struct plan *plan, const
     cell->trust = (struct bead_rect){cell->heading.x, above, width, (int)round(trust_share * trust)};
 }
 
-static void put_rows(struct bead_figure *f, const struct plan *plan, int *bottom)
+static void figure_put_rows(struct bead_figure *f, const struct plan *plan, int *bottom)
 {
     double y = f->area.y + plan->margin + f->line.height;
     for (size_t r = 0; r < f->rows; r++) {
@@ -259,7 +259,7 @@ static void put_rows(struct bead_figure *f, const struct plan *plan, int *bottom
     }
 }
 
-static void put_columns(struct bead_figure *f, const struct plan *plan, int *right)
+static void figure_put_columns(struct bead_figure *f, const struct plan *plan, int *right)
 {
     double x = f->area.x + plan->margin;
     for (size_t k = 0; k < f->columns; k++) {
@@ -283,8 +283,8 @@ static void put_columns(struct bead_figure *f, const struct plan *plan, int *rig
 static void put_everything(struct bead_figure *f, const struct plan *plan)
 {
     int right = 0, bottom = 0;
-    put_columns(f, plan, &right);
-    put_rows(f, plan, &bottom);
+    figure_put_columns(f, plan, &right);
+    figure_put_rows(f, plan, &bottom);
     f->line.x = f->cells[0].heading.x;
     f->line.y = f->area.y + (int)plan->margin;
     f->line.width = right - f->line.x;
@@ -304,12 +304,12 @@ static int bar_height(struct bead_figure *f, const struct plan *plan)
 }
 
 /* Twice: what axes take depends on the size of plots, and that on what axes take. */
-static enum bead_error settle(struct bead_figure *f, struct plan *plan, struct bead_message *msg)
+static enum bead_error figure_settle(struct bead_figure *f, struct plan *plan, struct bead_message *msg)
 {
     double em = f->look.label;
     for (size_t c = 0; c < f->columns; c++)
         plan->left[c] = f->output->views.axes ? 4 * em : 0;
-    enum bead_error err = divide(f, plan, msg);
+    enum bead_error err = figure_divide(f, plan, msg);
     for (int pass = 0; !err && pass < 2; pass++) {
         err = measure_all(f, plan, msg);
         if (!err && has_bar(f)) {
@@ -317,13 +317,13 @@ static enum bead_error settle(struct bead_figure *f, struct plan *plan, struct b
             plan->bar_room = larger(plan->least.right, gap + round(bar_width * em) + ceil(bar_labels(f, bar_height(f, plan))));
         }
         if (!err)
-            err = divide(f, plan, msg);
+            err = figure_divide(f, plan, msg);
     }
     return err;
 }
 
 /* Columns and rows of chains whose plots have the best shape. */
-static void choose_grid(struct bead_figure *f)
+static void figure_choose_columns(struct bead_figure *f)
 {
     double em = f->look.label, best = INFINITY, wanted = f->view_count > 1 ? 1.9 : f->cells[0].panel[0].type->info->shape;
     for (size_t columns = 1; columns <= f->cell_count; columns++) {
@@ -421,7 +421,7 @@ void bead_figure_stretch_bar(struct bead_figure *f, int bottom)
 enum bead_error bead_figure_arrange(struct bead_figure *f, const struct bead_insets *least, struct bead_message *msg)
 {
     struct plan plan;
-    choose_grid(f);
+    figure_choose_columns(f);
     share_axes(f);
     f->line = (struct bead_rect){0};
     if (bead_figure_line(f, NULL))
@@ -429,7 +429,7 @@ enum bead_error bead_figure_arrange(struct bead_figure *f, const struct bead_ins
     enum bead_error err = make_plan(f, least, &plan, msg);
     if (err)
         return err;
-    err = settle(f, &plan, msg);
+    err = figure_settle(f, &plan, msg);
     if (!err)
         put_everything(f, &plan);
     free_plan(&plan);

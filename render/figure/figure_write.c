@@ -3,7 +3,7 @@
 
 #include "render/figure/figure_private.h"
 
-static void widen(double low, double high, double all[2])
+static void figure_widen(double low, double high, double all[2])
 {
     all[0] = fmin(all[0], low);
     all[1] = fmax(all[1], high);
@@ -22,16 +22,16 @@ void bead_figure_extremes(const struct bead_figure *f, double colours[2], double
             if (!panel->type->extremes)
                 continue;
             panel->type->extremes(panel->view, &low, &high);
-            widen(low, high, coloured ? colours : sensors);
+            figure_widen(low, high, coloured ? colours : sensors);
             images = images || (coloured && low <= high);
         }
         const double *values = cell->moments ? cell->moment[1].field[f->output->shown.field] : NULL;
         const struct bead_span *span = &cell->panel[0].setup.beads;
         for (size_t i = span->first; values && i <= span->last; i++)
-            widen(values[i], values[i], moment);
+            figure_widen(values[i], values[i], moment);
     }
     if (!images)
-        widen(moment[0], moment[1], colours);
+        figure_widen(moment[0], moment[1], colours);
 }
 
 void bead_figure_set_range(struct bead_figure *f, const double colours[2], const double sensors[2])

@@ -56,7 +56,7 @@ static void make_letter(const struct bead_still *s, size_t index, char *letter, 
         snprintf(letter, size, "(%c%c)", (char)('a' + index / 26 - 1), (char)('a' + index % 26));
 }
 
-static enum bead_error make_panel(struct bead_still *s, size_t index, struct bead_message *msg)
+static enum bead_error panels_make_panel(struct bead_still *s, size_t index, struct bead_message *msg)
 {
     struct still_panel *panel = &s->panels[index];
     bool own = s->output->still.panel_count == 0; /* an image with a caption is its only panel */
@@ -122,7 +122,7 @@ static enum bead_error panels_create(const struct bead_output *output, const str
         err = make_words(s, msg);
     }
     for (size_t p = 0; !err && p < count; p++)
-        err = make_panel(s, p, msg);
+        err = panels_make_panel(s, p, msg);
     if (!err)
         err = panels_arrange(s, msg);
     for (size_t p = 0; !err && p < count; p++) {

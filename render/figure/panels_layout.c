@@ -57,7 +57,7 @@ static bool same_colours(const struct bead_output *a, const struct bead_output *
            same_number(a->colours.range[1], b->colours.range[1]);
 }
 
-static void find_groups(struct bead_still *s)
+static void panels_find_groups(struct bead_still *s)
 {
     for (size_t p = 0; p < s->count; p++) {
         s->panels[p].group = p;
@@ -106,7 +106,7 @@ static bool same_axis(const struct still_panel *a, const struct still_panel *b, 
 
 static void share(struct bead_still *s)
 {
-    find_groups(s);
+    panels_find_groups(s);
     for (size_t p = 0; p < s->count; p++) {
         struct still_panel *panel = &s->panels[p];
         const struct still_panel *below = panels_at(s, panel->row + 1, panel->column);
@@ -152,7 +152,7 @@ static enum bead_error put_plot(struct bead_still *s, struct still_panel *panel,
 }
 
 /* Into their areas. `keep`: with the insets that they have, else these are measured. */
-static enum bead_error put(struct bead_still *s, bool keep, struct bead_message *msg)
+static enum bead_error panels_put(struct bead_still *s, bool keep, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
     for (size_t p = 0; !err && p < s->count; p++) {
@@ -190,7 +190,7 @@ static void align(struct bead_still *s)
     }
 }
 
-static struct bead_rect room_of(const struct bead_still *s)
+static struct bead_rect panels_room_of(const struct bead_still *s)
 {
     double em = s->look.label, margin = s->look.margin;
     double above = s->title ? ceil(s->title_height + title_gap * em) : 0;
@@ -200,7 +200,7 @@ static struct bead_rect room_of(const struct bead_still *s)
 }
 
 /* Heights of rows: plots want less than images, and several views more. */
-static double weight_of(const struct bead_still *s, size_t row)
+static double panels_weight_of(const struct bead_still *s, size_t row)
 {
     double weight = 0;
     for (size_t p = 0; p < s->count; p++) {
@@ -212,21 +212,21 @@ static double weight_of(const struct bead_still *s, size_t row)
 }
 
 /* What is left of the page for plots of a row, and the room that each panel takes. */
-static enum bead_error divide(struct bead_still *s, struct bead_message *msg)
+static enum bead_error panels_divide(struct bead_still *s, struct bead_message *msg)
 {
     static const int smallest = 24; /* px */
     double em = s->look.label, weights = 0;
-    struct bead_rect room = room_of(s);
+    struct bead_rect room = panels_room_of(s);
     double high = room.height - (double)(s->rows - 1) * round(between_rows * em), y = room.y;
     for (size_t r = 0; r < s->rows; r++) {
         const struct bead_insets *first = &panels_at(s, r, 0)->insets;
-        weights += weight_of(s, r);
+        weights += panels_weight_of(s, r);
         high -= first->top + first->bottom;
     }
     for (size_t r = 0; r < s->rows; r++) {
         size_t columns = panels_columns(s, r);
         double wide = room.width - (double)(columns - 1) * round(between_columns * em), x = room.x;
-        double height = floor(high * weight_of(s, r) / weights);
+        double height = floor(high * panels_weight_of(s, r) / weights);
         for (size_t c = 0; c < columns; c++)
             wide -= panels_at(s, r, c)->insets.left + panels_at(s, r, c)->insets.right;
         double width = floor(wide / (double)columns);
@@ -293,16 +293,16 @@ enum bead_error panels_arrange(struct bead_still *s, struct bead_message *msg)
         bead_text_size_lines(NULL, &style, wrap, s->title, &width, &s->title_height);
     share(s);
     guess(s);
-    enum bead_error err = divide(s, msg);
+    enum bead_error err = panels_divide(s, msg);
     for (int pass = 0; !err && pass < 3; pass++) {
-        err = put(s, false, msg);
+        err = panels_put(s, false, msg);
         align(s);
         round_up(s);
         if (!err)
-            err = divide(s, msg);
+            err = panels_divide(s, msg);
     }
     if (!err)
-        err = put(s, true, msg);
+        err = panels_put(s, true, msg);
     stretch_bars(s);
     return err;
 }

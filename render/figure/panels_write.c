@@ -37,7 +37,7 @@ static enum bead_error draw_plot(const struct bead_still *s, const struct still_
     return BEAD_OK;
 }
 
-static void draw_words(const struct bead_still *s, cairo_t *cr)
+static void panels_draw_words(const struct bead_still *s, cairo_t *cr)
 {
     double margin = s->look.margin, wrap = s->page.width - 2 * margin;
     struct bead_text_style style = graph_text(&s->look);
@@ -49,13 +49,13 @@ static void draw_words(const struct bead_still *s, cairo_t *cr)
         bead_text_draw_lines(cr, &style, wrap, margin, margin, s->title);
 }
 
-static enum bead_error decorate(void *context, cairo_t *cr, struct bead_message *msg)
+static enum bead_error panels_decorate(void *context, cairo_t *cr, struct bead_message *msg)
 {
     const struct bead_still *s = context;
     enum bead_error err = BEAD_OK;
     graph_set_colour(cr, s->look.background);
     cairo_paint(cr);
-    draw_words(s, cr);
+    panels_draw_words(s, cr);
     for (size_t p = 0; !err && p < s->count; p++) {
         const struct still_panel *panel = &s->panels[p];
         err = panel->figure ? bead_figure_decorate(panel->figure, cr, msg) : draw_plot(s, panel, cr, msg);
@@ -67,7 +67,7 @@ static enum bead_error decorate(void *context, cairo_t *cr, struct bead_message 
 static enum bead_error draw_vector(void *context, cairo_t *cr, struct bead_message *msg)
 {
     const struct bead_still *s = context;
-    enum bead_error err = decorate(context, cr, msg);
+    enum bead_error err = panels_decorate(context, cr, msg);
     for (size_t p = 0; !err && p < s->count; p++) {
         if (s->panels[p].figure)
             err = bead_figure_vector(s->panels[p].figure, cr, msg);
@@ -75,11 +75,11 @@ static enum bead_error draw_vector(void *context, cairo_t *cr, struct bead_messa
     return err;
 }
 
-static enum bead_error draw_frame(void *context, struct bead_frame *frame, struct bead_message *msg)
+static enum bead_error panels_draw_frame(void *context, struct bead_frame *frame, struct bead_message *msg)
 {
     struct bead_still *s = context;
     struct bead_frame background = {0};
-    enum bead_error err = bead_raster_draw(frame, decorate, s, msg);
+    enum bead_error err = bead_raster_draw(frame, panels_decorate, s, msg);
     if (!err)
         err = bead_frame_create(frame->width, frame->height, &background, msg);
     if (!err)
@@ -92,8 +92,8 @@ static enum bead_error draw_frame(void *context, struct bead_frame *frame, struc
     return err;
 }
 
-static enum bead_error finish(struct bead_still *s, const struct bead_outcome *outcomes, struct bead_canvas **canvas,
-                              struct bead_message *msg)
+static enum bead_error panels_finish(struct bead_still *s, const struct bead_outcome *outcomes, struct bead_canvas **canvas,
+                                     struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
     set_ranges(s);
@@ -112,8 +112,8 @@ enum bead_error panels_write(struct bead_still *s, const struct bead_outcome *ou
                              struct bead_message *msg)
 {
     struct bead_canvas *canvas = NULL;
-    const struct bead_drawing drawing = {draw_vector, draw_frame, s};
-    enum bead_error err = finish(s, outcomes, &canvas, msg);
+    const struct bead_drawing drawing = {draw_vector, panels_draw_frame, s};
+    enum bead_error err = panels_finish(s, outcomes, &canvas, msg);
     if (!err)
         err = bead_page_write(&s->page, s->output, s->context.scene, &drawing, path, bytes, msg);
     for (size_t p = 0; p < s->count; p++) {

@@ -27,7 +27,7 @@ static void still_destroy(struct bead_sink *sink)
 }
 
 /* The last kind takes what no other wants. */
-static const struct bead_still_kind *kind_of(const struct bead_output *output)
+static const struct bead_still_kind *still_kind_of(const struct bead_output *output)
 {
     size_t k = 0;
     while (k + 1 < sizeof kinds / sizeof *kinds && !kinds[k]->wanted(output))
@@ -41,7 +41,7 @@ static enum bead_error still_create(const struct bead_output *output, const stru
     struct bead_sink *s = *sink = calloc(1, sizeof *s);
     if (!s)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a picture");
-    s->kind = kind_of(output);
+    s->kind = still_kind_of(output);
     enum bead_error err = bead_file_join(context->directory, output->path, &s->path, msg);
     if (!err)
         err = s->kind->create(output, context, &s->still, msg);

@@ -60,13 +60,13 @@ enum bead_error bead_captions_check(const struct bead_output *output, const stru
     return BEAD_OK;
 }
 
-static struct bead_text_style style_of(const struct bead_look *look, double size)
+static struct bead_text_style captions_style_of(const struct bead_look *look, double size)
 {
     return (struct bead_text_style){
         .family = look->family, .size = size, .colour = look->ink, .across = BEAD_ALIGN_MIDDLE, .down = BEAD_ALIGN_MIDDLE};
 }
 
-static double width_of(cairo_t *cr, const struct bead_text_style *style, const char *text, size_t length)
+static double captions_width_of(cairo_t *cr, const struct bead_text_style *style, const char *text, size_t length)
 {
     char part[LONGEST], markup[MARKUP];
     double width, height;
@@ -109,11 +109,11 @@ static struct lines wrap(cairo_t *cr, const struct bead_text_style *style, const
 {
     size_t all = strlen(text), best = 0, fullest = 0;
     double least = INFINITY;
-    struct lines one = {.text = {text}, .length = {all}, .count = 1, .whole = width_of(cr, style, text, all) <= room};
+    struct lines one = {.text = {text}, .length = {all}, .count = 1, .whole = captions_width_of(cr, style, text, all) <= room};
     if (one.whole || most < 2)
         return one;
     for (size_t at = next_break(text, 0); at < all; at = next_break(text, at + 1)) {
-        double first = width_of(cr, style, text, at), second = width_of(cr, style, text + at + 1, all - at - 1);
+        double first = captions_width_of(cr, style, text, at), second = captions_width_of(cr, style, text + at + 1, all - at - 1);
         if (first <= room)
             fullest = at;
         if (fmax(first, second) < least) {
@@ -130,7 +130,7 @@ static struct lines wrap(cairo_t *cr, const struct bead_text_style *style, const
 
 int bead_captions_lines(const struct bead_output *output, const struct bead_look *look, int width)
 {
-    struct bead_text_style style = style_of(look, font_size(look));
+    struct bead_text_style style = captions_style_of(look, font_size(look));
     double room = width - 2 * ceil(1.3 * look->gap);
     size_t most = 0;
     for (size_t i = 0; i < output->movie.caption_count; i++) {
@@ -147,7 +147,7 @@ static void draw_line(cairo_t *cr, const struct bead_text_style *style, const ch
     length = length < LONGEST - 1 ? length : LONGEST - 1;
     memcpy(part, text, length);
     part[length] = '\0';
-    while (length > 0 && width_of(cr, style, part, strlen(part)) > room) {
+    while (length > 0 && captions_width_of(cr, style, part, strlen(part)) > room) {
         do
             length--;
         while (length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80);
@@ -161,7 +161,7 @@ void bead_caption_draw(cairo_t *cr, const struct bead_look *look, const char *te
 {
     size_t most = (size_t)fmax(1, floor(rect.height / bead_caption_height(look) + 1e-6));
     most = most < MOST_LINES ? most : MOST_LINES;
-    struct bead_text_style style = style_of(look, font_size(look));
+    struct bead_text_style style = captions_style_of(look, font_size(look));
     struct lines lines = wrap(cr, &style, text, rect.width, most);
     for (size_t i = 0; i < sizeof smaller / sizeof smaller[0] && !lines.whole; i++) {
         style.size = smaller[i] * font_size(look);

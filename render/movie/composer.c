@@ -12,7 +12,7 @@
 #include "render/view/magnify.h"
 
 /* Of views that show all times, or of all views. */
-static unsigned fields_of(const struct bead_output *output, const struct bead_chain *chain, bool all_times)
+static unsigned composer_fields_of(const struct bead_output *output, const struct bead_chain *chain, bool all_times)
 {
     const struct bead_view_setup setup = {.chain = chain, .field = output->shown.field, .fill = true};
     unsigned fields = 0;
@@ -25,13 +25,13 @@ static unsigned fields_of(const struct bead_output *output, const struct bead_ch
 
 unsigned bead_composer_fields(const struct bead_output *output, const struct bead_chain *chain)
 {
-    unsigned fields = fields_of(output, chain, false);
+    unsigned fields = composer_fields_of(output, chain, false);
     return fields | (output->movie.follow == BEAD_FOLLOW_FRONT ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0);
 }
 
 unsigned bead_composer_comparison(const struct bead_output *output, const struct bead_chain *chain)
 {
-    return output->shown.trust ? fields_of(output, chain, true) : 0;
+    return output->shown.trust ? composer_fields_of(output, chain, true) : 0;
 }
 
 bool bead_composer_averages(const struct bead_output *output)
@@ -44,7 +44,7 @@ static struct bead_view **view_at(const struct bead_composer *c, size_t chain, s
     return &c->views[chain * c->wants.view_count + view];
 }
 
-static struct bead_span span_of(const struct bead_composer *c, size_t chain)
+static struct bead_span composer_span_of(const struct bead_composer *c, size_t chain)
 {
     const struct bead_output *output = c->setup.output;
     const struct bead_chain *own = c->setup.chains[chain];
@@ -84,7 +84,7 @@ static double reach_left(const struct bead_composer *c, double length)
     double most = reach(&c->look, range[0], range[1], field->unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, field->title);
     most = fmax(most, reach(&c->look, time[0], time[1], unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, "time"));
     for (size_t i = 0; i < c->wants.chain_count; i++)
-        most = fmax(most, reach_along(c, i, span_of(c, i).last, length, BEAD_SIDE_LEFT));
+        most = fmax(most, reach_along(c, i, composer_span_of(c, i).last, length, BEAD_SIDE_LEFT));
     return most;
 }
 
@@ -100,7 +100,7 @@ static void measure_axes(struct bead_composer *c)
     w->left = fmax(reach_left(c, length), fmax(reach_left(c, fmax(24, 0.4 * w->height / rows)), reach_left(c, 40)));
     w->same_beads = true;
     for (size_t i = 0; i < w->chain_count; i++) {
-        struct bead_span span = span_of(c, i), first = span_of(c, 0);
+        struct bead_span span = composer_span_of(c, i), first = composer_span_of(c, 0);
         w->same_beads = w->same_beads && span.first == first.first && span.last == first.last;
         most = fmax(most, (double)span.last);
         w->below_beads = fmax(w->below_beads, reach_along(c, i, span.last, 8 * length, BEAD_SIDE_BOTTOM));
@@ -170,7 +170,7 @@ static enum bead_error create_views(struct bead_composer *c, struct bead_message
         struct bead_view_setup setup = {.chain = c->setup.chains[chain],
                                         .chain_index = chain,
                                         .field = output->shown.field,
-                                        .beads = span_of(c, chain),
+                                        .beads = composer_span_of(c, chain),
                                         .time = {c->setup.time[0], c->setup.time[1]},
                                         .colours = c->colours,
                                         .look = &c->look,
@@ -189,7 +189,7 @@ static enum bead_error create_views(struct bead_composer *c, struct bead_message
     return err;
 }
 
-static enum bead_error fill(struct bead_composer *c, struct bead_message *msg)
+static enum bead_error composer_fill(struct bead_composer *c, struct bead_message *msg)
 {
     const struct bead_output *output = c->setup.output;
     bead_look_screen(&c->look, c->setup.width, c->setup.height, output->paper.theme != BEAD_THEME_LIGHT);
@@ -229,7 +229,7 @@ enum bead_error bead_composer_create(const struct bead_composer_setup *setup, st
     c->setup = *setup;
     enum bead_error err = setup->output->views.axes ? bead_text_check(msg) : BEAD_OK;
     if (!err)
-        err = fill(c, msg);
+        err = composer_fill(c, msg);
     if (err)
         bead_composer_destroy(c);
     else
@@ -279,7 +279,7 @@ static struct bead_facts facts_of(const struct bead_composer *c)
         .slowed = c->slowed, .magnify = beads ? c->magnify : 0, .chains = c->setup.chains, .chain_count = c->setup.chain_count};
 }
 
-static void draw_words(struct bead_composer *c, cairo_t *cr)
+static void composer_draw_words(struct bead_composer *c, cairo_t *cr)
 {
     const struct bead_movie_layout *layout = &c->layout;
     const struct bead_look *look = &c->look;
@@ -305,7 +305,7 @@ static enum bead_error draw_background(struct bead_composer *c, struct bead_mess
     cairo_set_source_rgb(cr, c->look.background.r, c->look.background.g, c->look.background.b);
     cairo_paint(cr);
     enum bead_error err = decorate_views(c, cr, msg);
-    draw_words(c, cr);
+    composer_draw_words(c, cr);
     bead_overlay_draw_bar(c, cr);
     enum bead_error drawn = bead_raster_end(cr, "drawing the background", err ? NULL : msg);
     return err ? err : drawn;
@@ -331,7 +331,7 @@ enum bead_error bead_composer_open(struct bead_composer *c, struct bead_message 
 static void look_beyond(struct bead_composer *c, const struct bead_sample *sample)
 {
     const double *value = sample->field[c->setup.output->shown.field];
-    struct bead_span span = span_of(c, sample->chain);
+    struct bead_span span = composer_span_of(c, sample->chain);
     double slack = 1e-9 * (c->colours.high - c->colours.low), high = c->colours.high + slack, low = c->colours.low - slack;
     bool below = c->colours.scale != BEAD_SCALE_LOG; /* every logarithmic scale leaves out the smallest */
     for (size_t i = span.first; value && i <= span.last && i <= sample->active; i++) {
@@ -344,7 +344,7 @@ static void look_beyond(struct bead_composer *c, const struct bead_sample *sampl
 static void look_lit(struct bead_composer *c, const struct bead_sample *sample)
 {
     const double *value = sample->field[c->setup.output->shown.field];
-    struct bead_span span = span_of(c, sample->chain);
+    struct bead_span span = composer_span_of(c, sample->chain);
     double zero = bead_colours_place(&c->colours, 0), sum = 0;
     zero = fmin(1, fmax(0, zero));
     for (size_t i = span.first; value && i <= span.last && i <= sample->active; i++)

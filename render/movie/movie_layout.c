@@ -37,7 +37,7 @@ static double left_of_plots(const struct bead_movie_wants *w)
     return most;
 }
 
-static struct measures measure(const struct bead_movie_wants *w, enum level level)
+static struct measures layout_measure(const struct bead_movie_wants *w, enum level level)
 {
     const struct bead_look *look = w->look;
     struct measures m = {
@@ -133,12 +133,12 @@ static int below(const struct bead_movie_wants *w, const struct measures *m, siz
 }
 
 /* Rows that go with the front show large beads: as high as these ask, if there is room. */
-static double share_of(const struct bead_movie_wants *w, size_t view)
+static double layout_share_of(const struct bead_movie_wants *w, size_t view)
 {
     return (moves(w, view) && shows_beads(w, view) ? 1.5 : 1) * w->views[view]->info->movie_share;
 }
 
-static int most_height(const struct bead_movie_wants *w, const struct measures *m, size_t view)
+static int layout_most_height(const struct bead_movie_wants *w, const struct measures *m, size_t view)
 {
     if (moves(w, view) && shows_beads(w, view))
         return whole((w->sensors || labels_window(w, view) ? 1.35 * w->look->tick : 0) +
@@ -164,8 +164,8 @@ static struct bead_stack make_stack(const struct bead_movie_wants *w, const stru
     for (size_t i = 0; i < w->chain_count * w->view_count; i++)
         reach[i] = (struct bead_stack_reach){0, below(w, m, i / w->view_count, i % w->view_count)};
     for (size_t v = 0; v < w->view_count; v++) {
-        int most = most_height(w, m, v);
-        stack.share[v] = share_of(w, v);
+        int most = layout_most_height(w, m, v);
+        stack.share[v] = layout_share_of(w, v);
         stack.most[v] = m->level < VIEWS_ONLY && most > 0 ? most : INFINITY;
     }
     return stack;
@@ -235,10 +235,10 @@ static void place_bar(const struct bead_movie_wants *w, const struct measures *m
 }
 
 /* With the least left out that gives the rest room. False: there is none. */
-static bool arrange(const struct bead_movie_wants *wants, struct bead_stack_reach *reach, struct bead_movie_layout *layout)
+static bool layout_arrange(const struct bead_movie_wants *wants, struct bead_stack_reach *reach, struct bead_movie_layout *layout)
 {
     for (enum level level = wants->axes ? EVERYTHING : VIEWS_ONLY; level < LEVELS; level++) {
-        struct measures m = measure(wants, level);
+        struct measures m = layout_measure(wants, level);
         if (wants->chain_count > 100000 || !place_chains(wants, &m, reach, layout))
             continue;
         layout->axes = m.axes;
@@ -261,7 +261,7 @@ enum bead_error bead_movie_arrange(const struct bead_movie_wants *wants, struct 
     layout->chains = calloc(wants->chain_count + 1, sizeof *layout->chains);
     if (!layout->chains || !reach)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a layout");
-    else if (!arrange(wants, reach, layout))
+    else if (!layout_arrange(wants, reach, layout))
         err = bead_fail(msg, BEAD_ERROR_SCENE, "size: %d x %d pixels are too small for %zu views of %zu chains", wants->width,
                         wants->height, wants->view_count, wants->chain_count);
     if (err)

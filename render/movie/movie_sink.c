@@ -69,7 +69,7 @@ static enum bead_error wrong(const struct bead_sink *s, const char *what, struct
                      s->output->place.column, what);
 }
 
-static struct bead_movie_settings settings_of(const struct bead_sink *s)
+static struct bead_movie_settings movie_settings_of(const struct bead_sink *s)
 {
     return (struct bead_movie_settings){.width = s->width,
                                         .height = s->height,
@@ -95,7 +95,7 @@ static enum bead_error choose_size(struct bead_sink *s, struct bead_message *msg
     return BEAD_OK;
 }
 
-static void describe(struct bead_sink *s)
+static void movie_describe(struct bead_sink *s)
 {
     char every[48], drawn[48] = "";
     bead_quantity(s->times.step, bead_chain_time_unit(s->context.chains[0]), 3, every, sizeof every);
@@ -120,7 +120,7 @@ static void movie_destroy(struct bead_sink *s)
     free(s);
 }
 
-static enum bead_error prepare(struct bead_sink *s, struct bead_message *msg)
+static enum bead_error movie_prepare(struct bead_sink *s, struct bead_message *msg)
 {
     struct bead_movie_settings settings;
     enum bead_error err = bead_colour_range_check(s->output, s->context.scene->file, msg);
@@ -136,7 +136,7 @@ static enum bead_error prepare(struct bead_sink *s, struct bead_message *msg)
         err = bead_file_join(s->context.directory, s->output->path, &s->path, msg);
     if (err)
         return err;
-    settings = settings_of(s);
+    settings = movie_settings_of(s);
     err = bead_movie_check(s->output->path, &settings, msg);
     s->fields = bead_composer_fields(s->output, s->context.chains[0]);
     s->comparison = bead_composer_comparison(s->output, s->context.chains[0]);
@@ -147,7 +147,7 @@ static enum bead_error prepare(struct bead_sink *s, struct bead_message *msg)
     s->last_bead = s->output->shown.beads.last < s->last_bead ? s->output->shown.beads.last : s->last_bead;
     if (s->output->shown.beads.first > s->last_bead)
         return wrong(s, "beads: no chain has so many beads", msg);
-    describe(s);
+    movie_describe(s);
     return err;
 }
 
@@ -160,7 +160,7 @@ static enum bead_error movie_create(const struct bead_output *output, const stru
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
     s->output = output;
     s->context = *context;
-    enum bead_error err = prepare(s, msg);
+    enum bead_error err = movie_prepare(s, msg);
     if (err)
         movie_destroy(s);
     else
@@ -194,13 +194,13 @@ static size_t field_count(unsigned fields)
     return count;
 }
 
-static double *numbers(struct snapshot *snapshot)
+static double *movie_numbers(struct snapshot *snapshot)
 {
     return (double *)(snapshot + 1);
 }
 
 /* Encoding thread. */
-static enum bead_error encode(void *context, void *slot, int last, struct bead_message *msg)
+static enum bead_error movie_encode(void *context, void *slot, int last, struct bead_message *msg)
 {
     struct bead_sink *s = context;
     struct parcel *parcel = slot;
@@ -241,7 +241,7 @@ static enum bead_error send_frame(struct bead_sink *s, const struct bead_changes
     return err;
 }
 
-static enum bead_error draw_frame(struct bead_sink *s, struct bead_changes *changes, struct bead_message *msg)
+static enum bead_error movie_draw_frame(struct bead_sink *s, struct bead_changes *changes, struct bead_message *msg)
 {
     double time = bead_movie_time(&s->times, s->drawn);
     if (s->drawn < s->times.card)
@@ -255,7 +255,7 @@ static enum bead_error draw_frames(struct bead_sink *s, double until, struct bea
 {
     while (s->drawn < s->times.frames && bead_movie_time(&s->times, s->drawn) <= until) {
         struct bead_changes changes = {0};
-        enum bead_error err = bead_movie_draws(&s->times, s->drawn) ? draw_frame(s, &changes, msg) : BEAD_OK;
+        enum bead_error err = bead_movie_draws(&s->times, s->drawn) ? movie_draw_frame(s, &changes, msg) : BEAD_OK;
         if (!err)
             err = send_frame(s, &changes, msg);
         if (err)
@@ -272,7 +272,7 @@ static enum bead_error take_snapshot(struct bead_sink *s, struct snapshot *snaps
                                  .time = snapshot->time,
                                  .active = snapshot->active,
                                  .comparison_active = snapshot->comparison_active};
-    const double *data = numbers(snapshot);
+    const double *data = movie_numbers(snapshot);
     for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++) {
         if (!(s->fields & BEAD_FIELD_BIT(f)))
             continue;
@@ -294,7 +294,7 @@ static enum bead_error take_snapshot(struct bead_sink *s, struct snapshot *snaps
 }
 
 /* Drawing thread. */
-static enum bead_error draw(void *context, void *slot, int last, struct bead_message *msg)
+static enum bead_error movie_draw(void *context, void *slot, int last, struct bead_message *msg)
 {
     struct bead_sink *s = context;
     if (slot)
@@ -317,8 +317,8 @@ static enum bead_error create_pipes(struct bead_sink *s, struct bead_message *ms
     slots = slots < LEAST_SAMPLES ? LEAST_SAMPLES : slots > MOST_SAMPLES ? MOST_SAMPLES : slots;
     slots = (slots + chains - 1) / chains * chains; /* a slot meets the same chain again: less to copy */
     enum bead_error err =
-        bead_ring_buffer_create(FRAME_SLOTS, sizeof(struct parcel), s->context.threads, encode, s, &s->encoding, msg);
-    return err ? err : bead_ring_buffer_create(slots, bytes, s->context.threads, draw, s, &s->drawing, msg);
+        bead_ring_buffer_create(FRAME_SLOTS, sizeof(struct parcel), s->context.threads, movie_encode, s, &s->encoding, msg);
+    return err ? err : bead_ring_buffer_create(slots, bytes, s->context.threads, movie_draw, s, &s->drawing, msg);
 }
 
 static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range, struct bead_message *msg)
@@ -338,7 +338,7 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
     setup.range[0] = colours.low;
     setup.range[1] = colours.high;
     enum bead_error err = bead_composer_create(&setup, &s->composer, msg);
-    struct bead_movie_settings settings = settings_of(s);
+    struct bead_movie_settings settings = movie_settings_of(s);
     if (!err && s->poster_path)
         err = bead_poster_create(s->output, s->context.scene, s->poster_path, s->times.step, &s->poster, msg);
     if (!err)
@@ -352,13 +352,13 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
 }
 
 /* Copy what moves, and once what rests. */
-static void fill(const struct bead_sink *s, const struct bead_sample *sample, struct snapshot *snapshot)
+static void movie_fill(const struct bead_sink *s, const struct bead_sample *sample, struct snapshot *snapshot)
 {
     size_t first = s->output->shown.beads.first, room = field_room(s);
     bool fresh = snapshot->owner != sample->chain + 1;
     size_t last = s->comparison && sample->comparison_active > sample->active ? sample->comparison_active : sample->active;
     size_t moving = last + 1, filled = fresh ? SIZE_MAX : snapshot->filled;
-    double *data = numbers(snapshot);
+    double *data = movie_numbers(snapshot);
     for (unsigned i = 0; i < 2 * BEAD_FIELD_COUNT; i++) {
         unsigned f = i % BEAD_FIELD_COUNT;
         const double *values = i < BEAD_FIELD_COUNT ? sample->field[f] : sample->comparison[f];
@@ -398,7 +398,7 @@ static enum bead_error movie_sample(struct bead_sink *s, const struct bead_sampl
     struct snapshot *snapshot = bead_ring_buffer_slot(s->drawing);
     if (!snapshot)
         return finish_pipes(s, msg);
-    fill(s, sample, snapshot);
+    movie_fill(s, sample, snapshot);
     bead_ring_buffer_submit(s->drawing);
     return BEAD_OK;
 }

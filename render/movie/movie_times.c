@@ -33,8 +33,8 @@ static enum bead_error choose_frames(const struct bead_output *o, const struct b
 
 /* Samples at the frames, or k times as often where views average over time; or those that there are, and frames in between blend
  * two. */
-static enum bead_error choose_grid(const struct bead_output *o, const struct bead_run_context *context, struct bead_movie_times *t,
-                                   struct bead_message *msg)
+static enum bead_error times_choose_grid(const struct bead_output *o, const struct bead_run_context *context,
+                                         struct bead_movie_times *t, struct bead_message *msg)
 {
     const struct bead_grid *native = &context->native;
     if (native->every > 0) {
@@ -56,7 +56,7 @@ enum bead_error bead_movie_times_choose(const struct bead_output *output, const 
                                         struct bead_movie_times *times, struct bead_message *msg)
 {
     enum bead_error err = choose_frames(output, context, times, msg);
-    return err ? err : choose_grid(output, context, times, msg);
+    return err ? err : times_choose_grid(output, context, times, msg);
 }
 
 double bead_movie_time(const struct bead_movie_times *t, size_t index)

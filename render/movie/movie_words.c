@@ -119,7 +119,7 @@ void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size)
 
 enum { MOST_FACTS = 3 };
 
-static size_t gather(const struct bead_facts *facts, char text[MOST_FACTS][256])
+static size_t words_gather(const struct bead_facts *facts, char text[MOST_FACTS][256])
 {
     char number[64];
     size_t count = 0;
@@ -155,7 +155,7 @@ void bead_facts_draw(cairo_t *cr, const struct bead_look *look, const struct bea
                                     BEAD_ALIGN_MIDDLE, false};
     char text[MOST_FACTS][256], line[2048];
     double width, height;
-    for (size_t count = gather(facts, text); count > 0; count--) {
+    for (size_t count = words_gather(facts, text); count > 0; count--) {
         join(text, count, line, sizeof line);
         bead_text_size(cr, &style, line, &width, &height);
         if (width > rect.width)

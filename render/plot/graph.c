@@ -25,7 +25,7 @@ struct job {
     struct bead_look look;
 };
 
-static enum bead_error draw(void *context, cairo_t *cr, struct bead_message *msg)
+static enum bead_error graph_draw(void *context, cairo_t *cr, struct bead_message *msg)
 {
     const struct job *job = context;
     struct bead_message why = {""};
@@ -51,5 +51,5 @@ enum bead_error bead_graph_write(const struct bead_graph *graph, bool titled, co
         return err;
     whole.size = bead_page_size(&job.page, size);
     bead_page_look(&job.page, output, &job.look);
-    return bead_page_write(&job.page, output, scene, &(struct bead_drawing){draw, NULL, &job}, path, bytes, msg);
+    return bead_page_write(&job.page, output, scene, &(struct bead_drawing){graph_draw, NULL, &job}, path, bytes, msg);
 }

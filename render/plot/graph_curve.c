@@ -36,7 +36,7 @@ static const struct shape {
               {4, 0, 1.3, false, false}, {0, 0, 1, true, false},        {4, 0.125, 1.2, false, true}};
 enum { SHAPES = sizeof shapes / sizeof shapes[0] };
 
-static void outline(cairo_t *cr, const struct shape *shape, double x, double y, double radius)
+static void curve_outline(cairo_t *cr, const struct shape *shape, double x, double y, double radius)
 {
     cairo_new_path(cr);
     if (shape->corners == 0)
@@ -63,7 +63,7 @@ void graph_draw_point(cairo_t *cr, const struct bead_look *look, const struct be
     const struct shape *shape = &shapes[series->shape % SHAPES];
     bool hollow = shape->hollow || series->hollow;
     struct bead_rgb ink = ink_of(look, series);
-    outline(cr, shape, x, y, shape->size * size);
+    curve_outline(cr, shape, x, y, shape->size * size);
     if (!shape->cross) {
         graph_set_colour(cr, hollow ? ground(look) : ink);
         cairo_fill_preserve(cr);
@@ -172,7 +172,7 @@ static void flush(struct pen *pen, struct column *column)
     column->count = 0;
 }
 
-static void gather(struct pen *pen, struct column *column, struct px at)
+static void curve_gather(struct pen *pen, struct column *column, struct px at)
 {
     if (column->count > 0 && floor(at.x) != floor(column->first.x))
         flush(pen, column);
@@ -208,7 +208,7 @@ static void trace(cairo_t *cr, const struct graph_cell *cell, const struct bead_
             flush(&pen, &column);
             lift(&pen);
         } else if (dense) {
-            gather(&pen, &column, (struct px){px_x(cell, series->x[i]), y});
+            curve_gather(&pen, &column, (struct px){px_x(cell, series->x[i]), y});
         } else {
             line_to(&pen, px_x(cell, series->x[i]), y);
         }
@@ -257,7 +257,7 @@ void graph_stroke_style(cairo_t *cr, const struct bead_look *look, const struct 
 
 /* ---- error bars ---- */
 
-static void draw_bar(cairo_t *cr, const struct graph_cell *cell, double x, double low, double high, double half)
+static void curve_draw_bar(cairo_t *cr, const struct graph_cell *cell, double x, double low, double high, double half)
 {
     double bottom = cell->plot.y + cell->plot.height, top = cell->plot.y;
     double from = px_y(cell, low), to = px_y(cell, high);
@@ -283,7 +283,7 @@ static void draw_bars(cairo_t *cr, const struct bead_look *look, const struct gr
         double error = series->error[i];
         if (!is_there(cell, series, i) || !(error > 0) || beyond(&cell->axis[0], series->x[i]) != 0)
             continue;
-        draw_bar(cr, cell, px_x(cell, series->x[i]), series->y[i] - error, series->y[i] + error, cap * look->label);
+        curve_draw_bar(cr, cell, px_x(cell, series->x[i]), series->y[i] - error, series->y[i] + error, cap * look->label);
     }
     graph_set_colour(cr, ink_of(look, series));
     cairo_set_dash(cr, NULL, 0, 0);

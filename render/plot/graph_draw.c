@@ -52,7 +52,7 @@ static double within(double place)
     return place > 0 ? place < 1 ? place : 1 : 0;
 }
 
-static void draw_bands(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell)
+static void graph_draw_bands(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell)
 {
     struct bead_rgb ground = look->dark ? look->panel : look->background;
     graph_set_colour(cr, graph_mix(ground, look->accent, look->dark ? band_share_dark : band_share));
@@ -83,7 +83,7 @@ void graph_draw_contents(cairo_t *cr, const struct bead_look *look, const struct
     }
 }
 
-static void draw_words(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell)
+static void graph_draw_words(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell)
 {
     struct bead_text_style style = graph_text(look);
     style.colour = graph_mix(look->ink, look->faint, 0.6);
@@ -95,7 +95,7 @@ static void draw_words(cairo_t *cr, const struct bead_look *look, const struct g
     }
 }
 
-static void draw_head(cairo_t *cr, const struct graph_layout *layout, const struct graph_cell *cell)
+static void graph_draw_head(cairo_t *cr, const struct graph_layout *layout, const struct graph_cell *cell)
 {
     struct bead_text_style style = graph_text(layout->look);
     if (cell->head)
@@ -111,16 +111,16 @@ static void draw_cell(cairo_t *cr, const struct graph_layout *layout, const stru
         cairo_rectangle(cr, plot->x, plot->y, plot->width, plot->height);
         cairo_fill(cr);
     }
-    draw_bands(cr, look, cell);
+    graph_draw_bands(cr, look, cell);
     if (!look->dark)
         bead_box_draw(cr, look, *plot);
     graph_draw_contents(cr, look, cell);
     bead_axis_draw(cr, look, &cell->axis[0], *plot, BEAD_SIDE_BOTTOM, false, cell->labelled[0], cell->panel->x.title);
     bead_axis_draw(cr, look, &cell->axis[1], *plot, BEAD_SIDE_LEFT, false, cell->labelled[1], cell->panel->y.title);
-    draw_words(cr, look, cell);
+    graph_draw_words(cr, look, cell);
     if (!cell->legend_outside)
         graph_legend_draw(&cell->legend, look, cr);
-    draw_head(cr, layout, cell);
+    graph_draw_head(cr, layout, cell);
 }
 
 void graph_draw_all(cairo_t *cr, const struct graph_layout *layout)

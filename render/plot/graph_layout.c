@@ -65,7 +65,7 @@ static bool word_cell(struct graph_cell *cell, const struct bead_graph *graph, c
     return good && make_head(cell, lettered ? letter : index == 0 ? frame->letter : "");
 }
 
-static enum bead_error prepare(struct graph_layout *l, struct bead_message *msg)
+static enum bead_error graph_prepare(struct graph_layout *l, struct bead_message *msg)
 {
     const struct bead_graph *graph = l->graph;
     size_t entries = 1;
@@ -232,16 +232,16 @@ static void overhang(const struct bead_axis *axis, const struct bead_look *look,
     }
 }
 
-static const char *unit_of(const struct bead_graph_axis *axis)
+static const char *graph_unit_of(const struct bead_graph_axis *axis)
 {
     return axis->unit ? axis->unit : "";
 }
 
-static void make_axes(struct graph_cell *cell, const struct bead_look *look)
+static void graph_make_axes(struct graph_cell *cell, const struct bead_look *look)
 {
     const struct bead_graph_axis *x = &cell->panel->x, *y = &cell->panel->y;
-    bead_axis_make(&cell->axis[0], cell->low[0], cell->high[0], unit_of(x), x->scale, cell->plot.width, look->tick, true);
-    bead_axis_make(&cell->axis[1], cell->low[1], cell->high[1], unit_of(y), y->scale, cell->plot.height, look->tick, false);
+    bead_axis_make(&cell->axis[0], cell->low[0], cell->high[0], graph_unit_of(x), x->scale, cell->plot.width, look->tick, true);
+    bead_axis_make(&cell->axis[1], cell->low[1], cell->high[1], graph_unit_of(y), y->scale, cell->plot.height, look->tick, false);
 }
 
 static double head_height(const struct graph_layout *l, const struct graph_cell *cell)
@@ -260,14 +260,14 @@ static void forget(struct graph_layout *l)
 }
 
 /* At least as far as before. */
-static void measure(struct graph_layout *l)
+static void graph_measure(struct graph_layout *l)
 {
     const struct bead_look *look = l->look;
     for (size_t p = 0; p < l->graph->panel_count; p++) {
         struct graph_cell *cell = &l->cells[p];
         double *left = &l->left[cell->column], *right = &l->right[cell->column], over_left, over_right;
         double *top = &l->top[cell->row], *bottom = &l->bottom[cell->row];
-        make_axes(cell, look);
+        graph_make_axes(cell, look);
         overhang(&cell->axis[0], look, cell->plot.width, &over_left, &over_right);
         if (cell->labelled[0]) {
             *left = fmax(*left, over_left);
@@ -294,7 +294,7 @@ struct frame_room {
     double x, y, width, height; /* of all panels with their axes */
 };
 
-static struct frame_room room_of(const struct graph_layout *l)
+static struct frame_room graph_room_of(const struct graph_layout *l)
 {
     double em = l->look->label, margin = l->frame.margin;
     struct frame_room room = {margin, margin, l->width - 2 * margin, l->height - 2 * margin};
@@ -308,10 +308,10 @@ static struct frame_room room_of(const struct graph_layout *l)
     return room;
 }
 
-static enum bead_error divide(struct graph_layout *l, struct bead_message *msg)
+static enum bead_error graph_divide(struct graph_layout *l, struct bead_message *msg)
 {
     double em = l->look->label;
-    struct frame_room room = room_of(l);
+    struct frame_room room = graph_room_of(l);
     double width = room.width - (double)(l->columns - 1) * between_columns * em;
     double height = room.height - (double)(l->rows - 1) * between_rows * em;
     for (size_t c = 0; c < l->columns; c++)
@@ -363,7 +363,7 @@ static double reaches(const struct graph_layout *l)
 
 /* Several times: what axes take depends on the size of plots, and that on what axes take. At first they may take less each time,
  * then only more, until all have what they need. */
-static enum bead_error arrange(struct graph_layout *l, struct bead_message *msg)
+static enum bead_error graph_arrange(struct graph_layout *l, struct bead_message *msg)
 {
     enum { FREELY = 3 };
     double em = l->look->label, width = l->width - 2 * l->frame.margin, before = -1;
@@ -373,16 +373,16 @@ static enum bead_error arrange(struct graph_layout *l, struct bead_message *msg)
         l->left[c] = 4 * em;
     for (size_t r = 0; r < l->rows; r++)
         l->bottom[r] = 2.5 * em;
-    enum bead_error err = divide(l, msg);
+    enum bead_error err = graph_divide(l, msg);
     for (int pass = 0; !err && (pass <= FREELY || reaches(l) > before); pass++) {
         before = reaches(l);
         if (pass < FREELY)
             forget(l);
-        measure(l);
-        err = divide(l, msg);
+        graph_measure(l);
+        err = graph_divide(l, msg);
     }
     for (size_t p = 0; !err && p < l->graph->panel_count; p++)
-        make_axes(&l->cells[p], l->look);
+        graph_make_axes(&l->cells[p], l->look);
     if (!err)
         put_outer_legend(l);
     return err;
@@ -457,14 +457,14 @@ enum bead_error graph_layout_make(const struct bead_graph *graph, const struct b
         return bead_fail(msg, BEAD_ERROR_SCENE, "size: %.0f x %.0f pixels for %zu panels make no picture", width, height,
                          graph->panel_count);
     choose_columns(layout);
-    enum bead_error err = prepare(layout, msg);
+    enum bead_error err = graph_prepare(layout, msg);
     if (!err)
         err = graph_find_ranges(layout, msg);
     for (bool moved = true; !err && moved;) { /* ends: every word and legend moves once at most */
         moved = false;
         gather_legends(layout);
         measure_outside(layout);
-        err = arrange(layout, msg);
+        err = graph_arrange(layout, msg);
         for (size_t p = 0; !err && p < graph->panel_count; p++)
             err = furnish(layout, &layout->cells[p], &moved, msg);
     }

@@ -22,7 +22,7 @@ static double sample_width(double em)
     return (sample_length + sample_gap) * em;
 }
 
-static struct bead_text_style style_of(const struct graph_legend *legend, const struct bead_look *look)
+static struct bead_text_style legend_style_of(const struct graph_legend *legend, const struct bead_look *look)
 {
     struct bead_text_style style = graph_text(look);
     style.size *= type_of(legend, look) / look->label;
@@ -33,7 +33,7 @@ static struct bead_text_style style_of(const struct graph_legend *legend, const 
 static double measure_entries(struct graph_legend *legend, const struct bead_look *look, double width)
 {
     double em = type_of(legend, look), highest = least_row * em, limit = fmax(width - sample_width(em), narrowest_words * em);
-    struct bead_text_style style = style_of(legend, look);
+    struct bead_text_style style = legend_style_of(legend, look);
     legend->wrap = 0;
     for (size_t i = 0; i < legend->count; i++) {
         struct graph_entry *entry = &legend->entries[i];
@@ -177,7 +177,7 @@ static void draw_sample(const struct graph_entry *entry, const struct bead_look 
 
 void graph_legend_draw(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr)
 {
-    struct bead_text_style style = style_of(legend, look);
+    struct bead_text_style style = legend_style_of(legend, look);
     double em = type_of(legend, look);
     style.down = BEAD_ALIGN_START;
     for (size_t i = 0; i < legend->count && legend->box.width > 0; i++) {

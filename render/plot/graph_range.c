@@ -68,7 +68,7 @@ static void widen_log(double range[2])
     range[1] *= room;
 }
 
-static void widen(const struct bead_graph_axis *axis, bool counts, double part, double range[2])
+static void range_widen(const struct bead_graph_axis *axis, bool counts, double part, double range[2])
 {
     if (!(range[0] <= range[1])) {
         range[0] = 0;
@@ -103,7 +103,7 @@ static void apply(const struct bead_graph_axis *axis, double range[2])
         range[0] = logarithmic ? log_span * range[1] : range[1] - fmax(fabs(range[1]), 1e-300);
 }
 
-static enum bead_error check(const struct bead_graph_axis *axis, struct bead_message *msg)
+static enum bead_error range_check(const struct bead_graph_axis *axis, struct bead_message *msg)
 {
     if (axis->low >= axis->high)
         return bead_fail(msg, BEAD_ERROR_SCENE, "range: is [%g, %g]; the first must be less than the second", axis->low,
@@ -115,11 +115,11 @@ static enum bead_error check(const struct bead_graph_axis *axis, struct bead_mes
 }
 
 /* From what was found in `range`. */
-static void settle(const struct bead_graph_axis *axis, double part, double range[2])
+static void range_settle(const struct bead_graph_axis *axis, double part, double range[2])
 {
     bool counts = strcmp(axis->unit, "1") == 0;
     if (axis->scale != BEAD_SCALE_LOG)
-        widen(axis, counts, part, range);
+        range_widen(axis, counts, part, range);
     else if (part > 0 || !(range[1] > range[0]))
         widen_log(range);
     apply(axis, range);
@@ -138,12 +138,12 @@ static enum bead_error find_axis(struct graph_layout *layout, int axis, struct b
         const struct bead_panel *panel = &graph->panels[p], *which = shared ? &graph->panels[0] : panel;
         const struct bead_graph_axis *settings = axis ? &which->y : &which->x;
         double range[2] = {shared ? all[0] : INFINITY, shared ? all[1] : -INFINITY};
-        enum bead_error err = check(settings, msg);
+        enum bead_error err = range_check(settings, msg);
         if (err)
             return err;
         if (!shared)
             take_panel(panel, axis, range);
-        settle(settings, axis ? widened_y : (shared ? points : has_points(panel)) ? widened_x : 0, range);
+        range_settle(settings, axis ? widened_y : (shared ? points : has_points(panel)) ? widened_x : 0, range);
         layout->cells[p].low[axis] = range[0];
         layout->cells[p].high[axis] = range[1];
     }

@@ -10,7 +10,7 @@
 /* The first where an output shows none of them. */
 static const struct plot_kind *const kinds[] = {&bead_plot_sensors, &bead_plot_peaks, &bead_plot_modes, &bead_plot_profiles};
 
-static const struct plot_kind *kind_of(const struct bead_plot_data *data)
+static const struct plot_kind *plot_kind_of(const struct bead_plot_data *data)
 {
     for (size_t k = 1; k < sizeof kinds / sizeof *kinds; k++) {
         if (data->output->curves.show == kinds[k]->show)
@@ -78,7 +78,7 @@ enum bead_error bead_plot_data_create(const struct bead_output *output, const st
     d->output = output;
     d->context = *context;
     d->chain = chain;
-    enum bead_error err = kind_of(d)->create(d, msg);
+    enum bead_error err = plot_kind_of(d)->create(d, msg);
     if (err) {
         bead_plot_data_destroy(d);
         *data = NULL;
@@ -106,17 +106,17 @@ void bead_plot_data_destroy(struct bead_plot_data *data)
 
 void bead_plot_data_needs(const struct bead_plot_data *data, struct bead_needs *needs)
 {
-    kind_of(data)->needs(data, needs);
+    plot_kind_of(data)->needs(data, needs);
 }
 
 enum bead_error bead_plot_data_feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
 {
-    return kind_of(data)->feed(data, sample, msg);
+    return plot_kind_of(data)->feed(data, sample, msg);
 }
 
 enum bead_error bead_plot_data_finish(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
-    return kind_of(data)->finish(data, outcomes, msg);
+    return plot_kind_of(data)->finish(data, outcomes, msg);
 }
 
 const struct bead_panel *bead_plot_data_panels(const struct bead_plot_data *data, size_t *count)
@@ -129,7 +129,7 @@ enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct b
                                      const char *path, uint64_t *bytes, struct bead_message *msg)
 {
     const int least = 240; /* px of height where a title is worth its room */
-    const struct plot_kind *kind = kind_of(data);
+    const struct plot_kind *kind = plot_kind_of(data);
     bool titled = kind->headed ? data->output->paper.style != BEAD_STYLE_PAPER : !page->paper && page->height >= least;
     enum bead_error err = bead_plot_data_finish(data, outcomes, msg);
     if (err)

@@ -9,7 +9,7 @@
 static const double most_times = 4000;
 
 /* As often as asked, or as can be seen; of samples at given times, those. */
-static struct bead_grid choose_grid(const struct bead_output *output, const struct bead_run_context *context)
+static struct bead_grid plot_modes_choose_grid(const struct bead_output *output, const struct bead_run_context *context)
 {
     const struct bead_grid *native = &context->native;
     double from = isnan(output->shown.time[0]) ? 0 : output->shown.time[0];
@@ -23,7 +23,7 @@ static struct bead_grid choose_grid(const struct bead_output *output, const stru
     return (struct bead_grid){from, every, to};
 }
 
-static void make_axes(struct bead_plot_data *data, double low)
+static void plot_modes_make_axes(struct bead_plot_data *data, double low)
 {
     const struct bead_output *output = data->output;
     for (size_t p = 0; p < data->count; p++) {
@@ -36,10 +36,10 @@ static void make_axes(struct bead_plot_data *data, double low)
 }
 
 /* Times in data->sample; energies of a chain in its part's values, [modes][times]. */
-static enum bead_error create(struct bead_plot_data *data, struct bead_message *msg)
+static enum bead_error plot_modes_create(struct bead_plot_data *data, struct bead_message *msg)
 {
     const struct bead_output *output = data->output;
-    data->grid = choose_grid(output, &data->context);
+    data->grid = plot_modes_choose_grid(output, &data->context);
     size_t times = bead_grid_count(&data->grid);
     if (times < 2 || times > (size_t)1 << 22)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: every: %g gives %zu times; a plot shows from 2 to 4194304",
@@ -53,12 +53,12 @@ static enum bead_error create(struct bead_plot_data *data, struct bead_message *
         good = (data->parts[p].values = calloc(times * output->curves.modes, sizeof *data->parts[p].values)) != NULL;
     for (size_t k = 0; k < output->curves.modes; k++)
         snprintf(data->parts[0].labels[k], sizeof *data->parts[0].labels, "mode %zu", k + 1);
-    make_axes(data, output->plot.range[0]);
+    plot_modes_make_axes(data, output->plot.range[0]);
     snprintf(data->why, sizeof data->why, "energies of %zu modes at %zu times", output->curves.modes, times);
     return good ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu times of modes", times);
 }
 
-static void needs(const struct bead_plot_data *data, struct bead_needs *needs)
+static void plot_modes_needs(const struct bead_plot_data *data, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){.beads = {0, SIZE_MAX}, .grid = data->grid, .until = data->grid.end, .why = data->why};
     for (size_t p = 0; p < data->count; p++)
@@ -66,7 +66,7 @@ static void needs(const struct bead_plot_data *data, struct bead_needs *needs)
 }
 
 /* Samples may be closer than those asked for, where other panels of a figure want that. */
-static enum bead_error feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error plot_modes_feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
 {
     double energy[BEAD_MODES];
     const size_t modes = data->output->curves.modes, times = bead_grid_count(&data->grid);
@@ -97,7 +97,7 @@ static double lowest(const struct bead_plot_data *data)
     return data->output->plot.scale == BEAD_SCALE_LOG && most > 0 ? 1e-6 * most : NAN;
 }
 
-static enum bead_error finish(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg)
+static enum bead_error plot_modes_finish(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
     (void)outcomes, (void)msg;
     const struct bead_output *output = data->output;
@@ -112,8 +112,9 @@ static enum bead_error finish(struct bead_plot_data *data, const struct bead_out
                                                    .colour = k,
                                                    .label = p == 0 ? part->labels[k] : NULL};
     }
-    make_axes(data, low);
+    plot_modes_make_axes(data, low);
     return BEAD_OK;
 }
 
-const struct plot_kind bead_plot_modes = {BEAD_SHOW_MODES, true, true, create, needs, feed, finish};
+const struct plot_kind bead_plot_modes = {BEAD_SHOW_MODES,  true, true, plot_modes_create, plot_modes_needs, plot_modes_feed,
+                                          plot_modes_finish};

@@ -19,7 +19,7 @@ static size_t only_chain(const struct bead_plot_data *data)
     return data->context.chain_count == 1 ? 0 : data->chain;
 }
 
-static enum bead_error create(struct bead_plot_data *data, struct bead_message *msg)
+static enum bead_error plot_peaks_create(struct bead_plot_data *data, struct bead_message *msg)
 {
     enum bead_error err = plot_reserve(data, 1, msg);
     if (err)
@@ -40,12 +40,12 @@ static enum bead_error create(struct bead_plot_data *data, struct bead_message *
     return BEAD_OK;
 }
 
-static void needs(const struct bead_plot_data *data, struct bead_needs *needs)
+static void plot_peaks_needs(const struct bead_plot_data *data, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){.contact_peaks = true, .until = INFINITY, .why = data->why};
 }
 
-static enum bead_error feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error plot_peaks_feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
 {
     (void)data, (void)sample, (void)msg;
     return BEAD_OK;
@@ -58,7 +58,8 @@ static bool has_peak(const struct bead_peak *peak)
 }
 
 /* Finished peaks say how far down the axis goes. */
-static void find_range(const struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_graph_axis *axis)
+static void plot_peaks_find_range(const struct bead_plot_data *data, const struct bead_outcome *outcomes,
+                                  struct bead_graph_axis *axis)
 {
     double least = INFINITY, largest = 0;
     for (size_t c = 0; c < data->context.chain_count; c++) {
@@ -76,8 +77,8 @@ static void find_range(const struct bead_plot_data *data, const struct bead_outc
 }
 
 /* Two series: finished peaks, and those that are not. Returns how many of the latter there are. */
-static size_t fill(const struct bead_plot_data *data, const struct bead_outcome *outcome, size_t chain, double *values,
-                   struct bead_series series[2])
+static size_t plot_peaks_fill(const struct bead_plot_data *data, const struct bead_outcome *outcome, size_t chain, double *values,
+                              struct bead_series series[2])
 {
     size_t count = contacts_of(data, chain), hollow = 0;
     double *x = values, *done = values + count, *open = values + 2 * count;
@@ -102,7 +103,7 @@ static size_t fill(const struct bead_plot_data *data, const struct bead_outcome 
     return hollow;
 }
 
-static enum bead_error finish(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg)
+static enum bead_error plot_peaks_finish(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
     static const char hollow_words[] = "hollow: still rising at the end";
     struct plot_panel *part = &data->parts[0];
@@ -120,7 +121,7 @@ static enum bead_error finish(struct bead_plot_data *data, const struct bead_out
     for (size_t c = 0; c < chains; c++) {
         if (!plot_shows(data, c))
             continue;
-        hollow += fill(data, &outcomes[c], c, part->values + used, part->series + series);
+        hollow += plot_peaks_fill(data, &outcomes[c], c, part->values + used, part->series + series);
         used += 3 * contacts_of(data, c);
         plot_heading(data->context.chains[c], part->labels[c], sizeof part->labels[c]);
         if (only_chain(data) == SIZE_MAX && *part->labels[c])
@@ -131,11 +132,12 @@ static enum bead_error finish(struct bead_plot_data *data, const struct bead_out
         part->series[series] = (struct bead_series){.mark = BEAD_MARK_POINTS, .hollow = true, .colour = 5, .label = hollow_words};
         series++;
     }
-    find_range(data, outcomes, &data->panels[0].y);
+    plot_peaks_find_range(data, outcomes, &data->panels[0].y);
     data->panels[0].title = *part->title ? part->title : NULL;
     data->panels[0].series = part->series;
     data->panels[0].series_count = series;
     return BEAD_OK;
 }
 
-const struct plot_kind bead_plot_peaks = {BEAD_SHOW_PEAKS, true, false, create, needs, feed, finish};
+const struct plot_kind bead_plot_peaks = {BEAD_SHOW_PEAKS,  true, false, plot_peaks_create, plot_peaks_needs, plot_peaks_feed,
+                                          plot_peaks_finish};

@@ -8,7 +8,7 @@
 #include "render/plot/plot_private.h"
 
 /* No more digits than it needs, five at most. */
-static void time_words(double time, const char *unit, char *text, size_t size)
+static void plot_profiles_time_words(double time, const char *unit, char *text, size_t size)
 {
     double shown = time / bead_power_of_ten(bead_prefix_exponent(time, unit));
     int digits = 1;
@@ -22,7 +22,7 @@ static void time_words(double time, const char *unit, char *text, size_t size)
     bead_quantity(time, unit, digits > whole ? digits : whole, text, size);
 }
 
-static void make_axes(struct bead_plot_data *data)
+static void plot_profiles_make_axes(struct bead_plot_data *data)
 {
     const struct bead_output *output = data->output;
     for (size_t p = 0; p < data->count; p++) {
@@ -37,32 +37,34 @@ static void make_axes(struct bead_plot_data *data)
     }
 }
 
-static enum bead_error create(struct bead_plot_data *data, struct bead_message *msg)
+static enum bead_error plot_profiles_create(struct bead_plot_data *data, struct bead_message *msg)
 {
     char time[48];
     enum bead_error err = bead_profile_times_create(data->output, &data->context, &data->moments, msg);
     if (!err)
         err = plot_reserve_chains(data, data->output->curves.profile_time_count, msg);
     for (size_t m = 0; !err && m < data->output->curves.profile_time_count; m++) {
-        time_words(data->output->curves.profile_times[m], bead_chain_time_unit(data->context.chains[0]), time, sizeof time);
+        plot_profiles_time_words(data->output->curves.profile_times[m], bead_chain_time_unit(data->context.chains[0]), time,
+                                 sizeof time);
         snprintf(data->parts[0].labels[m], sizeof *data->parts[0].labels, "*t* = %s", time);
     }
     if (!err)
-        make_axes(data);
+        plot_profiles_make_axes(data);
     return err;
 }
 
-static void needs(const struct bead_plot_data *data, struct bead_needs *needs)
+static void plot_profiles_needs(const struct bead_plot_data *data, struct bead_needs *needs)
 {
     *needs = bead_profile_times_needs(data->moments);
 }
 
-static enum bead_error feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error plot_profiles_feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
 {
     return bead_profile_times_feed(data->moments, sample, msg);
 }
 
-static enum bead_error finish(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg)
+static enum bead_error plot_profiles_finish(struct bead_plot_data *data, const struct bead_outcome *outcomes,
+                                            struct bead_message *msg)
 {
     (void)outcomes, (void)msg;
     const struct bead_output *output = data->output;
@@ -81,4 +83,5 @@ static enum bead_error finish(struct bead_plot_data *data, const struct bead_out
     return BEAD_OK;
 }
 
-const struct plot_kind bead_plot_profiles = {BEAD_SHOW_PROFILES, false, true, create, needs, feed, finish};
+const struct plot_kind bead_plot_profiles = {
+    BEAD_SHOW_PROFILES, false, true, plot_profiles_create, plot_profiles_needs, plot_profiles_feed, plot_profiles_finish};

@@ -14,7 +14,7 @@
 static const double moments = 2000;
 
 /* Of the first chain shown: its scene's chains are of one kind. */
-static const struct bead_field_info *force_of(const struct bead_plot_data *data)
+static const struct bead_field_info *plot_sensors_force_of(const struct bead_plot_data *data)
 {
     const struct bead_field_info *own = bead_chain_field(data->context.chains[data->parts[0].chain], BEAD_FIELD_FORCE);
     return own ? own : bead_field_info(BEAD_FIELD_FORCE);
@@ -35,7 +35,7 @@ static const char *first_name(const struct bead_plot_data *data)
 /* What the forces are divided by. */
 static void name_axis(struct bead_plot_data *data)
 {
-    const char *title = force_of(data)->title, *first = first_name(data);
+    const char *title = plot_sensors_force_of(data)->title, *first = first_name(data);
     char quoted[128];
     snprintf(quoted, sizeof quoted, "the first sensor");
     if (first) {
@@ -51,21 +51,21 @@ static void name_axis(struct bead_plot_data *data)
         snprintf(data->axis_title, sizeof data->axis_title, "%s / largest at %s", title, quoted);
 }
 
-static void make_axes(struct bead_plot_data *data)
+static void plot_sensors_make_axes(struct bead_plot_data *data)
 {
     const struct bead_output *output = data->output;
     bool plain = output->plot.normalise == BEAD_NORMALISE_NONE;
     for (size_t p = 0; p < data->count; p++) {
         data->panels[p] = (struct bead_panel){.x = {"time", bead_chain_time_unit(data->context.chains[data->parts[p].chain]),
                                                     data->time[0], data->time[1], BEAD_SCALE_LINEAR, false},
-                                              .y = {data->axis_title, plain ? force_of(data)->unit : "", output->plot.range[0],
-                                                    output->plot.range[1], BEAD_SCALE_LINEAR, true}};
+                                              .y = {data->axis_title, plain ? plot_sensors_force_of(data)->unit : "",
+                                                    output->plot.range[0], output->plot.range[1], BEAD_SCALE_LINEAR, true}};
         plot_heading(data->context.chains[data->parts[p].chain], data->parts[p].title, sizeof data->parts[p].title);
         data->panels[p].title = *data->parts[p].title ? data->parts[p].title : NULL;
     }
 }
 
-static enum bead_error create(struct bead_plot_data *data, struct bead_message *msg)
+static enum bead_error plot_sensors_create(struct bead_plot_data *data, struct bead_message *msg)
 {
     const struct bead_output *output = data->output;
     size_t most = 0;
@@ -94,12 +94,12 @@ static enum bead_error create(struct bead_plot_data *data, struct bead_message *
         return err;
     data->grid = bead_picture_grid(&data->context, output, data->time, moments);
     name_axis(data);
-    make_axes(data);
+    plot_sensors_make_axes(data);
     snprintf(data->why, sizeof data->why, "curves of sensors");
     return BEAD_OK;
 }
 
-static void needs(const struct bead_plot_data *data, struct bead_needs *needs)
+static void plot_sensors_needs(const struct bead_plot_data *data, struct bead_needs *needs)
 {
     unsigned force = BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
     struct bead_span beads = {SIZE_MAX, 0};
@@ -119,8 +119,8 @@ static void needs(const struct bead_plot_data *data, struct bead_needs *needs)
                                  .why = data->why};
 }
 
-static enum bead_error add(struct bead_plot_data *data, struct plot_panel *part, const struct bead_sample *sample, bool difference,
-                           struct bead_message *msg)
+static enum bead_error plot_sensors_add(struct bead_plot_data *data, struct plot_panel *part, const struct bead_sample *sample,
+                                        bool difference, struct bead_message *msg)
 {
     const double *force = sample->field[BEAD_FIELD_FORCE], *comparison = sample->comparison[BEAD_FIELD_FORCE];
     struct bead_curves *curves = difference ? &part->differences : &part->curves;
@@ -136,15 +136,15 @@ static enum bead_error add(struct bead_plot_data *data, struct plot_panel *part,
     return err;
 }
 
-static enum bead_error feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error plot_sensors_feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
     for (size_t p = 0; !err && p < data->count; p++) {
         if (data->parts[p].chain != sample->chain)
             continue;
-        err = add(data, &data->parts[p], sample, false, msg);
+        err = plot_sensors_add(data, &data->parts[p], sample, false, msg);
         if (!err && data->output->shown.trust)
-            err = add(data, &data->parts[p], sample, true, msg);
+            err = plot_sensors_add(data, &data->parts[p], sample, true, msg);
     }
     return err;
 }
@@ -160,7 +160,7 @@ static double peak_of(const struct bead_curves *curves, size_t k)
 }
 
 /* What sensor `k` is multiplied by; NaN where nothing has come to what it would be divided by. */
-static double factor_of(const struct bead_plot_data *data, const struct plot_panel *part, size_t k)
+static double plot_sensors_factor_of(const struct bead_plot_data *data, const struct plot_panel *part, size_t k)
 {
     if (data->output->plot.normalise == BEAD_NORMALISE_NONE)
         return 1;
@@ -168,7 +168,7 @@ static double factor_of(const struct bead_plot_data *data, const struct plot_pan
     return peak > 0 ? 1 / peak : NAN;
 }
 
-static enum bead_error fill(struct bead_plot_data *data, struct plot_panel *part, struct bead_message *msg)
+static enum bead_error plot_sensors_fill(struct bead_plot_data *data, struct plot_panel *part, struct bead_message *msg)
 {
     const struct bead_curves *curves = &part->curves;
     size_t sensors = curves->curves, room = 4 * curves->count, count;
@@ -179,7 +179,7 @@ static enum bead_error fill(struct bead_plot_data *data, struct plot_panel *part
     if (!part->series || !part->labels || !part->values)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of sensors");
     for (size_t k = 0; k < sensors; k++) {
-        double *x = part->values + 2 * k * room, *y = x + room, factor = factor_of(data, part, k);
+        double *x = part->values + 2 * k * room, *y = x + room, factor = plot_sensors_factor_of(data, part, k);
         size_t used = 0;
         for (size_t s = 0; s < curves->count; s++) {
             struct bead_point points[4];
@@ -221,7 +221,7 @@ static double horizon_of(const struct bead_plot_data *data, const struct plot_pa
     for (size_t s = 0; s < curves->count; s++) {
         for (size_t k = 0; k < curves->curves; k++) {
             const struct bead_stretch *stretch = &curves->stretch[s * curves->curves + k];
-            if (factor_of(data, part, k) * fmax(-stretch->low.value, stretch->high.value) > threshold)
+            if (plot_sensors_factor_of(data, part, k) * fmax(-stretch->low.value, stretch->high.value) > threshold)
                 return stretch->first.time;
         }
     }
@@ -247,12 +247,13 @@ static void tell_trust(struct bead_plot_data *data)
     }
 }
 
-static enum bead_error finish(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg)
+static enum bead_error plot_sensors_finish(struct bead_plot_data *data, const struct bead_outcome *outcomes,
+                                           struct bead_message *msg)
 {
     (void)outcomes;
     enum bead_error err = BEAD_OK;
     for (size_t p = 0; !err && p < data->count; p++) {
-        err = fill(data, &data->parts[p], msg);
+        err = plot_sensors_fill(data, &data->parts[p], msg);
         data->panels[p].series = data->parts[p].series;
         data->panels[p].series_count = err ? 0 : data->parts[p].curves.curves;
     }
@@ -261,4 +262,5 @@ static enum bead_error finish(struct bead_plot_data *data, const struct bead_out
     return err;
 }
 
-const struct plot_kind bead_plot_sensors = {BEAD_SHOW_SENSORS, true, false, create, needs, feed, finish};
+const struct plot_kind bead_plot_sensors = {
+    BEAD_SHOW_SENSORS, true, false, plot_sensors_create, plot_sensors_needs, plot_sensors_feed, plot_sensors_finish};

@@ -40,7 +40,7 @@ static enum bead_error out_of_memory(struct bead_message *msg)
     return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of a sweep");
 }
 
-static enum bead_error reserve(struct panel *p, size_t series, struct bead_message *msg)
+static enum bead_error sweep_plot_reserve(struct panel *p, size_t series, struct bead_message *msg)
 {
     p->series = calloc(series + 1, sizeof *p->series);
     p->numbers = calloc(series + 1, sizeof *p->numbers);
@@ -73,7 +73,7 @@ static bool add_points(struct panel *p, const struct bead_sweep_statistics *s, s
     return x != NULL;
 }
 
-static size_t most_configurations(const struct bead_sweep_statistics *s)
+static size_t sweep_plot_most_configurations(const struct bead_sweep_statistics *s)
 {
     size_t most = 0;
     for (size_t i = 0; i < s->row_count; i++)
@@ -104,7 +104,7 @@ static bool add_marks(struct panel *p, const struct bead_sweep_statistics *s, si
 
 static bool add_configurations(struct panel *p, const struct bead_sweep_statistics *s, size_t colour)
 {
-    size_t most = most_configurations(s);
+    size_t most = sweep_plot_most_configurations(s);
     bool good = true;
     if (most > MARKS)
         return add_points(p, s, colour);
@@ -161,7 +161,7 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
     const enum bead_sweep_show show = plot->output->sweep_curves.show;
     const size_t places = bead_sweep_panel(plot->sweep, index)->places;
     bool good = true;
-    enum bead_error err = reserve(p, SERIES_OF_PLACE * places, msg);
+    enum bead_error err = sweep_plot_reserve(p, SERIES_OF_PLACE * places, msg);
     p->statistics = calloc(places + 1, sizeof *p->statistics);
     if (!err && !p->statistics)
         err = out_of_memory(msg);
@@ -269,7 +269,7 @@ static enum bead_error fill_decay(struct plot *plot, size_t place, struct bead_m
     struct panel *p = &plot->panels[place];
     enum bead_error err = bead_sweep_decays(plot->sweep, index, &p->decays, &p->decay_count, msg);
     if (!err)
-        err = reserve(p, SERIES_OF_DECAY * p->decay_count, msg);
+        err = sweep_plot_reserve(p, SERIES_OF_DECAY * p->decay_count, msg);
     for (size_t i = 0; i < p->decay_count && !err; i++)
         err = add_profile(p, plot, index, &p->decays[i], energy, i) ? BEAD_OK : out_of_memory(msg);
     struct bead_panel *shown = &plot->shown[place];
@@ -329,10 +329,11 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
     return err;
 }
 
-static const char *why(const struct bead_output *output)
+static const char *sweep_plot_why(const struct bead_output *output)
 {
     return output->sweep_curves.show == BEAD_SWEEP_DECAY ? "peaks along the chain, and how they decay"
                                                          : "peak force against magnetism, with plateau and threshold";
 }
 
-const struct bead_sweep_sink bead_sweep_plot_sink = {"plot", BEAD_OUTPUT_PLOT, bead_still_extensions, why, write_plot, NULL};
+const struct bead_sweep_sink bead_sweep_plot_sink = {"plot",         BEAD_OUTPUT_PLOT, bead_still_extensions,
+                                                     sweep_plot_why, write_plot,       NULL};

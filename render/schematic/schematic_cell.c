@@ -93,7 +93,8 @@ static bool make_plain(const struct bead_segment *segment, bool down, struct bea
 }
 
 /* Groups that get a brace each; false: there are too many. */
-static bool find_groups(const struct drawing *g, const struct bead_segment *segment, struct bead_cell_group *groups, size_t *count)
+static bool cell_find_groups(const struct drawing *g, const struct bead_segment *segment, struct bead_cell_group *groups,
+                             size_t *count)
 {
     *count = bead_cell_groups(segment, groups, MOST_GROUPS);
     if (g->plain && (*count == 0 || *count > FEW_GROUPS)) {
@@ -176,7 +177,7 @@ static double row_height(const struct drawing *g)
 }
 
 /* One cell one way round, its top at y; draw false: only whether there is room. */
-static bool draw_row(const struct drawing *g, const struct cell *cell, bool down, double y, bool draw)
+static bool cell_draw_row(const struct drawing *g, const struct cell *cell, bool down, double y, bool draw)
 {
     struct bead_sketch *sketch = g->d->sketch;
     const struct bead_scene *scene = g->d->context->scene;
@@ -185,7 +186,7 @@ static bool draw_row(const struct drawing *g, const struct cell *cell, bool down
     struct bead_cell_group groups[MOST_GROUPS];
     struct bead_strip strip = {0};
     size_t count;
-    bool room = find_groups(g, cell->segment, groups, &count);
+    bool room = cell_find_groups(g, cell->segment, groups, &count);
     room = room &&
            (groups[0].material == SIZE_MAX ? make_plain(cell->segment, down, &strip) : make_strip(groups, count, down, &strip));
     double needed = room ? bead_strip_width(&strip, scene, g->scale, gap * em) : 0;
@@ -223,7 +224,7 @@ static bool draw_cells(const struct drawing *g, double y, bool draw)
     for (size_t i = 0; i < g->count; i++) {
         const struct bead_segment *segment = g->cells[i].segment;
         size_t count;
-        bool grouped = find_groups(g, segment, groups, &count) && groups[0].material != SIZE_MAX;
+        bool grouped = cell_find_groups(g, segment, groups, &count) && groups[0].material != SIZE_MAX;
         if (grouped)
             title_words(g, groups, count, title, sizeof title);
         if (!grouped || bead_sketch_width(&style, title) > g->d->area.width - column)
@@ -232,7 +233,7 @@ static bool draw_cells(const struct drawing *g, double y, bool draw)
             bead_sketch_text(g->d->sketch, &style, middle, y + 0.6 * em, title);
         y += title_row * em;
         for (int down = 0; down < (g->cells[i].both ? 2 : 1); down++) {
-            if (!draw_row(g, &g->cells[i], down, y, draw))
+            if (!cell_draw_row(g, &g->cells[i], down, y, draw))
                 return false;
             y += row_height(g) + row_gap * em;
         }

@@ -70,7 +70,7 @@ static void find_sides(struct contact *c)
     }
 }
 
-static bool find_places(struct contact *c, struct bead_box *area)
+static bool contact_find_places(struct contact *c, struct bead_box *area)
 {
     double em = c->d->sketch->look->label, half = 0;
     for (size_t i = 0; i < 2; i++)
@@ -262,7 +262,7 @@ static void side_name(const struct side *s, char *out, size_t size)
     snprintf(out, size, "%s%s", name, s->wall ? " wall" : "");
 }
 
-static bool draw_names(const struct contact *c, const struct bead_box *area, const struct bead_box *page)
+static bool contact_draw_names(const struct contact *c, const struct bead_box *area, const struct bead_box *page)
 {
     struct bead_sketch *sketch = c->d->sketch;
     struct bead_text_style style = bead_sketch_style(sketch, sketch->look->label);
@@ -282,7 +282,7 @@ static bool draw_names(const struct contact *c, const struct bead_box *area, con
 }
 
 /* "7.0 × 10^9" */
-static void power_of_ten(double value, char *out, size_t size)
+static void contact_power_of_ten(double value, char *out, size_t size)
 {
     int exponent = value > 0 ? (int)floor(log10(value)) : 0;
     if (exponent >= -2 && exponent <= 3)
@@ -322,7 +322,7 @@ static size_t write_pieces(const struct contact *c, struct bead_piece pieces[PIE
     put_piece(&pieces[n++], "*δ*%s = %.3g *R*%s", of_small, c->d->output->plot.compression, of_small);
     put_piece(&pieces[n++], "*r̃* = %.3g *R*%s", c->half_chord / small->radius, of_small);
     if (law->hertz && !law->as_printed) {
-        power_of_ten(bead_chain_stiffness(chain)[c->number], number, sizeof number);
+        contact_power_of_ten(bead_chain_stiffness(chain)[c->number], number, sizeof number);
         put_piece(&pieces[n++], "*F* = *A* %s^{3/2}, *A* = %s N/m^{3/2}",
                   two       ? "(*δ*_1 + *δ*_2)"
                   : b->wall ? "*δ*"
@@ -339,7 +339,7 @@ bool bead_schematic_contact(const struct bead_drafting *d)
     struct bead_box area = d->area, page = d->area;
     find_sides(&c);
     size_t count = write_pieces(&c, pieces);
-    if (!bead_drafting_pieces(d, &area, pieces, count, true) || !find_places(&c, &area))
+    if (!bead_drafting_pieces(d, &area, pieces, count, true) || !contact_find_places(&c, &area))
         return false;
     draw_bodies(&c, &area);
     for (size_t i = 0; i < 2; i++) {
@@ -348,5 +348,5 @@ bool bead_schematic_contact(const struct bead_drafting *d)
             draw_triangle(&c, &c.side[i]);
     }
     draw_chord(&c);
-    return draw_dimensions(&c, &area) && draw_names(&c, &area, &page);
+    return draw_dimensions(&c, &area) && contact_draw_names(&c, &area, &page);
 }

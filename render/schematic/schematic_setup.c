@@ -52,7 +52,7 @@ static void draw_guide(const struct bead_plan *plan, const struct bead_plan_row 
     }
 }
 
-static void draw_wall(const struct bead_plan *plan, const struct bead_plan_row *row)
+static void setup_draw_wall(const struct bead_plan *plan, const struct bead_plan_row *row)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(row->chain);
     const struct bead_scene *scene = plan->d->context->scene;
@@ -162,12 +162,12 @@ static void draw_below(const struct bead_plan *plan, const struct bead_plan_row 
     }
 }
 
-static void draw_row(const struct bead_plan *plan, const struct bead_plan_row *row)
+static void setup_draw_row(const struct bead_plan *plan, const struct bead_plan_row *row)
 {
     struct bead_text_style style = bead_sketch_style(plan->d->sketch, plan->em);
     bead_sketch_text(plan->d->sketch, &style, plan->area.x, bead_plan_header_y(plan, row), row->header);
     draw_guide(plan, row);
-    draw_wall(plan, row);
+    setup_draw_wall(plan, row);
     draw_striker(plan, row);
     draw_beads(plan, row);
     draw_above(plan, row);
@@ -215,7 +215,7 @@ bool bead_schematic_setup(const struct bead_drafting *d)
         room = bead_plan_make(d, less, &plan) && say_rest(d, &area, d->context->chain_count - plan.row_count);
     }
     for (size_t i = 0; room && i < plan.row_count; i++)
-        draw_row(&plan, &plan.rows[i]);
+        setup_draw_row(&plan, &plan.rows[i]);
     bead_plan_free(&plan);
     free(pieces);
     return room;

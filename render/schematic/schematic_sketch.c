@@ -89,7 +89,7 @@ void bead_sketch_dashed(struct bead_sketch *sketch, bool dashed)
     cairo_set_dash(sketch->cr, &dash, dashed, 0);
 }
 
-static void draw_head(struct bead_sketch *sketch, double x, double y, double along_x, double along_y)
+static void sketch_draw_head(struct bead_sketch *sketch, double x, double y, double along_x, double along_y)
 {
     double length = head_length * sketch->look->label, half = head_half * sketch->look->label;
     cairo_move_to(sketch->cr, x, y);
@@ -106,9 +106,9 @@ void bead_sketch_arrow(struct bead_sketch *sketch, double x0, double y0, double 
         return;
     double ax = (x1 - x0) / length, ay = (y1 - y0) / length, cut = fmin(back, 0.5 * length);
     bead_sketch_line(sketch, x0 + (both ? cut * ax : 0), y0 + (both ? cut * ay : 0), x1 - cut * ax, y1 - cut * ay);
-    draw_head(sketch, x1, y1, ax, ay);
+    sketch_draw_head(sketch, x1, y1, ax, ay);
     if (both)
-        draw_head(sketch, x0, y0, -ax, -ay);
+        sketch_draw_head(sketch, x0, y0, -ax, -ay);
 }
 
 void bead_sketch_brace(struct bead_sketch *sketch, double x0, double x1, double y, double depth)
@@ -125,7 +125,7 @@ void bead_sketch_brace(struct bead_sketch *sketch, double x0, double x1, double 
     cairo_stroke(cr);
 }
 
-static void shade(cairo_pattern_t *pattern, double at, const double colour[3], double light)
+static void sketch_shade(cairo_pattern_t *pattern, double at, const double colour[3], double light)
 {
     double c[3];
     for (int i = 0; i < 3; i++)
@@ -136,9 +136,9 @@ static void shade(cairo_pattern_t *pattern, double at, const double colour[3], d
 void bead_sketch_ball(struct bead_sketch *sketch, double x, double y, double r, const double colour[3])
 {
     cairo_pattern_t *pattern = cairo_pattern_create_radial(x - 0.3 * r, y - 0.35 * r, 0, x, y, r);
-    shade(pattern, 0, colour, 1.35);
-    shade(pattern, 0.55, colour, 0.97);
-    shade(pattern, 1, colour, 0.62);
+    sketch_shade(pattern, 0, colour, 1.35);
+    sketch_shade(pattern, 0.55, colour, 0.97);
+    sketch_shade(pattern, 1, colour, 0.62);
     cairo_set_source(sketch->cr, pattern);
     cairo_pattern_destroy(pattern);
     cairo_new_path(sketch->cr);
@@ -187,7 +187,7 @@ static double within(double x, double low, double high)
 }
 
 /* Where the mean of its labels' distances from their anchors is nothing. */
-static void settle(struct cluster *cluster, const struct bead_label *labels, double gap, double low, double high)
+static void sketch_settle(struct cluster *cluster, const struct bead_label *labels, double gap, double low, double high)
 {
     double sum = 0, at = 0;
     for (size_t i = cluster->first; i <= cluster->last; i++) {
@@ -213,10 +213,10 @@ bool bead_labels_spread(struct bead_label *labels, size_t count, double gap, dou
     size_t used = 0;
     for (size_t i = 0; i < count; i++) {
         cluster[used] = (struct cluster){i, i, 0, 0};
-        settle(&cluster[used++], labels, gap, low, high);
+        sketch_settle(&cluster[used++], labels, gap, low, high);
         while (used > 1 && cluster[used - 2].x + cluster[used - 2].width + gap > cluster[used - 1].x) {
             cluster[used - 2].last = cluster[used - 1].last;
-            settle(&cluster[--used - 1], labels, gap, low, high);
+            sketch_settle(&cluster[--used - 1], labels, gap, low, high);
         }
     }
     for (size_t c = 0; c < used; c++) {

@@ -43,17 +43,17 @@ static bool keeps_largest(const struct bead_area *a)
     return a->setup.sampling == BEAD_SAMPLING_MAX;
 }
 
-static double *column(const struct bead_area *a, int c)
+static double *area_column(const struct bead_area *a, int c)
 {
     return a->sums + (size_t)c * a->rows;
 }
 
-static double *numbers(size_t count)
+static double *area_numbers(size_t count)
 {
     return calloc(count ? count : 1, sizeof(double));
 }
 
-static struct share share_of(const struct bead_area *a, size_t i)
+static struct share area_share_of(const struct bead_area *a, size_t i)
 {
     if (keeps_largest(a))
         return (struct share){0, 0, i * a->rows / a->beads, ((i + 1) * a->rows - 1) / a->beads};
@@ -77,23 +77,23 @@ static void find_levels(struct bead_area *a)
 }
 
 /* False: no memory. */
-static bool allocate(struct bead_area *a)
+static bool area_allocate(struct bead_area *a)
 {
     size_t columns = (size_t)a->setup.columns, places = (size_t)a->setup.places;
     bool fits = a->rows < SIZE_MAX / sizeof(double) / columns;
     a->sums = fits ? bead_large_take(a->rows * columns * sizeof(double)) : NULL;
-    a->covered = numbers(columns);
-    a->rest = numbers(a->beads);
-    a->resting = numbers(a->rows);
-    a->before = numbers(a->rows);
-    a->now = numbers(a->rows);
-    a->low = numbers(a->rows);
-    a->high = numbers(a->rows);
-    a->shown = numbers(a->rows);
+    a->covered = area_numbers(columns);
+    a->rest = area_numbers(a->beads);
+    a->resting = area_numbers(a->rows);
+    a->before = area_numbers(a->rows);
+    a->now = area_numbers(a->rows);
+    a->low = area_numbers(a->rows);
+    a->high = area_numbers(a->rows);
+    a->shown = area_numbers(a->rows);
     a->shares = a->rows < a->beads ? calloc(a->beads, sizeof *a->shares) : NULL;
     a->level = a->rows < places ? calloc(places, sizeof *a->level) : NULL;
-    a->beyond = numbers(a->rows);
-    a->levels = numbers(bead_area_levels(a));
+    a->beyond = area_numbers(a->rows);
+    a->levels = area_numbers(bead_area_levels(a));
     return a->sums && a->covered && a->rest && a->resting && a->before && a->now && a->low && a->high && a->shown && a->beyond &&
            a->levels && (a->shares || a->rows == a->beads) && (a->level || a->rows == places);
 }
@@ -106,13 +106,13 @@ enum bead_error bead_area_create(const struct bead_area_setup *setup, struct bea
     a->setup = *setup;
     a->beads = setup->beads.last - setup->beads.first + 1;
     a->rows = a->beads < (size_t)setup->places ? a->beads : (size_t)setup->places;
-    if (!allocate(a)) {
+    if (!area_allocate(a)) {
         bead_area_destroy(a);
         *area = NULL;
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image of %d x %d pixels", setup->columns, setup->places);
     }
     for (size_t i = 0; a->shares && i < a->beads; i++)
-        a->shares[i] = share_of(a, i);
+        a->shares[i] = area_share_of(a, i);
     if (a->level)
         find_levels(a);
     for (size_t r = 0; r < a->rows; r++) {
@@ -210,7 +210,7 @@ static void clear(const struct bead_area *a, double *sums)
 /* The integral of one linear piece over column c: weights of its two ends, the same for all rows. */
 static void add_piece(struct bead_area *a, int c, double from, double to, double time, size_t lit)
 {
-    double length = to - from, span = time - a->time_before, *sums = column(a, c);
+    double length = to - from, span = time - a->time_before, *sums = area_column(a, c);
     double late = length * ((from - a->time_before) + (to - a->time_before)) / (2 * span), early = length - late;
     if (!(a->covered[c] > 0))
         clear(a, sums);
@@ -225,18 +225,18 @@ static void add_piece(struct bead_area *a, int c, double from, double to, double
 static void show_column(const struct bead_area *a, int c, double *rows)
 {
     if (keeps_largest(a))
-        bead_area_largest(a->rows, a->resting, column(a, c), rows);
+        bead_area_largest(a->rows, a->resting, area_column(a, c), rows);
     else
-        bead_area_means(a->rows, a->covered[c], a->resting, column(a, c), rows);
+        bead_area_means(a->rows, a->covered[c], a->resting, area_column(a, c), rows);
 }
 
 /* While the column is at hand. */
-static void finish(struct bead_area *a, int c)
+static void area_finish(struct bead_area *a, int c)
 {
     if (!(a->covered[c] > 0))
         return;
-    show_column(a, c, column(a, c));
-    bead_area_spread(a->rows, column(a, c), a->low, a->high);
+    show_column(a, c, area_column(a, c));
+    bead_area_spread(a->rows, area_column(a, c), a->low, a->high);
 }
 
 static size_t larger(size_t a, size_t b)
@@ -283,7 +283,7 @@ void bead_area_feed(struct bead_area *area, double time, const double *values, s
         }
     }
     while (a->done < a->setup.columns && edge(a, a->done + 1) <= time)
-        finish(a, a->done++);
+        area_finish(a, a->done++);
     double *spare = a->before;
     a->before = a->now;
     a->now = spare;
@@ -296,7 +296,7 @@ void bead_area_feed(struct bead_area *area, double time, const double *values, s
 static const double *rows_of(const struct bead_area *a, int c)
 {
     if (c < a->done)
-        return column(a, c);
+        return area_column(a, c);
     show_column(a, c, a->shown);
     return a->shown;
 }
@@ -336,7 +336,7 @@ bool bead_area_column(const struct bead_area *area, int c, double *means)
     return touched;
 }
 
-static void extend(size_t n, const double *lows, const double *highs, double *low, double *high)
+static void area_extend(size_t n, const double *lows, const double *highs, double *low, double *high)
 {
     for (size_t i = 0; i < n; i++) {
         *low = lows[i] < *low ? lows[i] : *low;
@@ -349,11 +349,11 @@ void bead_area_extremes(const struct bead_area *area, double *low, double *high)
     const struct bead_area *a = area;
     *low = INFINITY;
     *high = -INFINITY;
-    extend(a->rows, a->low, a->high, low, high);
+    area_extend(a->rows, a->low, a->high, low, high);
     for (int c = a->done; c < a->setup.columns; c++) {
         const double *rows = a->covered[c] > 0 ? rows_of(a, c) : NULL;
         if (rows)
-            extend(a->rows, rows, rows, low, high);
+            area_extend(a->rows, rows, rows, low, high);
     }
 }
 

@@ -17,7 +17,7 @@ struct block {
     uint8_t *rows;    /* [levels][BLOCK] */
 };
 
-static void put_rows(const struct block *b, int count, uint8_t *origin, ptrdiff_t step)
+static void colours_put_rows(const struct block *b, int count, uint8_t *origin, ptrdiff_t step)
 {
     for (size_t l = 0; l < b->levels; l++)
         for (size_t c = 0; c < BLOCK; c++)
@@ -33,7 +33,7 @@ static void put_rows(const struct block *b, int count, uint8_t *origin, ptrdiff_
 }
 
 /* Columns that lie as rows in the image. */
-static void put_columns(const struct block *b, int count, uint8_t *origin, ptrdiff_t step)
+static void colours_put_columns(const struct block *b, int count, uint8_t *origin, ptrdiff_t step)
 {
     for (int c = 0; c < count; c++) {
         const uint8_t *column = b->columns + (size_t)c * b->levels;
@@ -69,9 +69,9 @@ enum bead_error bead_area_colour(const struct bead_area *area, const struct bead
         int most = to - *done < BLOCK ? to - *done : BLOCK, count = take_columns(&b, area, table, *done, most);
         uint8_t *origin = image->origin + *done * image->column_step;
         if (image->place_step == 1)
-            put_columns(&b, count, origin, image->column_step);
+            colours_put_columns(&b, count, origin, image->column_step);
         else
-            put_rows(&b, count, origin, image->place_step);
+            colours_put_rows(&b, count, origin, image->place_step);
         touched = count == most;
         *done += count;
     }

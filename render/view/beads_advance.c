@@ -19,7 +19,7 @@ static double value_at(const struct bead_view *v, const double *const data[2], s
 }
 
 /* Part of the way from the sample before to the newest. */
-static double weight_of(const struct bead_view *v, double time)
+static double beads_weight_of(const struct bead_view *v, double time)
 {
     double before = v->time[1 - v->newest], span = v->time[v->newest] - before;
     return v->fed < 2 || !(span > 0) ? 1 : between((time - before) / span, 0, 1);
@@ -79,7 +79,7 @@ static void aim(struct bead_view *v, double time)
 
 void bead_beads_advance(struct bead_view *v, double time)
 {
-    double weight = weight_of(v, time), zero = between(bead_colours_place(&v->setup.colours, 0), 0, 1);
+    double weight = beads_weight_of(v, time), zero = between(bead_colours_place(&v->setup.colours, 0), 0, 1);
     for (size_t i = 0; i < v->count; i++) {
         v->shift[i] = v->setup.magnify * value_at(v, (const double *const *)v->u, i, weight);
         v->shown[i] = value_at(v, (const double *const *)v->value, i, weight);

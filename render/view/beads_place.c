@@ -107,12 +107,12 @@ void bead_beads_divide(struct bead_view *v)
     v->follower = bead_follower_make(v->lens.rect.width / v->lens.scale, length, v->count, v->setup.time[1] - v->setup.time[0]);
 }
 
-static void set_colour(cairo_t *cr, struct bead_rgb c, double alpha)
+static void beads_set_colour(cairo_t *cr, struct bead_rgb c, double alpha)
 {
     cairo_set_source_rgba(cr, c.r, c.g, c.b, alpha);
 }
 
-static void draw_wall(const struct bead_view *v, cairo_t *cr)
+static void beads_draw_wall(const struct bead_view *v, cairo_t *cr)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(v->setup.chain);
     double r = fmax(v->largest * v->row.scale, 3), x = v->area.x + bead_window_x(&v->row, v->ends[1]);
@@ -126,12 +126,12 @@ static void draw_wall(const struct bead_view *v, cairo_t *cr)
         cairo_fill(cr);
         return;
     }
-    set_colour(cr, v->look.faint, 0.35);
+    beads_set_colour(cr, v->look.faint, 0.35);
     cairo_fill(cr);
     cairo_save(cr);
     cairo_rectangle(cr, x, y, width, 2 * half);
     cairo_clip(cr);
-    set_colour(cr, v->look.faint, 1);
+    beads_set_colour(cr, v->look.faint, 1);
     cairo_set_line_width(cr, fmax(1, v->look.line));
     for (double d = 0; d < 2 * half + width; d += fmax(4, 0.3 * v->look.gap)) {
         cairo_move_to(cr, x, y + d);
@@ -179,7 +179,7 @@ static void name_sensors(struct names *names)
         bead_text_escape(plain, markup, sizeof markup);
         double x = v->area.x + bead_window_x(&v->row, v->position[sensors[i].bead - v->first]), y = v->area.y + v->label_y;
         double em = 0.3 * v->look.tick;
-        set_colour(names->cr, v->look.ink, 1);
+        beads_set_colour(names->cr, v->look.ink, 1);
         cairo_move_to(names->cr, x - em, y + 0.2 * em);
         cairo_line_to(names->cr, x + em, y + 0.2 * em);
         cairo_line_to(names->cr, x, y + 1.5 * em);
@@ -258,18 +258,18 @@ enum bead_error bead_beads_decorate(struct bead_view *v, cairo_t *cr, struct bea
     if (v->lens.scale > 0) {
         const struct bead_rect *r = &v->lens.rect;
         double line = fmax(1, v->look.line);
-        set_colour(cr, v->look.panel, 1);
+        beads_set_colour(cr, v->look.panel, 1);
         cairo_rectangle(cr, v->area.x + r->x, v->area.y + r->y, r->width, r->height);
         cairo_fill(cr);
         if (v->setup.camera)
             return v->label_y < 0 ? BEAD_OK : move_names(v, msg);
-        set_colour(cr, v->look.accent, 0.45);
+        beads_set_colour(cr, v->look.accent, 0.45);
         cairo_set_line_width(cr, line);
         cairo_rectangle(cr, v->area.x + r->x - 0.5 * line, v->area.y + r->y - 0.5 * line, r->width + line, r->height + line);
         cairo_stroke(cr);
     }
     if (v->wall)
-        draw_wall(v, cr);
+        beads_draw_wall(v, cr);
     struct names names = {.cr = cr, .v = v};
     if (v->label_y < 0)
         return BEAD_OK;

@@ -136,7 +136,7 @@ enum bead_error bead_camera_feed(struct bead_camera *c, const struct bead_sample
 }
 
 /* m along the chain, of a place in beads from the first. */
-static double place_of(const struct bead_camera *c, double bead)
+static double camera_place_of(const struct bead_camera *c, double bead)
 {
     double within = fmin(fmax(bead, 0), (double)(c->count - 1)), whole = floor(within);
     size_t i = (size_t)whole, next = i + 1 < c->count ? i + 1 : i;
@@ -156,7 +156,7 @@ void bead_camera_advance(struct bead_camera *c, double time)
         c->load[i] = c->unit > 0 ? fmax(0, (here - next) / c->unit) : 0;
         here = next;
     }
-    double front = place_of(c, bead_front_find(c->reached, c->load, c->count));
+    double front = camera_place_of(c, bead_front_find(c->reached, c->load, c->count));
     front = bead_follower_advance(&c->follower, front, time);
     c->left = fmax(c->left, bead_window_left(front, c->width, c->ends[0], c->ends[1] - c->width));
 }

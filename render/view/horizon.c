@@ -135,7 +135,7 @@ struct point {
     double place, column;
 };
 
-static void add_point(cairo_t *cr, struct bead_rect plot, bool time_down, int columns, struct point p, bool begin)
+static void horizon_add_point(cairo_t *cr, struct bead_rect plot, bool time_down, int columns, struct point p, bool begin)
 {
     double time = p.column / columns;
     double x = plot.x + plot.width * (time_down ? p.place : time);
@@ -166,10 +166,10 @@ void bead_horizon_draw(const struct bead_horizon *h, cairo_t *cr, const struct b
             continue;
         }
         if (p == 0 || !drawing) /* from the edge of the chain, or of the bead */
-            add_point(cr, plot, time_down, columns, (struct point){(double)p / places, end}, true);
-        add_point(cr, plot, time_down, columns, (struct point){(p + 0.5) / places, end}, false);
+            horizon_add_point(cr, plot, time_down, columns, (struct point){(double)p / places, end}, true);
+        horizon_add_point(cr, plot, time_down, columns, (struct point){(p + 0.5) / places, end}, false);
         if (p + 1 == places)
-            add_point(cr, plot, time_down, columns, (struct point){1, end}, false);
+            horizon_add_point(cr, plot, time_down, columns, (struct point){1, end}, false);
         drawing = true;
     }
     bead_horizon_stroke(cr, look);

@@ -17,7 +17,7 @@ static double hit_energy(const struct bead_chain *chain)
 }
 
 /* Compression of a contact that holds `energy`, m; 0 where that makes no sense. */
-static double compression(const struct bead_chain *chain, size_t contact, double energy)
+static double magnify_compression(const struct bead_chain *chain, size_t contact, double energy)
 {
     const struct bead_law_spec *spec = &bead_chain_spec(chain)->law;
     const struct bead_law *law = spec->row;
@@ -27,16 +27,16 @@ static double compression(const struct bead_chain *chain, size_t contact, double
 
 double bead_compression_scale(const struct bead_chain *chain)
 {
-    return bead_chain_contacts(chain) > 0 ? compression(chain, 0, hit_energy(chain)) : 0;
+    return bead_chain_contacts(chain) > 0 ? magnify_compression(chain, 0, hit_energy(chain)) : 0;
 }
 
 /* Of one chain, not rounded; infinite where nothing is struck. */
-static double factor_of(const struct bead_chain *chain)
+static double magnify_factor_of(const struct bead_chain *chain)
 {
     const double *radius = bead_chain_radius(chain);
     double energy = hit_energy(chain), factor = INFINITY;
     for (size_t k = 0; k < bead_chain_contacts(chain); k++) {
-        double d = compression(chain, k, energy);
+        double d = magnify_compression(chain, k, energy);
         double r = k + 1 < bead_chain_beads(chain) ? fmin(radius[k], radius[k + 1]) : radius[k];
         if (d > 0)
             factor = fmin(factor, (k == 0 ? share : limit) * r / d);
@@ -61,6 +61,6 @@ double bead_magnify_auto(const struct bead_chain *const *chains, size_t count)
 {
     double factor = INFINITY;
     for (size_t c = 0; c < count; c++)
-        factor = fmin(factor, factor_of(chains[c]));
+        factor = fmin(factor, magnify_factor_of(chains[c]));
     return isfinite(factor) ? round_factor(factor) : 1;
 }

@@ -57,7 +57,7 @@ void bead_moving_labels_destroy(struct bead_moving_labels *l)
     free(l);
 }
 
-static struct bead_text_style style_of(const struct bead_moving_labels *l)
+static struct bead_text_style labels_style_of(const struct bead_moving_labels *l)
 {
     return (struct bead_text_style){.family = l->look.family,
                                     .size = l->look.tick,
@@ -66,7 +66,7 @@ static struct bead_text_style style_of(const struct bead_moving_labels *l)
                                     .down = BEAD_ALIGN_BASELINE};
 }
 
-static enum bead_error reserve(struct bead_moving_labels *l, struct bead_message *msg)
+static enum bead_error labels_reserve(struct bead_moving_labels *l, struct bead_message *msg)
 {
     if (l->count < l->room)
         return BEAD_OK;
@@ -90,12 +90,12 @@ static bool is_free(const struct bead_moving_labels *l, size_t count, double pla
 }
 
 /* Among the first `before` there must be none in its way. */
-static enum bead_error add(struct bead_moving_labels *l, size_t before, double place, double width, const char *markup,
-                           struct bead_rgb colour, enum bead_label_sign sign, struct bead_message *msg)
+static enum bead_error labels_add(struct bead_moving_labels *l, size_t before, double place, double width, const char *markup,
+                                  struct bead_rgb colour, enum bead_label_sign sign, struct bead_message *msg)
 {
     if (!is_free(l, before, place, width))
         return BEAD_OK;
-    enum bead_error err = reserve(l, msg);
+    enum bead_error err = labels_reserve(l, msg);
     if (err)
         return err;
     struct label *label = &l->label[l->count++];
@@ -107,10 +107,10 @@ static enum bead_error add(struct bead_moving_labels *l, size_t before, double p
 enum bead_error bead_moving_labels_add(struct bead_moving_labels *l, double place, const char *markup, struct bead_rgb colour,
                                        enum bead_label_sign sign, struct bead_message *msg)
 {
-    struct bead_text_style style = style_of(l);
+    struct bead_text_style style = labels_style_of(l);
     double width, height;
     bead_text_size(NULL, &style, markup, &width, &height);
-    return add(l, l->count, place, width, markup, colour, sign, msg);
+    return labels_add(l, l->count, place, width, markup, colour, sign, msg);
 }
 
 enum bead_error bead_moving_labels_count(struct bead_moving_labels *l, const double *place, size_t first, size_t count,
@@ -128,8 +128,8 @@ enum bead_error bead_moving_labels_count(struct bead_moving_labels *l, const dou
     for (size_t bead = (first + step - 1) / step * step; !err && bead < first + count; bead += step) {
         char number[32];
         int digits = snprintf(number, sizeof number, "%zu", bead);
-        err = add(l, names, place[bead - first], digit_width * l->look.tick * digits, number,
-                  sign == BEAD_LABEL_TICK ? l->look.ink : l->look.faint, sign, msg);
+        err = labels_add(l, names, place[bead - first], digit_width * l->look.tick * digits, number,
+                         sign == BEAD_LABEL_TICK ? l->look.ink : l->look.faint, sign, msg);
     }
     return err;
 }
@@ -137,7 +137,7 @@ enum bead_error bead_moving_labels_count(struct bead_moving_labels *l, const dou
 static enum bead_error make_mask(const struct bead_moving_labels *l, struct label *label, struct bead_message *msg)
 {
     struct mask *m = &label->mask;
-    struct bead_text_style style = style_of(l);
+    struct bead_text_style style = labels_style_of(l);
     double height;
     bead_text_size(NULL, &style, label->markup, &m->text, &height);
     m->width = (int)ceil(m->text) + 2;

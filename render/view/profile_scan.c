@@ -26,7 +26,7 @@ static inline float most(float a, float b)
     return a > b ? a : b;
 }
 
-static inline void widen(struct extent *e, float y)
+static inline void curve_widen(struct extent *e, float y)
 {
     e->low = least(e->low, y);
     e->high = most(e->high, y);
@@ -64,11 +64,11 @@ static struct extent slice(const struct bead_curve *c, size_t *segment, float fr
         return e;
     while (*segment + 2 < c->count && c->x[*segment + 1] <= from)
         ++*segment;
-    widen(&e, y_at(c, *segment, from));
+    curve_widen(&e, y_at(c, *segment, from));
     size_t s = *segment;
     while (s + 2 < c->count && c->x[s + 1] < to)
-        widen(&e, c->y[++s]);
-    widen(&e, y_at(c, s, to));
+        curve_widen(&e, c->y[++s]);
+    curve_widen(&e, y_at(c, s, to));
     return e;
 }
 
@@ -105,7 +105,7 @@ static struct extent stroke(const struct extent *around, const struct pen *pen)
     return e;
 }
 
-static void keep(struct bead_extents *extents, int slice, int x, const struct extent *e)
+static void curve_keep(struct bead_extents *extents, int slice, int x, const struct extent *e)
 {
     extents->low[slice][x] = e->low;
     extents->high[slice][x] = e->high;
@@ -121,12 +121,12 @@ static struct extent make_column(const struct bead_curve *c, const struct extent
         if (curve[s].low <= curve[s].high) { /* else nothing or the round end of the line */
             float middle = 0.5f * (curve[s].low + curve[s].high);
             area = (struct extent){least(middle, c->base), most(middle, c->base)};
-            widen(&rows, c->base);
+            curve_widen(&rows, c->base);
         }
         rows.low = least(rows.low, line.low);
         rows.high = most(rows.high, line.high);
-        keep(&k->line, s, x, &line);
-        keep(&k->area, s, x, &area);
+        curve_keep(&k->line, s, x, &line);
+        curve_keep(&k->area, s, x, &area);
     }
     return rows;
 }
@@ -166,8 +166,8 @@ static void make_columns(const struct bead_curve *curve, const struct pen *pen, 
         if (begin + x >= from && begin + x < to)
             own = make_column(curve, around + x * SLICES + MOST_TAPS, pen, k, x);
         for (int s = 0; s < SLICES && !(begin + x >= from && begin + x < to); s++) {
-            keep(&k->line, s, x, &nothing);
-            keep(&k->area, s, x, &nothing);
+            curve_keep(&k->line, s, x, &nothing);
+            curve_keep(&k->area, s, x, &nothing);
         }
         rows = (struct extent){least(rows.low, own.low), most(rows.high, own.high)};
         if (x % GROUP == GROUP - 1) {

@@ -24,7 +24,7 @@ struct bead_trust bead_trust_make(const struct bead_chain *chain, double toleran
 }
 
 /* Three digits, and never more than it is. */
-static void time_words(double time, const char *unit, char *text, size_t size)
+static void trust_time_words(double time, const char *unit, char *text, size_t size)
 {
     double shown = time / bead_power_of_ten(bead_prefix_exponent(time, unit));
     double digit = bead_power_of_ten(shown >= 100 ? 0 : shown >= 10 ? -1 : -2);
@@ -71,7 +71,7 @@ void bead_trust_say(const struct bead_trust *trust, int shorter, char *markup, s
     const char *const *rest = throughout ? nowhere : never ? at_once : beyond, *at = strstr(rest[shorter], "%s");
     int before = at ? (int)(at - rest[shorter]) : 0;
     if (!throughout && !never)
-        time_words(trust->until, trust->unit, time, sizeof time);
+        trust_time_words(trust->until, trust->unit, time, sizeof time);
     runs_words(trust, runs, sizeof runs);
     bead_text_escape(trust->chain, name, sizeof name);
     if (*name)

@@ -77,7 +77,7 @@ static bool make_arrays(struct bead_view *v)
            make_drawing(&v->lens_drawing, n, marks);
 }
 
-static void measure(struct bead_view *v)
+static void beads_measure(struct bead_view *v)
 {
     const struct bead_chain *chain = v->setup.chain;
     size_t beads = bead_chain_beads(chain), last = v->setup.beads.last < beads ? v->setup.beads.last : beads - 1;
@@ -109,7 +109,7 @@ static enum bead_error beads_create(const struct bead_view_setup *setup, struct 
     v->map = *setup->colours.map;
     v->setup.look = &v->look;
     v->setup.colours.map = &v->map;
-    measure(v);
+    beads_measure(v);
     if (!make_arrays(v)) {
         beads_destroy(v);
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a view of %zu beads",
@@ -219,9 +219,9 @@ static void find_changes(const struct bead_view *v, struct spans *spans)
 }
 
 /* Everything of a drawing within `rect` of the area. */
-static enum bead_error paint(struct bead_view *v, const struct bead_drawing *d, const struct bead_mark *behind,
-                             struct bead_rect rect, struct bead_frame *frame, struct bead_changes *changes,
-                             struct bead_message *msg)
+static enum bead_error beads_paint(struct bead_view *v, const struct bead_drawing *d, const struct bead_mark *behind,
+                                   struct bead_rect rect, struct bead_frame *frame, struct bead_changes *changes,
+                                   struct bead_message *msg)
 {
     size_t first = d->count, end = 0;
     for (size_t i = 0; i < d->count; i++) {
@@ -252,7 +252,7 @@ static enum bead_error paint_row(struct bead_view *v, struct bead_frame *frame, 
     find_changes(v, &spans);
     for (size_t i = 0; !err && i < spans.count; i++) {
         struct bead_rect rect = {spans.from[i], v->row.rect.y, spans.to[i] - spans.from[i], v->row.rect.height};
-        err = paint(v, &v->row_drawing, NULL, rect, frame, changes, msg);
+        err = beads_paint(v, &v->row_drawing, NULL, rect, frame, changes, msg);
     }
     return err;
 }
@@ -295,10 +295,10 @@ static enum bead_error paint_lens(struct bead_view *v, struct bead_frame *frame,
     if (v->zoom.height > 0 && (!v->drawn || memcmp(&v->zoom_mark, &v->old_zoom_mark, sizeof v->zoom_mark) != 0)) {
         int left = v->zoom.x < (int)v->look.gap ? v->zoom.x : (int)v->look.gap;
         struct bead_rect rect = {v->zoom.x - left, v->zoom.y, v->zoom.width + left, v->zoom.height};
-        err = paint(v, &nothing, &v->zoom_mark, rect, frame, changes, msg);
+        err = beads_paint(v, &nothing, &v->zoom_mark, rect, frame, changes, msg);
     }
     if (!err && lens_changed(v))
-        err = paint(v, &v->lens_drawing, NULL, v->lens.rect, frame, changes, msg);
+        err = beads_paint(v, &v->lens_drawing, NULL, v->lens.rect, frame, changes, msg);
     return err;
 }
 

@@ -26,17 +26,17 @@ struct bead_view {
 /* Heights are rounded to this part of a pixel. */
 static const double steps = 16;
 
-static unsigned fields(const struct bead_view_setup *setup)
+static unsigned modes_fields(const struct bead_view_setup *setup)
 {
     return bead_chain_mode_fields(setup->chain);
 }
 
-static void destroy(struct bead_view *v)
+static void modes_destroy(struct bead_view *v)
 {
     free(v);
 }
 
-static enum bead_error create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
+static enum bead_error modes_create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
 {
     *view = NULL;
     if (!bead_chain_mode_fields(setup->chain))
@@ -52,7 +52,7 @@ static enum bead_error create(const struct bead_view_setup *setup, struct bead_v
     return BEAD_OK;
 }
 
-static enum bead_error place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg)
+static enum bead_error modes_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg)
 {
     (void)canvas, (void)msg;
     v->plot = plot;
@@ -65,7 +65,7 @@ static double middle_of(const struct bead_view *v, size_t k)
     return v->plot.x + ((double)k + 0.5) * v->plot.width / (double)v->modes;
 }
 
-static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
+static enum bead_error modes_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
     struct bead_axis numbers;
     (void)msg;
@@ -82,7 +82,7 @@ static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_me
     return BEAD_OK;
 }
 
-static enum bead_error feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error modes_feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
 {
     unsigned needed = bead_chain_mode_fields(v->setup.chain);
     for (size_t f = 0; f < BEAD_FIELD_COUNT; f++) {
@@ -114,7 +114,7 @@ static double top_of(const struct bead_view *v, double energy)
     return round((1 - fmin(1, fmax(0, energy / (high * v->whole)))) * v->plot.height * steps) / steps;
 }
 
-static void draw_bar(const struct bead_view *v, cairo_t *cr, size_t k, double top)
+static void modes_draw_bar(const struct bead_view *v, cairo_t *cr, size_t k, double top)
 {
     double width = fullness * v->plot.width / (double)v->modes;
     struct bead_rgb colour = bead_look_curve(&v->look, k);
@@ -124,8 +124,8 @@ static void draw_bar(const struct bead_view *v, cairo_t *cr, size_t k, double to
 }
 
 /* Only bars whose height has changed. */
-static enum bead_error draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
-                            struct bead_changes *changes, struct bead_message *msg)
+static enum bead_error modes_draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
+                                  struct bead_changes *changes, struct bead_message *msg)
 {
     if (v->fed == 0)
         return BEAD_OK;
@@ -143,7 +143,7 @@ static enum bead_error draw(struct bead_view *v, double time, struct bead_frame 
         if (background)
             bead_frame_copy(frame, background, rect);
         cairo_surface_mark_dirty(cairo_get_target(cr));
-        draw_bar(v, cr, k, top);
+        modes_draw_bar(v, cr, k, top);
         v->top[k] = (int)lround(top * steps);
         if (changes)
             bead_changes_add(changes, rect);
@@ -152,22 +152,22 @@ static enum bead_error draw(struct bead_view *v, double time, struct bead_frame 
     return bead_raster_end(cr, "bars of modes", msg);
 }
 
-static enum bead_error vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
+static enum bead_error modes_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
 {
     (void)msg;
     for (size_t k = 0; v->fed > 0 && k < v->modes; k++)
-        draw_bar(v, cr, k, top_of(v, energy_at(v, k, time)));
+        modes_draw_bar(v, cr, k, top_of(v, energy_at(v, k, time)));
     return BEAD_OK;
 }
 
 const struct bead_view_type bead_view_modes_type = {
     .info = &bead_view_infos[BEAD_VIEW_MODES],
-    .fields = fields,
-    .create = create,
-    .place = place,
-    .decorate = decorate,
-    .feed = feed,
-    .draw = draw,
-    .vector = vector,
-    .destroy = destroy,
+    .fields = modes_fields,
+    .create = modes_create,
+    .place = modes_place,
+    .decorate = modes_decorate,
+    .feed = modes_feed,
+    .draw = modes_draw,
+    .vector = modes_vector,
+    .destroy = modes_destroy,
 };

@@ -78,7 +78,7 @@ static enum bead_error profile_create(const struct bead_view_setup *setup, struc
 }
 
 /* The range of the colours, with some air above the highest value. */
-static void make_axis(struct bead_view *v)
+static void profile_make_axis(struct bead_view *v)
 {
     const struct bead_colours *colours = &v->setup.colours;
     enum bead_scale scale = colours->scale == BEAD_SCALE_LOG ? BEAD_SCALE_LOG : BEAD_SCALE_LINEAR;
@@ -92,7 +92,7 @@ static void make_axis(struct bead_view *v)
     v->base = scale == BEAD_SCALE_LOG ? low : fmin(high, fmax(low, 0));
 }
 
-static float y_of(const struct bead_view *v, double value)
+static float profile_y_of(const struct bead_view *v, double value)
 {
     double place = bead_axis_place(&v->axis, value), line = 0.5 * fmax(1, v->look.line);
     place = place > -0.01 ? fmin(place, 1.2) : -0.01; /* minus infinity on a logarithmic axis, and what is not a number */
@@ -101,7 +101,7 @@ static float y_of(const struct bead_view *v, double value)
 }
 
 /* Where values belong along the chain: a contact is at the right of its bead. */
-static void find_places(struct bead_view *v)
+static void profile_find_places(struct bead_view *v)
 {
     const struct bead_chain *chain = v->setup.chain;
     bool contacts = bead_field_info(v->setup.field)->of_contacts;
@@ -112,7 +112,7 @@ static void find_places(struct bead_view *v)
 }
 
 /* x of all values where the camera is now; which of them are in the plot. */
-static void follow(struct bead_view *v)
+static void profile_follow(struct bead_view *v)
 {
     double left = bead_camera_left(v->setup.camera), scale = v->plot.width / bead_camera_width(v->setup.camera);
     size_t from = v->count, to = 0;
@@ -136,9 +136,9 @@ static enum bead_error profile_place(struct bead_view *v, struct bead_rect plot,
     (void)canvas;
     (void)msg;
     v->plot = plot;
-    make_axis(v);
+    profile_make_axis(v);
     if (v->setup.camera)
-        find_places(v);
+        profile_find_places(v);
     for (size_t i = 0; i < v->count; i++)
         v->x[i] = (float)(((double)i + 0.5) * plot.width / (double)v->count);
     if (v->count == 1) { /* a level line */
@@ -166,7 +166,7 @@ static enum bead_error move_labels(struct bead_view *v, cairo_t *cr, struct bead
 static enum bead_error profile_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
     const struct bead_look *look = &v->look;
-    double y = v->plot.y + y_of(v, v->base);
+    double y = v->plot.y + profile_y_of(v, v->base);
     cairo_set_source_rgb(cr, look->panel.r, look->panel.g, look->panel.b);
     cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
     cairo_fill(cr);
@@ -201,7 +201,7 @@ static enum bead_error profile_feed(struct bead_view *v, const struct bead_sampl
     return BEAD_OK;
 }
 
-static void advance(struct bead_view *v, double time)
+static void profile_advance(struct bead_view *v, double time)
 {
     const double *now = v->value[v->newest], *before = v->value[1 - v->newest];
     double span = v->time[v->newest] - v->time[1 - v->newest], weight = 1;
@@ -211,15 +211,15 @@ static void advance(struct bead_view *v, double time)
     v->old_y = v->y;
     v->y = was;
     for (size_t i = 0; i < v->count; i++)
-        v->y[i] = y_of(v, weight >= 1 ? now[i] : before[i] + weight * (now[i] - before[i]));
+        v->y[i] = profile_y_of(v, weight >= 1 ? now[i] : before[i] + weight * (now[i] - before[i]));
 }
 
-static struct bead_curve curve_of(const struct bead_view *v)
+static struct bead_curve profile_curve_of(const struct bead_view *v)
 {
     return (struct bead_curve){.x = v->x + v->from,
                                .y = v->y + v->from,
                                .count = v->to - v->from,
-                               .base = y_of(v, v->base),
+                               .base = profile_y_of(v, v->base),
                                .width = (float)fmax(1.6, 1.8 * v->look.line),
                                .line = v->look.accent,
                                .area = v->look.accent,
@@ -235,7 +235,7 @@ static void draw_span(const struct bead_view *v, const struct bead_curve *curve,
 }
 
 /* Columns that value i has a part in. */
-static void span_of(const struct bead_view *v, const struct bead_curve *curve, size_t i, int *from, int *to)
+static void profile_span_of(const struct bead_view *v, const struct bead_curve *curve, size_t i, int *from, int *to)
 {
     int reach = bead_curve_reach(curve);
     *from = i == v->from ? 0 : (int)floorf(v->x[i - 1]) - reach;
@@ -249,17 +249,17 @@ static enum bead_error profile_draw(struct bead_view *v, double time, struct bea
 {
     if (v->fed == 0)
         return BEAD_OK;
-    advance(v, time);
+    profile_advance(v, time);
     if (v->setup.camera)
-        follow(v);
-    struct bead_curve curve = curve_of(v);
+        profile_follow(v);
+    struct bead_curve curve = profile_curve_of(v);
     int from = 0, to = 0; /* waiting to be drawn */
     size_t spans = 0;
     for (size_t i = v->from; i < v->to; i++) {
         int a, b;
         if (v->drawn && changes && v->y[i] == v->old_y[i])
             continue;
-        span_of(v, &curve, i, &a, &b);
+        profile_span_of(v, &curve, i, &a, &b);
         if (b <= a)
             continue;
         if (to > from && a > to + MERGE_GAP && spans < MOST_SPANS) {
@@ -282,8 +282,8 @@ static enum bead_error profile_vector(struct bead_view *v, double time, cairo_t 
     (void)msg;
     if (v->fed == 0 || v->count == 0)
         return BEAD_OK;
-    advance(v, time);
-    struct bead_curve curve = curve_of(v);
+    profile_advance(v, time);
+    struct bead_curve curve = profile_curve_of(v);
     cairo_save(cr);
     cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
     cairo_clip(cr);

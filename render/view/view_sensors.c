@@ -32,12 +32,12 @@ static enum bead_field shown_field(const struct bead_view_setup *setup)
     return setup->fill && !bead_field_info(setup->field)->of_contacts ? setup->field : BEAD_FIELD_FORCE;
 }
 
-static unsigned fields(const struct bead_view_setup *setup)
+static unsigned sensors_fields(const struct bead_view_setup *setup)
 {
     return BEAD_FIELD_BIT(shown_field(setup));
 }
 
-static void destroy(struct bead_view *v)
+static void sensors_destroy(struct bead_view *v)
 {
     if (!v)
         return;
@@ -53,7 +53,7 @@ static void set_ends(struct bead_view *view, double low, double high)
     view->high = high > view->low ? high : view->low + 1;
 }
 
-static enum bead_error create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
+static enum bead_error sensors_create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
 {
     *view = NULL;
     size_t count;
@@ -68,7 +68,7 @@ static enum bead_error create(const struct bead_view_setup *setup, struct bead_v
     if (v)
         v->values = calloc(count, sizeof *v->values);
     if (!v || !v->values) {
-        destroy(v);
+        sensors_destroy(v);
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of sensors");
     }
     v->setup = *setup;
@@ -96,7 +96,8 @@ static void sensors_set_range(struct bead_view *view, const struct bead_colours 
     set_ends(view, values[0], values[1]);
 }
 
-static enum bead_error place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg)
+static enum bead_error sensors_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas,
+                                     struct bead_message *msg)
 {
     (void)canvas;
     (void)msg;
@@ -118,7 +119,7 @@ static enum bead_error feed_comparison(struct bead_view *v, const struct bead_sa
     return err;
 }
 
-static enum bead_error feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error sensors_feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
 {
     const double *force = sample->field[shown_field(&v->setup)];
     if (!force)
@@ -192,7 +193,7 @@ static int lay_out_names(const struct bead_view *v, cairo_t *cr, struct name *na
     return row + 1;
 }
 
-static void draw_names(const struct bead_view *v, cairo_t *cr, const struct name *names, bool lines)
+static void sensors_draw_names(const struct bead_view *v, cairo_t *cr, const struct name *names, bool lines)
 {
     double em = v->look.label;
     struct bead_text_style style = name_style(v);
@@ -227,7 +228,7 @@ static void make_force_axis(struct bead_view *v, int rows)
                    v->look.tick, false);
 }
 
-static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
+static enum bead_error sensors_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
     struct name *names = calloc(v->count, sizeof *names);
     if (!names)
@@ -239,7 +240,7 @@ static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_me
         cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
         cairo_fill(cr);
     }
-    draw_names(v, cr, names, lines);
+    sensors_draw_names(v, cr, names, lines);
     free(names);
     if (!v->setup.axes)
         return BEAD_OK;
@@ -260,7 +261,7 @@ static double x_of(const struct bead_view *v, double time)
     return v->plot.x + (time - v->setup.time[0]) / (v->setup.time[1] - v->setup.time[0]) * v->plot.width;
 }
 
-static double y_of(const struct bead_view *v, double value)
+static double sensors_y_of(const struct bead_view *v, double value)
 {
     return v->plot.y + (1 - bead_axis_place(&v->force, value)) * v->plot.height;
 }
@@ -281,8 +282,8 @@ static void paint_curves(const struct bead_view *v, cairo_t *cr, double from, do
             for (size_t i = 0; i < count && points[i].time <= to; i++) {
                 if (points[i].time >= from) {
                     if (!begun && have)
-                        cairo_move_to(cr, x_of(v, before.time), y_of(v, before.value));
-                    cairo_line_to(cr, x_of(v, points[i].time), y_of(v, points[i].value));
+                        cairo_move_to(cr, x_of(v, before.time), sensors_y_of(v, before.value));
+                    cairo_line_to(cr, x_of(v, points[i].time), sensors_y_of(v, points[i].value));
                     begun = true;
                 }
                 before = points[i];
@@ -328,8 +329,8 @@ static struct bead_rect touched(const struct bead_view *v, double from, double t
     return (struct bead_rect){(int)left, v->plot.y, (int)fmax(0, right - left), v->plot.height};
 }
 
-static enum bead_error draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
-                            struct bead_changes *changes, struct bead_message *msg)
+static enum bead_error sensors_draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
+                                    struct bead_changes *changes, struct bead_message *msg)
 {
     double to = fmin(until(v, time), v->setup.time[1]), from = v->drawn ? v->shown : v->setup.time[0];
     if (v->drawn && to <= v->shown)
@@ -348,7 +349,7 @@ static enum bead_error draw(struct bead_view *v, double time, struct bead_frame 
     return bead_raster_end(cr, "curves of sensors", msg);
 }
 
-static enum bead_error vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
+static enum bead_error sensors_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
 {
     (void)msg;
     cairo_save(cr);
@@ -361,14 +362,14 @@ static enum bead_error vector(struct bead_view *v, double time, cairo_t *cr, str
 
 const struct bead_view_type bead_view_sensors_type = {
     .info = &bead_view_infos[BEAD_VIEW_SENSORS],
-    .fields = fields,
-    .create = create,
-    .place = place,
-    .decorate = decorate,
-    .feed = feed,
-    .draw = draw,
-    .vector = vector,
-    .destroy = destroy,
+    .fields = sensors_fields,
+    .create = sensors_create,
+    .place = sensors_place,
+    .decorate = sensors_decorate,
+    .feed = sensors_feed,
+    .draw = sensors_draw,
+    .vector = sensors_vector,
+    .destroy = sensors_destroy,
     .extremes = sensors_extremes,
     .set_range = sensors_set_range,
     .horizon = sensors_horizon,

@@ -32,7 +32,7 @@ struct bead_view {
     struct bead_colour_table table;
 };
 
-static unsigned fields(const struct bead_view_setup *setup)
+static unsigned spacetime_fields(const struct bead_view_setup *setup)
 {
     return BEAD_FIELD_BIT(setup->field);
 }
@@ -47,7 +47,7 @@ static void recolour(struct bead_view *view, const struct bead_colours *colours)
     }
 }
 
-static enum bead_error create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
+static enum bead_error spacetime_create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
 {
     if (!(setup->time[1] > setup->time[0]) || setup->beads.last < setup->beads.first)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a space-time image needs a stretch of time and of beads");
@@ -61,7 +61,8 @@ static enum bead_error create(const struct bead_view_setup *setup, struct bead_v
     return BEAD_OK;
 }
 
-static enum bead_error place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg)
+static enum bead_error spacetime_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas,
+                                       struct bead_message *msg)
 {
     (void)canvas;
     if (plot.width < 1 || plot.height < 1)
@@ -73,7 +74,7 @@ static enum bead_error place(struct bead_view *v, struct bead_rect plot, struct 
 }
 
 /* Sums and indices are taken when the first sample comes: a view that only decorates needs none. */
-static enum bead_error prepare(struct bead_view *v, struct bead_message *msg)
+static enum bead_error spacetime_prepare(struct bead_view *v, struct bead_message *msg)
 {
     struct bead_area_setup setup = {
         v->setup.beads, {v->setup.time[0], v->setup.time[1]}, v->places, v->columns, BEAD_SAMPLING_AREA};
@@ -93,7 +94,7 @@ static void set_source(cairo_t *cr, struct bead_rgb colour)
     cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
 }
 
-static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
+static enum bead_error spacetime_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
     (void)msg;
     const struct bead_view_setup *s = &v->setup;
@@ -116,14 +117,14 @@ static enum bead_error decorate(struct bead_view *v, cairo_t *cr, struct bead_me
     return BEAD_OK;
 }
 
-static enum bead_error feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error spacetime_feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
 {
     if (!sample->field[v->setup.field])
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no %s", bead_field_info(v->setup.field)->title);
     const double *values = sample->field[v->setup.field], *comparison = sample->comparison[v->setup.field];
     if (v->setup.trust && !comparison)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no comparison run");
-    enum bead_error err = v->area ? BEAD_OK : prepare(v, msg);
+    enum bead_error err = v->area ? BEAD_OK : spacetime_prepare(v, msg);
     if (!err)
         bead_area_feed(v->area, sample->time, values, sample->active);
     if (!err && v->horizon)
@@ -252,8 +253,8 @@ static void stroke_mark(const struct bead_view *v, cairo_t *cr)
 }
 
 /* Horizon and mark over a part of the frame. */
-static enum bead_error draw_lines(const struct bead_view *v, struct bead_rect part, struct bead_frame *frame,
-                                  struct bead_message *msg)
+static enum bead_error spacetime_draw_lines(const struct bead_view *v, struct bead_rect part, struct bead_frame *frame,
+                                            struct bead_message *msg)
 {
     if ((!v->horizon && !v->setup.marked) || part.width < 1 || part.height < 1)
         return BEAD_OK;
@@ -287,8 +288,8 @@ static struct bead_rect columns_rect(const struct bead_view *v, int from, int to
                               : (struct bead_rect){v->plot.x + from, v->plot.y, to - from, v->plot.height};
 }
 
-static enum bead_error draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
-                            struct bead_changes *changes, struct bead_message *msg)
+static enum bead_error spacetime_draw(struct bead_view *v, double time, struct bead_frame *frame,
+                                      const struct bead_frame *background, struct bead_changes *changes, struct bead_message *msg)
 {
     int line_width = (int)v->look.line * (v->setup.camera ? 2 : 1); /* wide enough that its colours tell */
     int until = columns_until(v, time), thickness = smaller(line_width, v->columns), last = v->columns - thickness;
@@ -308,7 +309,7 @@ static enum bead_error draw(struct bead_view *v, double time, struct bead_frame 
     int first = from < v->first ? v->first : from, to = smaller(v->done, until);
     if (v->area && to > first)
         show_columns(v, first, to, frame);
-    err = draw_lines(v, columns_rect(v, first, to), frame, msg);
+    err = spacetime_draw_lines(v, columns_rect(v, first, to), frame, msg);
     if (cursor) {
         int at = smaller(until, last);
         draw_cursor(v, at, thickness, frame);
@@ -336,7 +337,7 @@ static void spacetime_extremes(const struct bead_view *view, double *low, double
 }
 
 /* The same pixels, as an image of their own in the file. */
-static enum bead_error vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
+static enum bead_error spacetime_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
 {
     int until = columns_until(v, time);
     enum bead_error err = v->area ? colour_columns(v, until, msg) : BEAD_OK;
@@ -372,7 +373,7 @@ static enum bead_error vector(struct bead_view *v, double time, cairo_t *cr, str
     return status ? bead_fail(msg, BEAD_ERROR_MEMORY, "space-time image: %s", cairo_status_to_string(status)) : BEAD_OK;
 }
 
-static void destroy(struct bead_view *v)
+static void spacetime_destroy(struct bead_view *v)
 {
     if (!v)
         return;
@@ -384,14 +385,14 @@ static void destroy(struct bead_view *v)
 
 const struct bead_view_type bead_view_spacetime_type = {
     .info = &bead_view_infos[BEAD_VIEW_SPACETIME],
-    .fields = fields,
-    .create = create,
-    .place = place,
-    .decorate = decorate,
-    .feed = feed,
-    .draw = draw,
-    .vector = vector,
-    .destroy = destroy,
+    .fields = spacetime_fields,
+    .create = spacetime_create,
+    .place = spacetime_place,
+    .decorate = spacetime_decorate,
+    .feed = spacetime_feed,
+    .draw = spacetime_draw,
+    .vector = spacetime_vector,
+    .destroy = spacetime_destroy,
     .extremes = spacetime_extremes,
     .set_range = spacetime_set_range,
     .horizon = spacetime_horizon,
