@@ -9,32 +9,32 @@
 #include "render/view/area_kernels.h"
 #include "sim/base/large.h"
 
-/* How a bead lies in rows, where these are fewer. Of means: its share of its row and of the next; of values furthest from 0: the
- * first and the last row that it reaches into. */
+/* How a bead is spread over rows where there are fewer rows than beads. For means: its share of its own row and of the next. For
+ * values furthest from 0: the first and last row it reaches into. */
 struct share {
     double own, next;
     size_t row, last;
 };
 
-/* Rows of sums are beads where the picture has a pixel or more for each, else pixels. */
+/* A row of sums is one bead where the picture has at least a pixel for each, else one pixel. */
 struct bead_area {
     struct bead_area_setup setup;
     size_t beads, rows;
-    double *sums;    /* [columns][rows], integral over time of value - rest, averaged over the row; or the value furthest from 0 in
-                        row and column, NaN where all was at rest; in columns done what their pixels show */
-    double *covered; /* s, [columns]; a column's sums have no values where it is 0 */
-    double *rest;    /* [beads], values of beads that had not moved at the first sample */
-    double *resting; /* [rows], the same in rows */
+    double *sums; /* [columns][rows], integral over time of value - rest, averaged over the row; or the value furthest from 0 in row
+                     and column, NaN where all was at rest; finished columns hold what their pixels show */
+    double *covered;      /* s, [columns]; a column's sums have no values where it is 0 */
+    double *rest;         /* [beads], values of beads that had not moved at the first sample */
+    double *resting;      /* [rows], the same in rows */
     double *before, *now; /* [rows], value - rest (or value) of the last sample and of this */
     double *low, *high;   /* [rows], of columns done */
-    double *shown;        /* [rows], a column on its way out */
+    double *shown;        /* [rows], scratch: the column being read */
     struct share *shares; /* [beads], with fewer rows */
     unsigned *level;      /* [places], with fewer rows; else NULL */
     double *beyond;       /* [rows], part of the pixel across a row's upper border that lies beyond it */
-    double *levels;       /* [levels], a column's on their way to pixels */
+    double *levels;       /* [levels], scratch: values of the column being read */
     size_t lit_before;    /* rows of `before` that may differ from rest */
     double time_before;
-    int done; /* columns before this one are over */
+    int done; /* columns before this one are finished */
     bool started;
 };
 
@@ -64,7 +64,7 @@ static struct share area_share_of(const struct bead_area *a, size_t i)
     return (struct share){cell - next, next, row, next > 0 ? row + 1 : row};
 }
 
-/* Pixels narrower than beads lie in a cell, or across the border of two. In units of 1/pixels of a bead. */
+/* A pixel narrower than a bead lies within one cell or across the border of two. Lengths are in units of 1/pixels of a bead. */
 static void find_levels(struct bead_area *a)
 {
     size_t pixels = (size_t)a->setup.places;
@@ -142,8 +142,8 @@ void bead_area_destroy(struct bead_area *area)
     free(area);
 }
 
-/* Values furthest from 0 in rows, as far as beads below `count` reach; returns how many rows that touches. A bead counts whole in
- * every row that it reaches into. */
+/* Values furthest from 0, in rows, for the beads below `count`. A bead counts fully in every row it reaches into. Returns the
+ * number of rows touched. */
 static size_t largest_in_rows(const struct bead_area *a, const double *values, size_t count, double *rows)
 {
     size_t touched = 0;
@@ -175,7 +175,7 @@ static size_t means_in_rows(const struct bead_area *a, const double *values, siz
     return touched;
 }
 
-/* Of beads below `count`; returns how many rows that touches. */
+/* For the beads below `count`; returns the number of rows touched. */
 static size_t into_rows(const struct bead_area *a, const double *values, size_t count, double *rows)
 {
     if (a->shares)
@@ -196,7 +196,7 @@ static double edge(const struct bead_area *a, int c)
 static int column_of(const struct bead_area *a, double time)
 {
     double place = (time - a->setup.time[0]) / (a->setup.time[1] - a->setup.time[0]) * a->setup.columns;
-    return place > 1 ? (int)fmin(place, a->setup.columns) - 1 : 0; /* or the one before: rounding must not lose a piece */
+    return place > 1 ? (int)fmin(place, a->setup.columns) - 1 : 0; /* or the one before, so that rounding loses no piece */
 }
 
 static void clear(const struct bead_area *a, double *sums)
@@ -207,7 +207,7 @@ static void clear(const struct bead_area *a, double *sums)
         sums[r] = NAN;
 }
 
-/* The integral of one linear piece over column c: weights of its two ends, the same for all rows. */
+/* Adds the integral of one linear piece over column c. The weights of its two ends are the same for all rows. */
 static void add_piece(struct bead_area *a, int c, double from, double to, double time, size_t lit)
 {
     double length = to - from, span = time - a->time_before, *sums = area_column(a, c);
@@ -221,7 +221,7 @@ static void add_piece(struct bead_area *a, int c, double from, double to, double
     a->covered[c] += length;
 }
 
-/* What column c, which samples have touched, shows: in rows. */
+/* What column c shows, in rows; samples must have touched it. */
 static void show_column(const struct bead_area *a, int c, double *rows)
 {
     if (keeps_largest(a))
@@ -230,7 +230,7 @@ static void show_column(const struct bead_area *a, int c, double *rows)
         bead_area_means(a->rows, a->covered[c], a->resting, area_column(a, c), rows);
 }
 
-/* While the column is at hand. */
+/* Turns sums into what the pixels show, while the column is still in the cache. */
 static void area_finish(struct bead_area *a, int c)
 {
     if (!(a->covered[c] > 0))
@@ -244,7 +244,7 @@ static size_t larger(size_t a, size_t b)
     return a > b ? a : b;
 }
 
-/* Values of beads that have not moved yet: forces of precompressed chains are not 0 there. */
+/* Values of beads that have not moved yet; in a precompressed chain their forces are not 0. */
 static void remember_rest(struct bead_area *a, const double *values, size_t active)
 {
     for (size_t i = active; i < a->beads; i++) {
@@ -292,7 +292,7 @@ void bead_area_feed(struct bead_area *area, double time, const double *values, s
     a->started = true;
 }
 
-/* Rows of a column: where it lies, or in the room for one. */
+/* The rows of a column: in place if it is finished, else in scratch memory. */
 static const double *rows_of(const struct bead_area *a, int c)
 {
     if (c < a->done)

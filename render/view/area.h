@@ -1,9 +1,9 @@
 /* Areas: samples averaged exactly over the pixels of a space-time image, as they arrive.
  *
- * Between samples, values are linear in time; across the chain, bead j is a cell from j - 1/2 to j + 1/2. Every pixel is the mean
- * of this function over the pixel's rectangle, so a pulse shorter than a pixel keeps its integral; or, where asked, the function's
- * value furthest from 0 within the pixel, so that it keeps its height. Only one number for each pixel is kept, never the samples.
- */
+ * * Between samples, values are linear in time; across the chain, bead j is a cell from j - 1/2 to j + 1/2. Every pixel is the
+ * mean of this function over the pixel's rectangle, so a pulse shorter than a pixel keeps its integral; or, with
+ * BEAD_SAMPLING_MAX, the value furthest from 0 within the pixel, so the pulse keeps its height. Only one number per pixel is
+ * stored, never the samples. */
 #ifndef BEADREEL_RENDER_VIEW_AREA_H
 #define BEADREEL_RENDER_VIEW_AREA_H
 
@@ -26,19 +26,19 @@ struct bead_area_setup {
 /* Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_area_create(const struct bead_area_setup *setup, struct bead_area **area, struct bead_message *msg);
 void bead_area_destroy(struct bead_area *area);
-/* Values of all beads at `time`, later than the one before; beads >= active have the values they had at the first sample. Costs
- * as much as beads are active. */
+/* Values of all beads at `time`, which must rise from call to call. Beads >= active still have the values of the first sample; the
+ * cost grows with the active beads only. */
 void bead_area_feed(struct bead_area *area, double time, const double *values, size_t active);
 /* Means (or values furthest from 0) of the pixels of time column `c` from the chain's first to its last, [places]; false: no sample
  * has touched it. */
 bool bead_area_column(const struct bead_area *area, int c, double *means);
-/* The same without repetition: the different values that pixels of a column can have, [levels], and for each pixel which of them it
- * has; NULL: pixels are levels. */
+/* The same without repetition: the distinct values of a column, [levels], and for each pixel the index of its value. NULL: every
+ * pixel has its own. */
 size_t bead_area_levels(const struct bead_area *area);
 const unsigned *bead_area_level(const struct bead_area *area);
 bool bead_area_column_levels(const struct bead_area *area, int c, double *values);
 size_t bead_area_places(const struct bead_area *area);
-/* Least and largest of all pixels touched; low > high where there are none. */
+/* Smallest and largest value of all pixels touched; low > high if there are none. */
 void bead_area_extremes(const struct bead_area *area, double *low, double *high);
 
 #endif

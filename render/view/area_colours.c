@@ -1,3 +1,5 @@
+/* Colours of an area's columns, as indices into a palette, written straight into an image. The space-time view and bare images call
+ * it. */
 #include "render/view/area_colours.h"
 
 #include <stdlib.h>
@@ -8,7 +10,7 @@ enum { BLOCK = 16 };
  * loop of them. */
 typedef uint8_t pixels_anywhere __attribute__((vector_size(BLOCK), aligned(1), may_alias));
 
-/* Room for a few columns side by side: rows of the image are written BLOCK bytes at a time, not a byte in each. */
+/* A few columns side by side, so that each row of the image is written BLOCK bytes at a time, not byte by byte. */
 struct block {
     size_t places, levels;
     const unsigned *level;

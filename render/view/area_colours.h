@@ -1,4 +1,4 @@
-/* Areas into images of indices. */
+/* Turns areas into images of palette indices. */
 #ifndef BEADREEL_RENDER_VIEW_AREA_COLOURS_H
 #define BEADREEL_RENDER_VIEW_AREA_COLOURS_H
 
@@ -14,7 +14,7 @@ struct bead_area_image {
     ptrdiff_t column_step, place_step;
 };
 
-/* Columns from..to - 1, as far as samples have touched them; `done`: the first that was not. Errors: MEMORY. */
+/* Columns from..to - 1, up to the first that no sample has touched, which `done` returns. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_area_colour(const struct bead_area *area, const struct bead_colour_table *table, int from, int to,
                                             const struct bead_area_image *image, int *done, struct bead_message *msg);
 

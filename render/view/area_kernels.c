@@ -1,3 +1,4 @@
+/* Inner loops of areas, one element after the other; compiled with -O3, which vectorises them. */
 #include "render/view/area_kernels.h"
 
 void bead_area_subtract(size_t n, const double *restrict values, const double *restrict rest, double *restrict out)

@@ -7,19 +7,19 @@
 #include "render/view/camera.h"
 #include "render/view/moving_labels.h"
 
-/* How a piece of the chain lies on the picture: x = left + (position - from) * scale. */
+/* Where a piece of the chain lies in the picture: x = left + (position - from) * scale. */
 struct bead_window {
-    struct bead_rect rect; /* what it may draw into, px of the view's own rectangle `area` */
+    struct bead_rect rect; /* the pixels it may draw, relative to the view's `area` */
     double left;           /* px */
     double from;           /* m */
-    double scale;          /* px a metre; 0: there is no such window */
+    double scale;          /* px per metre; 0: this window does not exist */
     double middle;         /* px: y of the beads' centres */
 };
 
 /* Balls and marks of one window, as of now and as drawn last. */
 struct bead_drawing {
     struct bead_ball *balls, *old_balls;
-    uint8_t *glow, *old_glow; /* of the contact at each ball's right, 0..255 */
+    uint8_t *glow, *old_glow; /* light of the contact to the right of each ball, 0..255 */
     size_t first, count;      /* in beads of the view */
     size_t old_first, old_count;
     struct bead_mark *marks, *old_marks;
@@ -36,7 +36,7 @@ struct bead_view {
     const double *position, *radius; /* of bead `first` on */
     double largest;                  /* m: radius */
     double ends[2];                  /* m: outer edges at rest */
-    double compression;              /* m: what counts as strongly compressed */
+    double compression;              /* m: the compression that counts as strong */
     bool striker, wall;              /* shown */
 
     /* The last two samples: displacement (m) and field value of every bead shown. */
@@ -54,11 +54,11 @@ struct bead_view {
     struct bead_follower follower; /* of the front's place, m; where there is no camera */
 
     struct bead_rect plot, area;       /* px of the frame: plot rectangle, and what the view draws into */
-    double label_y;                    /* px of the area: baseline of names; < 0: no room */
+    double label_y;                    /* baseline of names, px of the area; < 0: no room for names */
     struct bead_window row, lens;      /* with a camera: the lens alone, and it shows the camera's window */
     struct bead_moving_labels *labels; /* above it; NULL: none */
     struct bead_rect zoom;             /* between row and lens, px of the area */
-    bool strip;                        /* the row's beads are too small to be drawn one by one */
+    bool strip;                        /* beads are too small to be drawn one by one */
     double (*base)[3];                 /* colour of the materials in each of the strip's columns, 0..1; NULL: no strip */
     struct bead_drawing row_drawing, lens_drawing;
     struct bead_mark zoom_mark, old_zoom_mark;
@@ -70,17 +70,17 @@ struct bead_view {
 
 /* Divide the plot rectangle into row, connection and lens. */
 void bead_beads_divide(struct bead_view *v);
-/* Displacements, colours, loads, front and lens as of `time`. */
+/* Brings displacements, colours, loads, front and lens to `time`. */
 void bead_beads_advance(struct bead_view *v, double time);
-/* Balls and marks of a window (that of the view); what was there becomes the old ones. */
+/* Composes the balls and marks of one of the view's windows; the previous ones become the old ones. */
 void bead_beads_compose(struct bead_view *v, const struct bead_window *window, struct bead_drawing *drawing);
-/* x in a window, px, of a place along the chain, m. */
+/* The x in a window, px, of a position along the chain, m. */
 double bead_window_x(const struct bead_window *window, double position);
-/* How much of a bead's colour is that of the field, 0..1; the rest is its material's. */
+/* The weight of the field in a bead's colour, 0..1; the rest comes from its material. */
 double bead_colour_weight(const struct bead_view *v, double value);
 /* Colours of the materials along the strip. False: out of memory. */
 BEAD_CHECK bool bead_beads_prepare_strip(struct bead_view *v);
-/* The row as a density strip into the frame; adds the columns that changed. */
+/* Draws the row as a density strip and adds the columns that changed. */
 void bead_beads_strip(struct bead_view *v, struct bead_frame *frame, const struct bead_frame *background,
                       struct bead_changes *changes);
 /* Names and wall of the row; panel of the lens. Errors: MEMORY. */
@@ -89,7 +89,7 @@ BEAD_CHECK enum bead_error bead_beads_decorate(struct bead_view *v, cairo_t *cr,
 void bead_beads_vector(struct bead_view *v, cairo_t *cr);
 /* How far left and right of its plot rectangle the view draws (the striker flying back; the wall), px. */
 void bead_beads_margins(const struct bead_look *look, int *left, int *right);
-/* Rows of beads and their lens are never higher than this in a plot of this width, px: more is wasted. */
+/* The most height, px, that a row of beads and its lens can use in a plot of this width. */
 double bead_beads_most_height(const struct bead_view_setup *setup, double width);
 
 #endif

@@ -1,10 +1,11 @@
-/* What the beads look like at a time: places, colours, loads, and where the lens is. */
+/* The state of the beads at one time: positions, colours, loads, and where the lens is. First step of every draw of the beads view.
+ */
 #include <math.h>
 #include <string.h>
 
 #include "render/view/beads.h"
 
-/* Colours are those of the material below, those of the map above this distance from zero along the colour bar. */
+/* Below the first distance from zero, along the colour bar, a bead has its material's colour; above the second, the map's. */
 static const double colour_full = 0.3;
 
 static double between(double x, double low, double high)
@@ -18,7 +19,7 @@ static double value_at(const struct bead_view *v, const double *const data[2], s
     return weight >= 1 ? newest : data[1 - v->newest][i] + weight * (newest - data[1 - v->newest][i]);
 }
 
-/* Part of the way from the sample before to the newest. */
+/* How far `time` is from the previous sample to the newest, 0..1. */
 static double beads_weight_of(const struct bead_view *v, double time)
 {
     double before = v->time[1 - v->newest], span = v->time[v->newest] - before;
@@ -73,7 +74,7 @@ static void aim(struct bead_view *v, double time)
     double lowest = v->ends[0] - (v->striker ? 2.4 : 0.2) * v->largest;
     double highest = v->ends[1] + (v->wall ? 0.8 : 0.2) * v->largest - width;
     double left = bead_window_left(bead_follower_advance(&v->follower, place, time), width, lowest, highest);
-    /* Whole pixels: what is at rest then looks the same at every place, which encoders find again. */
+    /* Whole pixels, so that beads at rest look the same wherever the lens is; encoders find them again. */
     lens->from = v->ends[0] + round((left - v->ends[0]) * lens->scale) / lens->scale;
 }
 

@@ -1,11 +1,12 @@
-/* From places and colours to balls and marks. */
+/* From positions and colours to balls and marks, which the canvas paints. Second step of every draw of the beads view. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "render/view/beads.h"
 
-/* Places are rounded to this part of a pixel: fine enough to glide, coarse enough that what stands still is not drawn again. */
+/* Positions are rounded to this fraction of a pixel: fine enough for smooth motion, coarse enough that a bead at rest is not
+ * redrawn. */
 static const double steps_per_pixel = 64;
 
 static float on_grid(double x)
@@ -23,7 +24,7 @@ static double bead_x(const struct bead_view *v, const struct bead_window *w, siz
     return bead_window_x(w, v->position[i] + v->shift[i]);
 }
 
-/* Beads that may reach into the window; what is in between is drawn too. */
+/* The range of beads that may reach into the window. */
 static void find_visible(const struct bead_view *v, const struct bead_window *w, size_t *first, size_t *count)
 {
     double from = w->rect.x - 2.0, to = w->rect.x + w->rect.width + 2.0;
@@ -43,7 +44,7 @@ static void set_ball(const struct bead_view *v, const struct bead_window *w, siz
 {
     double r = v->radius[i] * w->scale;
     float x = on_grid(bead_x(v, w, i));
-    /* The soft edge adds 1/12 to the square of the radius; this keeps the area. */
+    /* The soft edge adds 1/12 to the squared radius; subtracting it keeps the area. */
     float soft = (float)sqrt(fmax(r * r - 1.0 / 12, 0.04));
     *ball = (struct bead_ball){.x = x, .y = (float)w->middle, .r = soft, .left = x - soft - 2, .right = x + soft + 2};
     memcpy(ball->rgba, v->colour[i], sizeof ball->rgba);
@@ -83,7 +84,7 @@ static void ring(const struct bead_view *v, const struct bead_window *w, struct 
     double r = v->radius[i] * w->scale, width = fmax(1.2, 0.07 * r);
     if (r < 3 || i < d->first || i >= d->first + d->count)
         return;
-    double x = d->balls[i - d->first].x; /* moves when and only when its ball does */
+    double x = d->balls[i - d->first].x; /* moves only with its ball */
     struct bead_mark *mark = add_mark(d, BEAD_MARK_RING, x - r - 1, w->middle - r - 1, x + r + 1, w->middle + r + 1);
     mark->shape[0] = (float)(r - 0.5 * width);
     mark->shape[1] = (float)width;

@@ -1,4 +1,4 @@
-/* Where row and lens lie, and what never changes around them. */
+/* Where row and lens lie, and what never changes around them: names, wall, frame of the lens. Done once per picture. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 
 /* Rows of smaller beads are drawn as a strip, px of diameter. */
 static const double strip_below = 3;
-/* Beads in the lens: part of its height; as many go side by side into the plot at least. */
+/* Beads in the lens: their part of its height, and how many must fit side by side. */
 static const double large_share = 0.8, most_across = 14;
 
 void bead_beads_margins(const struct bead_look *look, int *left, int *right)
@@ -39,7 +39,7 @@ static void set_window(struct bead_window *w, const struct bead_view *v, double 
     *w = (struct bead_window){.rect = {x, (int)top, width, (int)(bottom - top)}, .scale = scale, .middle = 0.5 * (top + bottom)};
 }
 
-/* One row as large as fits, in the middle where the height limits it. */
+/* One row, as large as fits; centred where the height limits it. */
 static void only_row(struct bead_view *v, double scale, double top)
 {
     double height = v->plot.height - top, length = v->ends[1] - v->ends[0];
@@ -49,7 +49,7 @@ static void only_row(struct bead_view *v, double scale, double top)
     v->row.from = v->ends[0];
 }
 
-/* Names above the row: those of sensors if at all possible, others where there is plenty of room. */
+/* Names above the row: sensors whenever possible, the others only where there is plenty of room. */
 static bool has_names(const struct bead_view *v)
 {
     size_t count, shown = 0;
@@ -141,7 +141,7 @@ static void beads_draw_wall(const struct bead_view *v, cairo_t *cr)
     cairo_restore(cr);
 }
 
-/* Names above the row, from the left; one that would run into another is left out. */
+/* Names above the row, from left to right; a name that would overlap another is left out. */
 struct names {
     cairo_t *cr;
     const struct bead_view *v;
@@ -222,7 +222,7 @@ static void name_numbers(struct names *names)
     }
 }
 
-/* What stands above a row that moves, moves with it. */
+/* Names above a moving row move with it. */
 static enum bead_error move_names(struct bead_view *v, struct bead_message *msg)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(v->setup.chain);

@@ -6,7 +6,7 @@
 
 #include "render/view/beads.h"
 
-/* A ball in its square reflects this part of what a flat patch of its colour would. */
+/* The share of light that a ball reflects, compared with a flat square of its colour. */
 static const double shading = 0.62;
 
 /* What one column of pixels holds. */
@@ -21,7 +21,7 @@ static double tent(double x, double h)
     return part < 0 ? 0.5 * (1 + part) * (1 + part) : 1 - 0.5 * (1 - part) * (1 - part);
 }
 
-/* Materials are averaged over two beads to either side: without that, cells of two would beat against the pixels. */
+/* Materials are averaged over two beads on either side; otherwise cells of two beads show moire against the pixels. */
 bool bead_beads_prepare_strip(struct bead_view *v)
 {
     size_t width = (size_t)v->plot.width;
@@ -46,7 +46,7 @@ bool bead_beads_prepare_strip(struct bead_view *v)
     return good;
 }
 
-/* Beads are blocks as wide as their diameters. */
+/* Beads count as blocks as wide as their diameter. */
 static struct column find_column(const struct bead_view *v, double x, size_t *next)
 {
     struct column column = {0, 0};

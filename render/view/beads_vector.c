@@ -1,4 +1,4 @@
-/* The beads as paths, for vector files. */
+/* The composed beads as paths, for PDF and SVG. */
 #include <math.h>
 
 #include "render/view/beads.h"

@@ -1,3 +1,5 @@
+/* Finds the front, smooths its motion and moves a chain's window with it. Movies that follow the front have one camera per chain.
+ */
 #include "render/view/camera.h"
 
 #include <math.h>
@@ -6,16 +8,16 @@
 
 #include "render/view/magnify.h"
 
-/* A contact counts as reached by the wave when it is loaded by this part of the strongest compression. */
+/* The wave has reached a contact that is loaded by this part of the strongest compression. */
 static const double reaching = 0.015;
-/* Where the front lies in the window, from its left; from where on the window speeds up and slows down, in widths. */
+/* Position of the front in the window, from its left edge, and how far the window takes to speed up and slow down, in widths. */
 static const double front_place = 0.7, easing = 0.2;
-/* The window's ends lie this many radii beyond the chain's: room for a striker that flies back, and for a wall. */
+/* The window reaches this many radii beyond the chain: room for a rebounding striker and for a wall. */
 static const double before_striker = 2.4, beyond_wall = 0.8, beyond_rest = 0.2;
 
 double bead_front_find(double *reached, const double *load, size_t count)
 {
-    /* What was passed over between two frames was reached too. */
+    /* Contacts skipped between two frames were reached as well. */
     double front = 0, beyond = 0;
     for (size_t i = count; i-- > 0;) {
         reached[i] = fmax(beyond, fmax(reached[i], fmin(1, load[i] / reaching)));
@@ -25,8 +27,8 @@ double bead_front_find(double *reached, const double *load, size_t count)
     return front;
 }
 
-/* Beads are reached one by one: that is smoothed over a tenth of the window, and two beads at least, as fast as the front would be
- * if it took the whole picture's time. */
+/* The front jumps from bead to bead. It is smoothed over a tenth of the window, at least two beads, at the speed of a front that
+ * takes the whole picture to cross the chain. */
 struct bead_follower bead_follower_make(double width, double length, size_t beads, double span)
 {
     double smooth = fmax(width / 10, 2 * length / fmax(1, (double)beads));
@@ -40,7 +42,7 @@ double bead_follower_advance(struct bead_follower *f, double target, double time
         f->context[k] += part * ((k ? f->context[k - 1] : target) - f->context[k]);
     f->time = time;
     f->begun = true;
-    return 3 * f->context[1] - 2 * f->context[2]; /* ahead by what the third stage lags behind */
+    return 3 * f->context[1] - 2 * f->context[2]; /* ahead by the lag of the third stage */
 }
 
 double bead_window_left(double front, double width, double low, double high)
@@ -71,8 +73,8 @@ double bead_chain_spacing(const struct bead_chain *chain, struct bead_span beads
 struct bead_camera {
     const double *position; /* m, of the first bead shown on */
     size_t first, count;
-    bool wall;             /* a contact follows on the last bead */
-    double unit;           /* m: what counts as strongly compressed */
+    bool wall;             /* a contact follows the last bead */
+    double unit;           /* m: the compression that counts as strong */
     double width, ends[2]; /* m: of the window; edges that it may have */
     double *u[2], time[2]; /* the last two samples */
     double *load, *reached;

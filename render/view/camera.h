@@ -1,7 +1,7 @@
-/* Camera: which piece of a chain is shown while the front of the wave runs through.
+/* Camera: which piece of a chain is shown while the front runs through it.
  *
- * The window is of constant length. It rests at the chain's beginning until the front is well inside, goes with the front at the
- * front's own speed, and comes to rest at the chain's end; it never goes back. Every chain has its own. */
+ * * The window has a constant length. It rests at the start of the chain until the front is well inside, moves with the front at
+ * the front's own speed, and comes to rest at the end of the chain. It never moves back. Every chain has its own camera. */
 #ifndef BEADREEL_RENDER_VIEW_CAMERA_H
 #define BEADREEL_RENDER_VIEW_CAMERA_H
 
@@ -12,8 +12,9 @@
 
 /* ---- what follows a front ---- */
 
-/* Part of the chain that the wave has reached, in beads from the first: how far each contact's compression (in units of what is
- * strong) has ever come, up to where it counts as reached. `reached` remembers; [count], zeroed before the first call. */
+/* The length of chain that the wave has reached, in beads from the first. `load`: compression of each contact, in units of a strong
+ * one; the largest so far counts, up to where the contact counts as reached. `reached` keeps the largest loads; [count], zeroed
+ * before the first call. */
 double bead_front_find(double *reached, const double *load, size_t count);
 
 /* A low pass of third order that does not lag behind what moves at constant speed. */

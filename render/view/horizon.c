@@ -1,10 +1,12 @@
+/* Finds from when on two runs differ visibly at each bead, and draws the line through these times. Used by pictures with `trust`.
+ */
 #include "render/view/horizon.h"
 
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 
-/* In units of axis lines: the line, and the dark seam that shows it on bright colours. */
+/* In widths of axis lines: the line itself, and its dark edges that make it visible on bright colours. */
 static const double core = 1, seam = 3;
 
 struct bead_horizon {
@@ -62,7 +64,7 @@ void bead_horizon_feed(struct bead_horizon *h, double time, const double *first,
     bead_area_feed(h->area, time, h->difference, active); /* means of differences are differences of means */
 }
 
-/* Neighbours on one side that a place looks at: single beads that stay quiet among others make no spikes. */
+/* Neighbours considered on each side, so that a single quiet bead among others makes no spike in the line. */
 static int neighbours(const struct bead_horizon *h)
 {
     return 1 + h->setup.places / 48;
@@ -77,7 +79,7 @@ static int line_at(const struct bead_horizon *h, int place)
     return earliest;
 }
 
-/* Where the line begins to be another when a place has got its horizon: at the neighbours of those that it moves. */
+/* The first column where the line changes when a place gets its horizon; its neighbours' points move as well. */
 static int changed_from(const struct bead_horizon *h, int place)
 {
     int earliest = INT_MAX, side = neighbours(h) + 1;

@@ -1,14 +1,16 @@
+/* Chooses the factor by which displacements are drawn larger, from the first hit. Stills and movies take it unless the scene gives
+ * one. */
 #include "render/view/magnify.h"
 
 #include <math.h>
 
 #include "beadreel/law.h"
 
-/* Parts of a radius: the striker's hit shows as the first; no contact, should all of the hit's energy be in it, as more than the
- * second. */
+/* In radii: how large the compression of the striker's hit is drawn, and the limit for any contact that holds all of the hit's
+ * energy. */
 static const double share = 0.25, limit = 0.5;
 
-/* Energy of the hit that goes into the first contact, J. */
+/* Energy of the hit that the first contact stores, J. */
 static double hit_energy(const struct bead_chain *chain)
 {
     const double *mass = bead_chain_mass(chain), v = bead_chain_spec(chain)->striker_velocity;
@@ -16,7 +18,7 @@ static double hit_energy(const struct bead_chain *chain)
     return 0.5 * reduced * v * v;
 }
 
-/* Compression of a contact that holds `energy`, m; 0 where that makes no sense. */
+/* Compression of a contact that stores `energy`, m; 0 if it cannot store any. */
 static double magnify_compression(const struct bead_chain *chain, size_t contact, double energy)
 {
     const struct bead_law_spec *spec = &bead_chain_spec(chain)->law;

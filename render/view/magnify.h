@@ -4,8 +4,8 @@
 
 #include "beadreel/chain.h"
 
-/* Largest compression when the striker hits bead 1, as if those two were alone, m: what the wave's compressions are measured by.
- * (Two masses in one: all of (1/2) m v^2 with the reduced mass m is in the contact.) 0 where nothing is struck. */
+/* Largest compression when the striker hits bead 1 as if the two were alone, m: the unit of the wave's compressions. The contact
+ * then stores (1/2) m v^2 with the reduced mass m. 0 if nothing is struck. */
 double bead_compression_scale(const struct bead_chain *chain);
 /* The round factor (1, 1.5, 2, 3, 4, 5, 6, 8 times a power of ten; at least 1) that shows this compression as a quarter of a
  * radius, or less where softer contacts would then show more than half of one; the smallest of all chains' factors. */

@@ -1,3 +1,4 @@
+/* Labels that move with the camera, as masks shifted by parts of a pixel. Below profiles and above rows of beads. */
 #include "render/view/moving_labels.h"
 
 #include <math.h>
@@ -6,15 +7,15 @@
 #include <string.h>
 
 static const double steps_per_pixel = 16;
-/* In units of the ticks' font size; the first three as on axes that stand still. */
+/* In units of the tick font's size; the first three equal those of axes that do not move. */
 static const double tick_length = 0.38, label_gap = 0.3, digit_height = 0.7, fade = 1, apart = 0.5, pointer = 0.3,
                     digit_width = 0.6;
 
-/* How much of a pixel the text covers, of one label: drawn when it is first seen. */
+/* The coverage mask of one label's text, drawn when it is first visible. */
 struct mask {
     cairo_surface_t *surface; /* A8; NULL: not yet */
     int width, height;
-    double text; /* px: width of the text in it */
+    double text; /* px: width of the text */
 };
 
 struct label {
@@ -89,7 +90,7 @@ static bool is_free(const struct bead_moving_labels *l, size_t count, double pla
     return true;
 }
 
-/* Among the first `before` there must be none in its way. */
+/* False if one of the first `before` labels is in its way. */
 static enum bead_error labels_add(struct bead_moving_labels *l, size_t before, double place, double width, const char *markup,
                                   struct bead_rgb colour, enum bead_label_sign sign, struct bead_message *msg)
 {
@@ -119,7 +120,7 @@ enum bead_error bead_moving_labels_count(struct bead_moving_labels *l, const dou
     struct bead_axis axis;
     double spacing = count > 1 ? (place[count - 1] - place[0]) / (double)(count - 1) : width;
     double beads = spacing > 0 ? width / spacing : 1, high = (double)(first + count);
-    /* Room is needed for the widest number, at the end; the step is that of an axis there. */
+    /* The last number is the widest and sets the step, as on an axis. */
     bead_axis_make(&axis, high - beads, high, "", BEAD_SCALE_LINEAR, l->strip.width, l->look.tick, true);
     size_t step = axis.count > 1 ? (size_t)lround(axis.ticks[1].value - axis.ticks[0].value) : (size_t)ceil(beads),
            names = l->count;
@@ -151,7 +152,7 @@ static enum bead_error make_mask(const struct bead_moving_labels *l, struct labe
     return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "label of an axis: %s", cairo_status_to_string(status)) : BEAD_OK;
 }
 
-/* Lay a colour over one pixel of the strip. */
+/* Blends a colour over one pixel of the strip. */
 static void blend(const struct bead_moving_labels *l, struct bead_frame *frame, int x, int y, struct bead_rgb colour, double alpha)
 {
     if (alpha <= 0 || x < 0 || y < 0 || x >= l->strip.width || y >= l->strip.height)
@@ -192,7 +193,7 @@ static void draw_sign(const struct bead_moving_labels *l, enum bead_label_sign s
     }
 }
 
-/* Fully there until it is near an end of the strip, gone before it is cut. */
+/* Opaque until it is near an end of the strip, transparent before it would be cut. */
 static double opacity(const struct bead_moving_labels *l, const struct label *label, double x)
 {
     double half = 0.5 * label->width + 1, room = fmin(x - half, l->strip.width - x - half);

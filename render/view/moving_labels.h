@@ -1,5 +1,5 @@
-/* Labels of an axis that moves: drawn once each, then shifted by parts of a pixel, so that they glide and do not jump; they fade
- * out before they reach the ends. */
+/* Labels of a moving axis. Each is drawn once and then shifted by parts of a pixel, so that it moves smoothly; it fades out before
+ * it reaches an end. */
 #ifndef BEADREEL_RENDER_VIEW_MOVING_LABELS_H
 #define BEADREEL_RENDER_VIEW_MOVING_LABELS_H
 
@@ -14,10 +14,10 @@ struct bead_moving_labels;
 BEAD_CHECK enum bead_error bead_moving_labels_create(const struct bead_look *look, struct bead_rect strip, double scale,
                                                      struct bead_moving_labels **labels, struct bead_message *msg);
 void bead_moving_labels_destroy(struct bead_moving_labels *labels);
-/* At `place`, m along the chain; left out where an earlier one is in the way. Errors: MEMORY. */
+/* A label at `place`, m along the chain; left out if it would overlap an earlier one. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_moving_labels_add(struct bead_moving_labels *labels, double place, const char *markup,
                                                   struct bead_rgb colour, enum bead_label_sign sign, struct bead_message *msg);
-/* The numbers of beads first .. first + count - 1 at their places, as many as have room in a window of `width` m. */
+/* The numbers of beads first .. first + count - 1 at their positions, as many as fit into a window of `width` m. */
 BEAD_CHECK enum bead_error bead_moving_labels_count(struct bead_moving_labels *labels, const double *place, size_t first,
                                                     size_t count, double width, enum bead_label_sign sign,
                                                     struct bead_message *msg);

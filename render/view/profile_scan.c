@@ -1,3 +1,4 @@
+/* The curve of the profile view, column by column: exact coverage of the line and of the area below it. */
 #include "render/view/profile_scan.h"
 
 #include <math.h>
@@ -5,7 +6,7 @@
 
 #include "render/paint/pixel_kernels.h"
 
-/* Columns are cut into slices for soft edges of steep parts; of a pen's half width this many at most. */
+/* Each column is cut into slices, which give steep parts soft edges; at most this many per half width of the pen. */
 enum { SLICES = BEAD_SLICES, MOST_TAPS = 64 };
 
 /* Lowest and highest y of the curve in a slice; empty where the curve does not reach. */
@@ -15,7 +16,7 @@ struct extent {
 
 static const struct extent nothing = {INFINITY, -INFINITY};
 
-/* As expressions: the library's functions mind NaN, and none comes here. */
+/* Written as expressions: fminf and fmaxf check for NaN, which cannot occur here. */
 static inline float least(float a, float b)
 {
     return a < b ? a : b;
@@ -54,7 +55,7 @@ static size_t find_segment(const struct bead_curve *c, float x)
     return low;
 }
 
-/* `segment` is the one that holds the slice's beginning, or one before; moved on. */
+/* `segment` holds the start of the slice, or lies before it; it is moved on. */
 static struct extent slice(const struct bead_curve *c, size_t *segment, float from, float to)
 {
     struct extent e = nothing;
@@ -72,7 +73,7 @@ static struct extent slice(const struct bead_curve *c, size_t *segment, float fr
     return e;
 }
 
-/* Half heights of a disc as wide as the line, at each slice's distance from its middle. */
+/* Half the height of a disc as wide as the line, at each slice's distance from its centre. */
 struct pen {
     float half[MOST_TAPS];
     int taps;
@@ -93,7 +94,7 @@ int bead_curve_reach(const struct bead_curve *curve)
     return (int)ceilf(0.5f * curve->width) + 2;
 }
 
-/* What the pen covers in a slice when it is drawn along the curve. */
+/* What the pen covers in each slice as it follows the curve. */
 static struct extent stroke(const struct extent *around, const struct pen *pen)
 {
     struct extent e = nothing;
@@ -148,7 +149,7 @@ static void set_colours(const struct bead_curve *c, struct bead_columns *k)
     k->area_alpha = (float)c->area_alpha;
 }
 
-/* Slices are computed for a block of columns and the pen's reach on both sides. */
+/* Slices are computed for a block of columns, plus the reach of the pen on both sides. */
 enum { BLOCK = BEAD_COLUMNS, GROUP = BEAD_COLUMN_GROUP, ROOM = (BLOCK * SLICES + 2 * MOST_TAPS) };
 
 /* Columns from..to of the BLOCK from `begin` on. */
@@ -188,7 +189,7 @@ void bead_curve_draw(const struct bead_curve *curve, struct bead_rect rect, int 
     bead_frame_copy(frame, background, (struct bead_rect){rect.x + from, rect.y, to - from, rect.height});
     make_pen(curve, &pen);
     set_colours(curve, &columns);
-    const int offset = (rect.x + from) % GROUP; /* vectors do not reach into another row */
+    const int offset = (rect.x + from) % GROUP; /* no vector reaches into another row */
     for (int begin = from - offset; begin < to; begin += BLOCK) {
         make_columns(curve, &pen, begin, begin < from ? from : begin, begin + BLOCK < to ? begin + BLOCK : to, rect.height,
                      &columns);

@@ -1,5 +1,5 @@
-/* A curve y(x) with a line of some width and the area below it, pixel by pixel. Every column depends only on what is near it, so
- * that parts can be drawn alone. */
+/* A curve y(x) with a line of some width and the area below it, pixel by pixel. A column depends only on the points near it, so
+ * parts can be redrawn alone. */
 #ifndef BEADREEL_RENDER_VIEW_PROFILE_SCAN_H
 #define BEADREEL_RENDER_VIEW_PROFILE_SCAN_H
 

@@ -1,10 +1,12 @@
+/* Keeps curves over time in bounded memory: four points per stretch of time. The sensors view and plots of sensors store theirs
+ * here. */
 #include "render/view/sensor_curves.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
-/* Stretches of time, more than any picture has pixels for the curves. */
+/* Number of stretches of time: more than any picture has pixels. */
 static const double slots = 4096;
 
 void bead_curves_init(struct bead_curves *curves, size_t count, const double time[2])

@@ -1,4 +1,4 @@
-/* Curves of sensors: force against time, kept as what a line of pixels can show of it. */
+/* Curves over time, such as force at sensors, reduced to what a row of pixels can show. */
 #ifndef BEADREEL_RENDER_VIEW_SENSOR_CURVES_H
 #define BEADREEL_RENDER_VIEW_SENSOR_CURVES_H
 
@@ -11,7 +11,8 @@ struct bead_point {
     double time, value; /* s, N */
 };
 
-/* First, least, largest and last point within one short stretch of time: drawn in order, they cover what all would. */
+/* First, smallest, largest and last point within a short stretch of time. Drawn in time order, they cover the same pixels as all
+ * points would. */
 struct bead_stretch {
     struct bead_point first, low, high, last;
 };
@@ -31,7 +32,7 @@ void bead_curves_free(struct bead_curves *curves);
 BEAD_CHECK enum bead_error bead_curves_reserve(struct bead_curves *curves, struct bead_message *msg);
 /* Values of all curves at `time`, in time order; after reserve. */
 void bead_curves_add(struct bead_curves *curves, double time, const double *values);
-/* The points of stretch `s` of curve `k` in time order, doubles left out; returns how many. */
+/* The points of stretch `s` of curve `k` in time order, without duplicates; returns how many. */
 size_t bead_curves_points(const struct bead_curves *curves, size_t s, size_t k, struct bead_point points[4]);
 
 #endif

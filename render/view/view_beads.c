@@ -141,7 +141,7 @@ static enum bead_error beads_decorate(struct bead_view *v, cairo_t *cr, struct b
     return bead_beads_decorate(v, cr, msg);
 }
 
-/* A bead's value of a field of contacts is the mean of its two. */
+/* For a field of contacts, a bead shows the mean of its two contacts. */
 static double value_of(const struct bead_view *v, const double *field, size_t bead)
 {
     if (!bead_field_info(v->setup.field)->of_contacts)
@@ -168,7 +168,7 @@ static enum bead_error beads_feed(struct bead_view *v, const struct bead_sample 
     return BEAD_OK;
 }
 
-/* Columns of the row that look different now. */
+/* Columns of the row that must be redrawn. */
 struct spans {
     int from[MOST_SPANS], to[MOST_SPANS]; /* px of the area, `to` exclusive */
     size_t count;
@@ -194,7 +194,7 @@ static void span_of_ball(struct spans *spans, const struct bead_ball *ball, cons
     add_span(spans, ball->x - ball->r - 3, ball->x + ball->r + 3, limits);
 }
 
-/* The row shows all beads, always: old and new are the same beads. */
+/* The row always shows all beads, so old and new balls correspond. */
 static void find_changes(const struct bead_view *v, struct spans *spans)
 {
     const struct bead_drawing *d = &v->row_drawing;
@@ -257,7 +257,7 @@ static enum bead_error paint_row(struct bead_view *v, struct bead_frame *frame, 
     return err;
 }
 
-/* The place of the lens on the row, and the way down to it. */
+/* Marks the lens's window on the row and the connection down to the lens. */
 static void compose_zoom(struct bead_view *v)
 {
     if (v->zoom.height == 0)

@@ -7,7 +7,7 @@
 #include "render/draw/raster.h"
 #include "render/view/views.h"
 
-/* Part of its room that a bar has; end of the axis, in parts of the energy at the start. */
+/* Width of a bar as a part of its room; end of the axis, in units of the initial energy. */
 static const double fullness = 0.62, high = 1.04;
 
 struct bead_view {

@@ -9,7 +9,7 @@
 #include "render/view/profile_scan.h"
 #include "render/view/views.h"
 
-/* Heights are rounded to this part of a pixel; what moves less is not drawn again. */
+/* Heights are rounded to this fraction of a pixel; smaller motion is not redrawn. */
 static const double steps_per_pixel = 32;
 static const double area_alpha = 0.26;
 enum { MOST_SPANS = 8, MERGE_GAP = 12 };
@@ -95,12 +95,12 @@ static void profile_make_axis(struct bead_view *v)
 static float profile_y_of(const struct bead_view *v, double value)
 {
     double place = bead_axis_place(&v->axis, value), line = 0.5 * fmax(1, v->look.line);
-    place = place > -0.01 ? fmin(place, 1.2) : -0.01; /* minus infinity on a logarithmic axis, and what is not a number */
+    place = place > -0.01 ? fmin(place, 1.2) : -0.01; /* minus infinity on a logarithmic axis, and NaN */
     double y = line + (1 - place) * (v->plot.height - 2 * line);
     return (float)(round(y * steps_per_pixel) / steps_per_pixel);
 }
 
-/* Where values belong along the chain: a contact is at the right of its bead. */
+/* Where values stand along the chain: a contact is to the right of its bead. */
 static void profile_find_places(struct bead_view *v)
 {
     const struct bead_chain *chain = v->setup.chain;
@@ -147,7 +147,7 @@ static enum bead_error profile_place(struct bead_view *v, struct bead_rect plot,
     return BEAD_OK;
 }
 
-/* Numbers below the plot that move with the camera; what they count stands at their left. */
+/* Numbers below the plot that move with the camera; the title stands to their left. */
 static enum bead_error move_labels(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
     struct bead_text_style style = {.family = v->look.family,
@@ -234,7 +234,7 @@ static void draw_span(const struct bead_view *v, const struct bead_curve *curve,
         bead_changes_add(changes, (struct bead_rect){v->plot.x + from, v->plot.y, to - from, v->plot.height});
 }
 
-/* Columns that value i has a part in. */
+/* The columns that value i influences. */
 static void profile_span_of(const struct bead_view *v, const struct bead_curve *curve, size_t i, int *from, int *to)
 {
     int reach = bead_curve_reach(curve);

@@ -20,13 +20,13 @@ struct bead_view {
     double *values; /* of one time */
     struct bead_curves curves;
     struct bead_curves differences; /* from the comparison run's, where asked for */
-    double low, high;               /* N: what the curves may reach; the axis leaves a strip for names above */
+    double low, high;               /* N: range of the curves; the axis leaves a strip for names above them */
     struct bead_axis force;
     double shown; /* s: drawn until here */
     bool drawn;
 };
 
-/* What a sensor measures is the bead force; beside other views of a movie, whose range it shares, it shows what they show. */
+/* A sensor measures the bead force. In movies it shows the field of the other views, whose range it shares. */
 static enum bead_field shown_field(const struct bead_view_setup *setup)
 {
     return setup->fill && !bead_field_info(setup->field)->of_contacts ? setup->field : BEAD_FIELD_FORCE;
@@ -203,7 +203,7 @@ static void sensors_draw_names(const struct bead_view *v, cairo_t *cr, const str
     for (size_t k = 0; k < v->count; k++) {
         double x = names[k].x, y = v->plot.y + (names[k].row + 0.65) * strip * em;
         struct bead_rgb colour = ink(v, k);
-        if ((names[k].row + 1) * strip * em > v->plot.height) /* half a name is none */
+        if ((names[k].row + 1) * strip * em > v->plot.height) /* no cut names */
             continue;
         style.colour = lines ? v->look.ink : colour;
         if (lines) {
@@ -219,7 +219,7 @@ static void sensors_draw_names(const struct bead_view *v, cairo_t *cr, const str
     cairo_restore(cr);
 }
 
-/* The axis reaches higher than the curves by what the rows of names take, but never by more than half of the plot. */
+/* The axis extends above the curves by the height of the rows of names, at most half of the plot. */
 static void make_force_axis(struct bead_view *v, int rows)
 {
     double taken = fmin((rows + 0.15) * strip * v->look.label / v->plot.height, 0.5);
@@ -295,7 +295,7 @@ static void paint_curves(const struct bead_view *v, cairo_t *cr, double from, do
     }
 }
 
-/* A line where the curves stop to be predictable; under them. */
+/* A line, below the curves, where they stop being predictable. */
 static void paint_horizon(const struct bead_view *v, cairo_t *cr)
 {
     double time = v->setup.trust ? first_difference(v) : INFINITY;

@@ -133,8 +133,8 @@ static enum bead_error spacetime_feed(struct bead_view *v, const struct bead_sam
     return err;
 }
 
-/* Colours of columns from v->done to `to`: beads up, or to the right with time down. Columns that no sample has touched lie only at
- * the ends and are passed over. */
+/* Colours of columns from v->done to `to`: beads up, or to the right with time down. Columns without samples occur only at the ends
+ * and are skipped. */
 static enum bead_error colour_columns(struct bead_view *v, int to, struct bead_message *msg)
 {
     const ptrdiff_t width = v->plot.width;
@@ -168,7 +168,7 @@ static uint32_t pixel_of(struct bead_rgb c)
     return (uint32_t)lround(c.r * 255) << 16 | (uint32_t)lround(c.g * 255) << 8 | (uint32_t)lround(c.b * 255);
 }
 
-/* The bead, with parts, at a place along the chain (m): cells as in the image, from j - 1/2 to j + 1/2. */
+/* The bead number, with fraction, at a position along the chain (m). As in the image, bead j covers j - 1/2 to j + 1/2. */
 static double bead_at(const struct bead_view *v, double place)
 {
     const double *position = bead_chain_position(v->setup.chain);
@@ -188,7 +188,7 @@ static double bead_at(const struct bead_view *v, double place)
     return (double)low + (place - position[low]) / (position[high] - position[low]);
 }
 
-/* Where the camera's window lies across the picture; true where it has moved. */
+/* Finds where the camera's window lies in the picture; true if it has moved. */
 static bool find_mark(struct bead_view *v)
 {
     int mark[2] = {0, 0};
@@ -219,7 +219,7 @@ static void draw_cursor(const struct bead_view *v, int at, int thickness, struct
     }
 }
 
-/* The comparison run's columns up to `to` are looked at; returns the first one where the line is new. */
+/* Compares both runs' columns up to `to`; returns the first column where the line has changed. */
 static int find_horizon(struct bead_view *v, int to)
 {
     double range = v->setup.colours.high - v->setup.colours.low;
@@ -234,7 +234,7 @@ static double spacetime_horizon(struct bead_view *view)
     return view->horizon ? bead_horizon_time(view->horizon) : INFINITY;
 }
 
-/* A light line with dark borders, over any colours: the moment that the other views show. */
+/* Marks the moment that the other views show: a light line with dark edges, visible on any colour. */
 static void stroke_mark(const struct bead_view *v, cairo_t *cr)
 {
     double place = (v->setup.mark - v->setup.time[0]) / (v->setup.time[1] - v->setup.time[0]), line = v->look.line;
@@ -267,7 +267,7 @@ static enum bead_error spacetime_draw_lines(const struct bead_view *v, struct be
     return bead_raster_end(cr, "horizon", msg);
 }
 
-/* Time columns that have passed at `time`, so that their means are final: all of them in stills. */
+/* The number of time columns whose means are final at `time`; in stills, all. */
 static int columns_until(const struct bead_view *v, double time)
 {
     double place = (time - v->setup.time[0]) / (v->setup.time[1] - v->setup.time[0]) * v->columns;
@@ -291,7 +291,7 @@ static struct bead_rect columns_rect(const struct bead_view *v, int from, int to
 static enum bead_error spacetime_draw(struct bead_view *v, double time, struct bead_frame *frame,
                                       const struct bead_frame *background, struct bead_changes *changes, struct bead_message *msg)
 {
-    int line_width = (int)v->look.line * (v->setup.camera ? 2 : 1); /* wide enough that its colours tell */
+    int line_width = (int)v->look.line * (v->setup.camera ? 2 : 1); /* wide enough to tell its two colours apart */
     int until = columns_until(v, time), thickness = smaller(line_width, v->columns), last = v->columns - thickness;
     bool cursor = v->setup.fill && time < v->setup.time[1], moved = find_mark(v);
     if (v->drawn && until == v->shown && ((cursor && !moved) || v->finished))
@@ -336,7 +336,7 @@ static void spacetime_extremes(const struct bead_view *view, double *low, double
         bead_area_extremes(view->area, low, high);
 }
 
-/* The same pixels, as an image of their own in the file. */
+/* The same pixels, as an embedded image. */
 static enum bead_error spacetime_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
 {
     int until = columns_until(v, time);
