@@ -1,4 +1,5 @@
-/* The Korteweg-de Vries equation on a ring, by Fourier series and exponential time differencing.
+/* The Korteweg-de Vries equation u_t + drift u_x + a u u_x + b u_xxx = 0 on a ring, by Fourier series and exponential time
+ * differencing.
  *
  * The mean of u is kept apart: it only moves waves along, so it belongs to the linear part. Steps of the method ETDRK4 are as
  * long as the accuracy allows, by comparing one step with two halves every so often; where numbers do not make sense any more
@@ -12,6 +13,18 @@
 #include "sim/equation/equation.h"
 #include "sim/equation/etd.h"
 #include "sim/equation/spectral.h"
+
+enum { BEAD_KDV_POINTS_MAX = 1 << 20 };
+
+/* u at time 0 and place x of the domain; pulses and solitons with their images in the neighbouring periods. */
+double bead_kdv_start(const struct bead_equation_spec *spec, double x);
+/* Speed (less the drift) -> amplitude of a soliton: the thesis's Eq. 4. */
+double bead_kdv_soliton_amplitude(const struct bead_equation_spec *spec, double speed);
+/* 1 / width of the narrowest sech^2 that can appear, and the largest |u|. */
+double bead_kdv_sharpest(const struct bead_equation_spec *spec);
+double bead_kdv_highest(const struct bead_equation_spec *spec);
+/* Grid points for the accuracy. */
+size_t bead_kdv_points(const struct bead_equation_spec *spec, double accuracy);
 
 /* u without its mean, and its N, at one time. */
 struct bead_kdv_state {

@@ -12,7 +12,7 @@ static const double cells_of_a_cusp = 20;
 
 enum { GHOSTS = 2, LOOK_EVERY = 8 };
 
-void bead_shock_totals(const struct bead_shock_watch *w, const struct bead_shock_state *s, struct bead_shock_totals *to)
+static void find_totals(const struct bead_shock_watch *w, const struct bead_shock_state *s, struct bead_shock_totals *to)
 {
     double mass = 0, momentum = 0, energy = 0;
     for (size_t i = 0; i < w->cells; i++) {
@@ -136,7 +136,7 @@ void bead_shock_watch_begin(struct bead_shock_watch *w, const struct bead_equati
     *w = (struct bead_shock_watch){.spec = spec, .cells = cells, .dx = spec->length / (double)cells, .breaking = INFINITY};
     w->right = scratch;
     w->left = scratch + cells + 2 * GHOSTS;
-    bead_shock_totals(w, s, &w->start);
+    find_totals(w, s, &w->start);
     w->energy = w->start.energy;
     w->variation_start = w->variation_most = find_invariants(w, s);
     look(w, s);
@@ -145,7 +145,7 @@ void bead_shock_watch_begin(struct bead_shock_watch *w, const struct bead_equati
 void bead_shock_watch_step(struct bead_shock_watch *w, const struct bead_shock_state *s)
 {
     struct bead_shock_totals now;
-    bead_shock_totals(w, s, &now);
+    find_totals(w, s, &now);
     w->energy_gained += fmax(now.energy - w->energy, 0);
     w->energy = now.energy;
     w->variation_most = fmax(w->variation_most, find_invariants(w, s));
@@ -164,7 +164,7 @@ size_t bead_shock_measures(const struct bead_shock_watch *w, const struct bead_s
 {
     struct bead_shock_totals now;
     size_t n = 0;
-    bead_shock_totals(w, s, &now);
+    find_totals(w, s, &now);
     n = bead_measure_add(to, n, room, "change of the integral of the strain", now.mass - w->start.mass);
     n = bead_measure_add(to, n, room, "change of the momentum", now.momentum - w->start.momentum);
     n = bead_measure_add(to, n, room, "energy", now.energy);

@@ -31,8 +31,6 @@ struct bead_shock_watch {
     double *right, *left; /* [cells + 4] invariants with two ghosts on both sides: borrowed scratch */
 };
 
-void bead_shock_totals(const struct bead_shock_watch *watch, const struct bead_shock_state *state,
-                       struct bead_shock_totals *totals);
 void bead_shock_watch_begin(struct bead_shock_watch *watch, const struct bead_equation_spec *spec, size_t cells, double *scratch,
                             const struct bead_shock_state *state);
 void bead_shock_watch_step(struct bead_shock_watch *watch, const struct bead_shock_state *state);

@@ -15,6 +15,7 @@ enum { WIDTH = 1 };
 enum { CLUSTER = 64 };
 /* Contacts between patches whose forces are rather computed again than passed over. */
 enum { GAP = 64 };
+
 static bool copy_constants(struct bead_events *e, const struct bead_stepper *s)
 {
     const struct bead_chain *chain = s->chain;
@@ -49,6 +50,29 @@ static bool make_block(struct bead_events *e, size_t beads)
     return e->block;
 }
 
+/* Kinks are not known where the method has more stages, or the last of more counts in its sums. */
+static bool kinks_known(const struct bead_tableau *tableau)
+{
+    bool known = true;
+    for (size_t i = BEAD_KINK_STAGES; i < tableau->stages; i++)
+        known = known && tableau->b[i] == 0 && tableau->bp[i] == 0;
+    return known;
+}
+
+static struct bead_kink_method kink_method(const struct bead_tableau *tableau)
+{
+    struct bead_kink_method method;
+    memset(&method, 0, sizeof method);
+    for (size_t i = 0; i < BEAD_KINK_STAGES && i < tableau->stages; i++) {
+        method.c[i] = (float)tableau->c[i];
+        method.b[i] = (float)tableau->b[i];
+        method.bp[i] = (float)tableau->bp[i];
+        for (size_t j = 0; j < i; j++)
+            method.a[i][j] = (float)tableau->a[i * tableau->stages + j];
+    }
+    return method;
+}
+
 enum bead_error bead_events_create(const struct bead_stepper *s, struct bead_events **events, struct bead_message *msg)
 {
     *events = NULL;
@@ -60,9 +84,9 @@ enum bead_error bead_events_create(const struct bead_stepper *s, struct bead_eve
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contact events of %zu beads", s->beads);
     }
     e->rule = bead_patch_rule_make(s->chain->law, &s->chain->spec->law);
-    e->kinks_known = bead_kinks_known(s->method->tableau) && s->chain->law->hertz && !s->chain->law->as_printed;
+    e->kinks_known = kinks_known(s->method->tableau) && s->chain->law->hertz && !s->chain->law->as_printed;
     if (e->kinks_known)
-        e->method = bead_kink_method_make(s->method->tableau);
+        e->method = kink_method(s->method->tableau);
     bead_events_bound(e, s);
     *events = e;
     return BEAD_OK;

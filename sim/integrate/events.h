@@ -20,7 +20,7 @@
  * What is at rest is never touched, so the window changes no bit; times are counted in steps, so the exact scaling of Hertz's
  * chain holds to the bit. Files: events_flags.c says what to flag, events.c does the bookkeeping, events_roots.c finds branch
  * points, events_flags_body.h, events_load_body.h, events_kinks_body.h and events_body.h do what is worth vectors (compiled for
- * each instruction set), events_piece.c serves other power laws, events_tables.c holds the quadrature. */
+ * each instruction set), events_quadrature.c has the nodes and serves other powers. */
 #ifndef BEADREEL_SIM_INTEGRATE_EVENTS_H
 #define BEADREEL_SIM_INTEGRATE_EVENTS_H
 

@@ -19,7 +19,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-struct bead_tableau;
 struct bead_patch_source;
 
 enum { BEAD_KINK_STAGES = 8 };
@@ -27,9 +26,6 @@ enum { BEAD_KINK_STAGES = 8 };
 struct bead_kink_method {
     float c[BEAD_KINK_STAGES], a[BEAD_KINK_STAGES][BEAD_KINK_STAGES], b[BEAD_KINK_STAGES], bp[BEAD_KINK_STAGES];
 };
-/* False where the method has more stages, or the last of more counts in its sums. */
-bool bead_kinks_known(const struct bead_tableau *tableau);
-struct bead_kink_method bead_kink_method_make(const struct bead_tableau *tableau);
 
 /* What the quadrature owes contacts k - 1, k, k + 1 of each kink, over the step: of the impulse, int f dt, N s, and of its moment,
  * int (t1 - t) f dt, N s^2. */

@@ -99,10 +99,8 @@ struct bead_patch_piece {
     double twice[BEAD_GAUSS_NODES][BEAD_GAUSS_NODES]; /* double integral up to node i = sum_j twice[j][i] g(s_j) */
     double from, to;
 };
-/* Nodes of [from, to] where s = tau +- x^m, or s = tau +- x^2, or where no branch point is near. */
+/* Nodes of [from, to] where s = tau +- x^m. */
 void bead_patch_place_power(int power, double tau, struct bead_patch_piece *piece);
-void bead_patch_place_square(double tau, struct bead_patch_piece *piece);
-void bead_patch_place_linear(struct bead_patch_piece *piece);
 
 /* Where, in s, a force has a branch point, or nearly one; may lie outside the step. */
 struct bead_patch_branch {
@@ -116,15 +114,10 @@ enum { BEAD_BRANCHES_MAX = 8 }; /* a quintic's 5 roots, or extrema in their plac
 size_t bead_patch_branches(const double c[6], const double end[2], double reach,
                            struct bead_patch_branch branch[BEAD_BRANCHES_MAX]);
 
-/* Value and slope of the quintic. */
+/* Value of the quintic. */
 static inline double bead_patch_value(const double c[6], double s)
 {
     return c[0] + s * (c[1] + s * (c[2] + s * (c[3] + s * (c[4] + s * c[5]))));
-}
-
-static inline double bead_patch_slope(const double c[6], double s)
-{
-    return c[1] + s * (2 * c[2] + s * (3 * c[3] + s * (4 * c[4] + s * (5 * c[5]))));
 }
 
 #endif

@@ -10,6 +10,11 @@ enum { ITERATIONS = 60, SAMPLES = 8 };
 
 typedef double (*polynomial)(const double c[6], double s);
 
+static double first(const double c[6], double s)
+{
+    return c[1] + s * (2 * c[2] + s * (3 * c[3] + s * (4 * c[4] + s * (5 * c[5]))));
+}
+
 static double second(const double c[6], double s)
 {
     return 2 * c[2] + s * (6 * c[3] + s * (12 * c[4] + s * (20 * c[5])));
@@ -40,7 +45,7 @@ static double find_zero(const double c[6], polynomial f, polynomial slope, doubl
 
 static double root_between(const double c[6], double a, double b, double fa, double fb)
 {
-    return fa == 0 ? a : fb == 0 ? b : find_zero(c, bead_patch_value, bead_patch_slope, a, b, fa, a + (b - a) * (fa / (fa - fb)));
+    return fa == 0 ? a : fb == 0 ? b : find_zero(c, bead_patch_value, first, a, b, fa, a + (b - a) * (fa / (fa - fb)));
 }
 
 static void add(struct bead_patch_branch *branch, size_t *count, double s, bool before, bool after)
@@ -63,8 +68,8 @@ static bool outside(double d, double rate, double curve, double reach, double *x
 /* The minimum of a closed, or maximum of an open contact between a and b: zeros on both sides, or a near miss. */
 static void add_turn(const double c[6], double a, double b, double fa, double fb, struct bead_patch_branch *branch, size_t *count)
 {
-    double sa = bead_patch_slope(c, a), sb = bead_patch_slope(c, b);
-    double s = find_zero(c, bead_patch_slope, second, a, b, sa, a + (b - a) * (sa / (sa - sb)));
+    double sa = first(c, a), sb = first(c, b);
+    double s = find_zero(c, first, second, a, b, sa, a + (b - a) * (sa / (sa - sb)));
     double f = bead_patch_value(c, s);
     bool closed = fa > 0;
     if ((f > 0) != closed) {
@@ -82,7 +87,7 @@ static void search(const double c[6], const double end[2], struct bead_patch_bra
     for (int i = 1; i <= SAMPLES; i++) {
         const double a = (i - 1.0) / SAMPLES, b = (double)i / SAMPLES;
         double fb = i < SAMPLES ? bead_patch_value(c, b) : end[0];
-        double sb = i < SAMPLES ? bead_patch_slope(c, b) : end[1];
+        double sb = i < SAMPLES ? first(c, b) : end[1];
         bool closed = fa > 0;
         if (closed != (fb > 0))
             add(branch, count, root_between(c, a, b, fa, fb), closed, !closed);

@@ -25,7 +25,7 @@ double bead_curve_value(const struct bead_curve *curve, double x)
     return value;
 }
 
-double bead_curve_slope(const struct bead_curve *curve, double x)
+static double curve_slope(const struct bead_curve *curve, double x)
 {
     double value = 0, slope = 0;
     for (size_t i = curve->count; i-- > 0;) {
@@ -52,7 +52,7 @@ double bead_curve_maximum(const struct bead_curve *curve, double low, double hig
 {
     for (int i = 0; i < BISECTIONS; i++) {
         double middle = 0.5 * (low + high);
-        if (bead_curve_slope(curve, middle) > 0)
+        if (curve_slope(curve, middle) > 0)
             low = middle;
         else
             high = middle;

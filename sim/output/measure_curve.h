@@ -15,7 +15,6 @@ struct bead_curve {
 /* count <= BEAD_CURVE_POINTS */
 struct bead_curve bead_curve_through(const double *values, size_t count);
 double bead_curve_value(const struct bead_curve *curve, double x);
-double bead_curve_slope(const struct bead_curve *curve, double x);
 /* Where it takes `value` between low and high, at which it lies on different sides of it. */
 double bead_curve_crossing(const struct bead_curve *curve, double value, double low, double high);
 /* Its maximum between low and high, where its slope is positive and not; returns the place. */

@@ -37,10 +37,6 @@ struct bead_span bead_sweep_place_span(const struct sweep_panel *panel, const st
 BEAD_CHECK enum bead_error bead_sweep_allocate(const struct bead_scene *scene, struct bead_sweep **sweep, struct bead_message *msg);
 /* Numbers of 8 bytes that a job's results are. */
 size_t bead_sweep_words(const struct sweep_panel *panel);
-/* Compute one job's results into its place. Errors: MEMORY, NUMBERS, SCENE, STOPPED. */
-struct bead_kernels;
-BEAD_CHECK enum bead_error bead_sweep_compute(struct bead_sweep *sweep, size_t job, const struct bead_kernels *kernels,
-                                              const volatile sig_atomic_t *stop, struct bead_message *msg);
 
 /* Names and units of the datasets of profiles. */
 struct sweep_profile_name {

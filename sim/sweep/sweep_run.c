@@ -169,8 +169,9 @@ static enum bead_error measure(struct measure *m, const struct bead_kernels *ker
     return err;
 }
 
-enum bead_error bead_sweep_compute(struct bead_sweep *sweep, size_t job, const struct bead_kernels *kernels,
-                                   const volatile sig_atomic_t *stop, struct bead_message *msg)
+/* Compute one job's results into its place. Errors: MEMORY, NUMBERS, SCENE, STOPPED. */
+static enum bead_error compute(struct bead_sweep *sweep, size_t job, const struct bead_kernels *kernels,
+                               const volatile sig_atomic_t *stop, struct bead_message *msg)
 {
     struct bead_sweep_chain *chain = NULL;
     struct measure m = {.sweep = sweep};
@@ -215,7 +216,7 @@ static enum bead_error work_on(void *context, size_t index, bool calling, struct
     size_t job = w->jobs[index];
     if (calling)
         tell(w, atomic_load(&w->done));
-    enum bead_error err = bead_sweep_compute(w->sweep, job, w->kernels, w->settings->stop, msg);
+    enum bead_error err = compute(w->sweep, job, w->kernels, w->settings->stop, msg);
     if (!err && w->journal) {
         pthread_mutex_lock(&w->lock);
         err = bead_sweep_journal_add(w->journal, w->sweep, job, msg);
