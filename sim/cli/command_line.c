@@ -1,4 +1,4 @@
-/* Options of both programs: one table gives parser, help, man page and error messages. */
+/* Options of both programs: one table gives parser, help, man page, completion and error messages. */
 #include "sim/cli/command_line.h"
 
 #include <errno.h>
@@ -18,35 +18,17 @@ struct option_row {
     const char *name;
     char letter; /* 0: none */
     const char *argument;
-    const char *help; /* lines separated by \n */
+    const char *help;         /* one line */
+    const char *const *words; /* the only values it takes, NULL-terminated; NULL: any, or as `apply` checks */
     enum bead_error (*apply)(struct command *command, const char *value, struct bead_message *msg);
 };
 
-/* An enumerated value of an option; at most CHOICES of them. */
-enum { CHOICES = 12 };
-struct choice {
-    const char *name;
-    int value;
-};
-
-static enum bead_error choose(const char *option, const char *value, const struct choice *choices, size_t count, int *out,
-                              struct bead_message *msg)
-{
-    char all[160] = "", near[64];
-    struct bead_suggest search;
-    bead_suggest_begin(&search, value);
-    for (size_t i = 0; i < count; i++) {
-        if (strcmp(value, choices[i].name) == 0) {
-            *out = choices[i].value;
-            return BEAD_OK;
-        }
-        size_t used = strlen(all);
-        snprintf(all + used, sizeof all - used, "%s%s", i == 0 ? "" : ", ", choices[i].name);
-        bead_suggest_try(&search, choices[i].name);
-    }
-    return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: unknown value `%s`%s (allowed: %s)", option, value,
-                     bead_suggest_text(&search, near, sizeof near), all);
-}
+static const char *const progress_words[] = {[COMMAND_PROGRESS_AUTO] = "auto",
+                                             [COMMAND_PROGRESS_PLAIN] = "plain",
+                                             [COMMAND_PROGRESS_JSON] = "json",
+                                             [COMMAND_PROGRESS_NONE] = "none",
+                                             NULL};
+static const char *const instruction_words[] = {"sse2", "avx2", "avx512", NULL};
 
 static enum bead_error set_output(struct command *command, const char *value, struct bead_message *msg)
 {
@@ -84,54 +66,43 @@ static enum bead_error set_threads(struct command *command, const char *value, s
     return BEAD_OK;
 }
 
+static size_t place_of(const char *word, const char *const *words)
+{
+    size_t i = 0;
+    while (strcmp(word, words[i]) != 0)
+        i++;
+    return i;
+}
+
 static enum bead_error set_progress(struct command *command, const char *value, struct bead_message *msg)
 {
-    static const struct choice choices[] = {{"auto", COMMAND_PROGRESS_AUTO},
-                                            {"plain", COMMAND_PROGRESS_PLAIN},
-                                            {"json", COMMAND_PROGRESS_JSON},
-                                            {"none", COMMAND_PROGRESS_NONE}};
-    int chosen = 0;
-    enum bead_error err = choose("progress", value, choices, sizeof choices / sizeof *choices, &chosen, msg);
-    if (!err)
-        command->progress = (enum command_progress)chosen;
-    return err;
+    (void)msg;
+    command->progress = (enum command_progress)place_of(value, progress_words);
+    return BEAD_OK;
 }
 
 static enum bead_error set_instructions(struct command *command, const char *value, struct bead_message *msg)
 {
-    static const struct choice choices[] = {{"sse2", 0}, {"avx2", 1}, {"avx512", 2}};
-    int chosen;
+    (void)msg;
     command->instructions = value;
-    return choose("instructions", value, choices, sizeof choices / sizeof *choices, &chosen, msg);
+    return BEAD_OK;
 }
 
 static enum bead_error set_canvas(struct command *command, const char *value, struct bead_message *msg)
 {
-    struct choice choices[CHOICES] = {0};
-    size_t count = 0;
-    const char *const *canvases = command->program->canvases;
-    if (!canvases)
+    if (!command->program->canvases)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--canvas: %s does not draw", command->program->name);
-    for (; count < CHOICES && canvases[count]; count++)
-        choices[count] = (struct choice){canvases[count], (int)count};
-    int chosen;
     command->canvas = value;
-    return choose("canvas", value, choices, count, &chosen, msg);
+    return BEAD_OK;
 }
 
 static enum bead_error set_list(struct command *command, const char *value, struct bead_message *msg)
 {
-    struct choice choices[CHOICES] = {0};
-    size_t count = 0;
-    const struct command_list *lists = command->program->lists;
-    for (; count < CHOICES && lists[count].name; count++)
-        choices[count] = (struct choice){lists[count].name, (int)count};
-    int chosen;
-    enum bead_error err = choose("list", value, choices, count, &chosen, msg);
-    if (err)
-        return err;
+    (void)msg;
     command->action = COMMAND_LIST;
-    command->list = &lists[chosen];
+    command->list = command->program->lists;
+    while (strcmp(command->list->name, value) != 0)
+        command->list++;
     return BEAD_OK;
 }
 
@@ -186,12 +157,21 @@ static enum bead_error set_merge(struct command *command, const char *value, str
     return BEAD_OK;
 }
 
+/* --help alone is for people. With a value it prints what the man pages and the shell's completion are made of. */
 static enum bead_error set_help(struct command *command, const char *value, struct bead_message *msg)
 {
-    if (value && strcmp(value, "man") != 0 && strcmp(value, "man-keys") != 0)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--help: takes no value");
-    command->action = !value ? COMMAND_HELP : strcmp(value, "man") == 0 ? COMMAND_MAN : COMMAND_MAN_KEYS;
-    return BEAD_OK;
+    static const struct {
+        const char *value;
+        enum command_action action;
+    } parts[] = {{"man", COMMAND_MAN}, {"man-keys", COMMAND_MAN_KEYS}, {"words", COMMAND_WORDS}};
+    command->action = COMMAND_HELP;
+    if (!value)
+        return BEAD_OK;
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        if (strcmp(value, parts[i].value) == 0)
+            command->action = parts[i].action;
+    }
+    return command->action != COMMAND_HELP ? BEAD_OK : bead_fail(msg, BEAD_ERROR_USAGE, "--help: takes no value");
 }
 
 static enum bead_error set_version(struct command *command, const char *value, struct bead_message *msg)
@@ -203,37 +183,76 @@ static enum bead_error set_version(struct command *command, const char *value, s
 
 static const struct option_row rows[] = {
     {"output", 'o', "PATH", "directory for the files of a scene (default: the current one), or the file to draw a trajectory into",
-     set_output},
-    {"set", 0, "KEY=VALUE", "change the scene, as in --set chain.striker.velocity='1 m/s' (repeatable)", set_setting},
-    {"only", 0, "NAME", "make only this output, named by its file (repeatable)", set_only},
-    {"plan", 0, NULL, "show what would be computed, what is skipped, and why; compute nothing", set_plan},
-    {"list", 0, "WHAT", "list %s", set_list},
-    {"info", 0, "FILE", "describe a scene, a trajectory or the results of a sweep", set_info},
-    {"configuration", 0, "N", "run only chain N of a sweep (its scene or its results); NAME:N where there are several sweeps",
+     NULL, set_output},
+    {"set", 0, "KEY=VALUE", "change the scene, as in --set chain.striker.velocity='1 m/s' (repeatable)", NULL, set_setting},
+    {"only", 0, "NAME", "make only this output, named by its file (repeatable)", NULL, set_only},
+    {"plan", 0, NULL, "show what would be computed, what is skipped, and why; compute nothing", NULL, set_plan},
+    {"list", 0, "WHAT", "list %s", NULL, set_list},
+    {"info", 0, "FILE", "describe a scene, a trajectory or the results of a sweep", NULL, set_info},
+    {"configuration", 0, "N", "run only chain N of a sweep (its scene or its results); NAME:N where there are several sweeps", NULL,
      set_configuration},
-    {"sheet", 0, NULL, "draw only a contact sheet, of a sweep or of a random chain, into the file -o", set_sheet},
-    {"shard", 0, "K/N", "compute part K of N of a sweep into a file of its own: sweep.h5 becomes sweep.KofN.h5", set_shard},
-    {"merge", 0, NULL, "merge the given parts of a sweep, in any order, into the file -o", set_merge},
-    {"threads", 0, "N", "use N threads (default 0: all cores); the results do not depend on N", set_threads},
+    {"sheet", 0, NULL, "draw only a contact sheet, of a sweep or of a random chain, into the file -o", NULL, set_sheet},
+    {"shard", 0, "K/N", "compute part K of N of a sweep into a file of its own: sweep.h5 becomes sweep.KofN.h5", NULL, set_shard},
+    {"merge", 0, NULL, "merge the given parts of a sweep, in any order, into the file -o", NULL, set_merge},
+    {"threads", 0, "N", "use N threads (default 0: all cores); the results do not depend on N", NULL, set_threads},
     {"instructions", 0, "SET", "compute with sse2, avx2 or avx512 (default: the best there is); the results do not depend on SET",
-     set_instructions},
-    {"canvas", 0, "NAME", "what paints beads: plain (default), or as a reference Mesa's OpenGL, osmesa or egl", set_canvas},
-    {"progress", 0, "HOW", "how to show progress on stderr: auto (default), plain, json or none", set_progress},
-    {"help", 'h', NULL, "show this help", set_help},
-    {"version", 'V', NULL, "show the version and the licence", set_version},
+     instruction_words, set_instructions},
+    {"canvas", 0, "NAME", "what paints beads: plain (default), or as a reference Mesa's OpenGL, osmesa or egl", NULL, set_canvas},
+    {"progress", 0, "HOW", "how to show progress on stderr: auto (default), plain, json or none", progress_words, set_progress},
+    {"help", 'h', NULL, "show this help", NULL, set_help},
+    {"version", 'V', NULL, "show the version and the licence", NULL, set_version},
 };
 enum { ROWS = sizeof rows / sizeof *rows };
+
+/* Does this program have the option? */
+static bool offered(const struct command_program *program, const struct option_row *row)
+{
+    return row->apply != set_canvas || program->canvases;
+}
+
+/* The only values that an option takes, at most WORDS of them; returns how many: 0 where any may be tried. */
+enum { WORDS = 16 };
+static size_t allowed(const struct command_program *program, const struct option_row *row, const char *words[WORDS])
+{
+    const char *const *list = row->apply == set_canvas ? program->canvases : row->words;
+    size_t count = 0;
+    for (; list && count < WORDS && list[count]; count++)
+        words[count] = list[count];
+    for (const struct command_list *l = program->lists; row->apply == set_list && count < WORDS && l->name; l++)
+        words[count++] = l->name;
+    return count;
+}
+
+static enum bead_error check_word(const struct command_program *program, const struct option_row *row, const char *value,
+                                  struct bead_message *msg)
+{
+    const char *words[WORDS];
+    char all[160] = "", near[64];
+    struct bead_suggest search;
+    size_t count = allowed(program, row, words);
+    bead_suggest_begin(&search, value);
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(value, words[i]) == 0)
+            return BEAD_OK;
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s%s", i == 0 ? "" : ", ", words[i]);
+        bead_suggest_try(&search, words[i]);
+    }
+    return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: unknown value `%s`%s (allowed: %s)", row->name, value,
+                     bead_suggest_text(&search, near, sizeof near), all);
+}
 
 /* Help text of a row; --list names what this program can list. */
 static const char *row_help(const struct command_program *program, const struct option_row *row, char *text, size_t size)
 {
     if (row->apply != set_list)
         return row->help;
+    const char *words[WORDS];
     char names[160] = "";
-    for (const struct command_list *list = program->lists; list->name; list++) {
+    const size_t count = allowed(program, row, words);
+    for (size_t i = 0; i < count; i++) {
         size_t used = strlen(names);
-        const char *separator = list == program->lists ? "" : list[1].name ? ", " : " or ";
-        snprintf(names + used, sizeof names - used, "%s%s", separator, list->name);
+        snprintf(names + used, sizeof names - used, "%s%s", i == 0 ? "" : i + 1 < count ? ", " : " or ", words[i]);
     }
     snprintf(text, size, "list %s", names);
     return text;
@@ -246,7 +265,7 @@ static void print_help(const struct command_program *program, FILE *out)
     for (size_t i = 0; i < ROWS; i++) {
         const struct option_row *row = &rows[i];
         char letter[8] = "    ";
-        if (row->apply == set_canvas && !program->canvases)
+        if (!offered(program, row))
             continue;
         if (row->letter)
             snprintf(letter, sizeof letter, "-%c, ", row->letter);
@@ -265,7 +284,7 @@ static void print_man(const struct command_program *program, FILE *out)
     char text[256];
     for (size_t i = 0; i < ROWS; i++) {
         const struct option_row *row = &rows[i];
-        if (row->apply == set_canvas && !program->canvases)
+        if (!offered(program, row))
             continue;
         fputs(".TP\n", out);
         if (row->letter)
@@ -276,6 +295,22 @@ static void print_man(const struct command_program *program, FILE *out)
         fputc('\n', out);
         for (const char *c = row_help(program, row, text, sizeof text); *c; c++)
             fputs(*c == '-' ? "\\-" : *c == '\'' ? "\\(aq" : (char[]){*c, 0}, out);
+        fputc('\n', out);
+    }
+}
+
+/* For the shell's completion: a line for each option, "--name -n", its argument where it has one, and the values it may have. */
+static void print_words(const struct command_program *program, FILE *out)
+{
+    const char *words[WORDS];
+    for (size_t i = 0; i < ROWS; i++) {
+        if (!offered(program, &rows[i]))
+            continue;
+        fprintf(out, "--%s %c%c %s", rows[i].name, rows[i].letter ? '-' : '.', rows[i].letter ? rows[i].letter : '.',
+                rows[i].argument ? rows[i].argument : ".");
+        const size_t count = allowed(program, &rows[i], words);
+        for (size_t w = 0; w < count; w++)
+            fprintf(out, " %s", words[w]);
         fputc('\n', out);
     }
 }
@@ -346,7 +381,11 @@ static enum bead_error parse(struct command *command, int argc, char **argv, str
         size_t i = found >= 256 ? (size_t)found - 256 : 0;
         while (found < 256 && rows[i].letter != found)
             i++;
-        enum bead_error err = rows[i].apply(command, optarg, msg);
+        const char *words[WORDS];
+        enum bead_error err =
+            allowed(command->program, &rows[i], words) > 0 ? check_word(command->program, &rows[i], optarg, msg) : BEAD_OK;
+        if (!err)
+            err = rows[i].apply(command, optarg, msg);
         if (err)
             return err;
         if (command->action >= COMMAND_HELP)
@@ -389,6 +428,9 @@ static enum bead_error act(const struct command *command, struct bead_message *m
         return BEAD_OK;
     case COMMAND_MAN_KEYS:
         bead_scene_help_man(stdout);
+        return BEAD_OK;
+    case COMMAND_WORDS:
+        print_words(command->program, stdout);
         return BEAD_OK;
     case COMMAND_VERSION:
         print_version(command->program, stdout);

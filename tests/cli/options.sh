@@ -81,9 +81,19 @@ ok "--plan prints lines" test -s "$T/out"
 ok "--plan of an equation has times without unit" bash -c "'$beadreel' --plan fput | grep -q 'pixels, every [0-9.]*$'"
 ok "nothing was written" empty "$T/here"
 
+# What the shell would offer for the last of some words.
+offers() {
+    (source "$top/assets/completions/beadreel.bash"
+    COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMPREPLY=()
+    _beadreel
+    printf '%s\n' "${COMPREPLY[@]}")
+}
 completion_knows() {
-    "$beadreel" --help | grep -oE -- '--[a-z]+' | sort -u | while read -r option; do
-        grep -q -- "$option" "$top/assets/completions/beadreel.bash" || { echo "$option"; return 1; }
+    local program option
+    for program in "$beadreel" "$beadsim"; do
+        "$program" --help | grep -oE -- '^ +(-[a-zA-Z], )?--[a-z]+' | tr -d ', ' | sed 's/^\(-[a-zA-Z]\)--/\1\n--/' | while read -r option; do
+            offers "$program" - | grep -qx -- "$option" || { echo "$program $option"; return 1; }
+        done || return 1
     done
 }
 ok "the completion knows every option" completion_knows
@@ -94,4 +104,9 @@ completion_lists() { # what bash offers behind `--list t`
     [ "$offered" = thresholds ] || { echo "'$offered'"; return 1; }
 }
 ok "... and what can be listed" completion_lists
+listed() { "$beadreel" --list nothing 2>&1 | sed 's/.*allowed: \(.*\))$/\1/' | tr -d ',' | tr ' ' '\n'; }
+ok "... every list" diff <(offers "$beadreel" --list '' | sort) <(listed | sort)
+ok "... values behind =" test "$(offers "$beadsim" --progress=pl)" = --progress=plain
+ok "... scenes" bash -c "grep -qx kdv <<<'$(offers "$beadreel" kd)'"
+ok "... that beadsim does not draw" test -z "$(offers "$beadsim" --canvas '' | grep osmesa)"
 finish
