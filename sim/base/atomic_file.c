@@ -1,4 +1,4 @@
-/* Files that appear whole or not at all, and claims on them; everything that is written goes through here. */
+/* Files that appear complete or not at all, and claims on them. Every file that the programs write goes through here. */
 #include "beadreel/file.h"
 
 #include <errno.h>
@@ -125,7 +125,7 @@ enum bead_error bead_file_close(FILE *file, const char *part, struct bead_messag
     return BEAD_OK;
 }
 
-/* Returns 0 or an errno. Where the file system cannot sync such an object (EINVAL), nothing can be done. */
+/* Returns 0 or an errno. EINVAL means that the file system cannot sync such an object; that is no failure. */
 static int sync_path(const char *path, int flags)
 {
     int fd = open(path, flags | O_CLOEXEC);

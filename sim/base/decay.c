@@ -1,4 +1,4 @@
-/* Decay along a chain: exponential, then a power law, with bootstrap errors. */
+/* Fits the decay of a wave along a chain: exponential first, then a power law, with bootstrap errors. Sweeps use it. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,8 +6,7 @@
 #include "beadreel/statistics.h"
 #include "sim/base/random.h"
 
-/* The power law is told from the exponential over three doublings of the distance, at least: the first is the way from one to the
- * other. */
+/* The power law needs at least three doublings of the distance; over the first, one law turns into the other. */
 enum { FARTHER = 8, POINTS = 3 };
 
 size_t bead_decay_reach(const double *logs, size_t places, size_t first, size_t cell)
@@ -22,7 +21,7 @@ size_t bead_decay_reach(const double *logs, size_t places, size_t first, size_t 
     return places > 0 ? places - 1 : 0;
 }
 
-/* Sums of x and y about the first point, one place after the other. */
+/* Running sums of x and y, relative to the first point. */
 struct sums {
     double x0, x, y, xx, xy;
     size_t count;
@@ -67,7 +66,7 @@ void bead_decay_fit(const double *logs, size_t places, size_t first, size_t last
 
 /* ---- many configurations ---- */
 
-/* Means over the rows drawn, each place by itself. */
+/* Means over the drawn rows, place by place. */
 static void find_means(const struct bead_decay_profiles *profiles, const double *logs, const size_t *drawn, double *mean)
 {
     memset(mean, 0, profiles->places * sizeof *mean);

@@ -1,3 +1,4 @@
+/* Error codes, their texts and exit statuses, from the one list in error.h; and messages. */
 #include "beadreel/error.h"
 
 #include <stdarg.h>

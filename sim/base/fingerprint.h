@@ -1,4 +1,4 @@
-/* Fingerprints: 64 bits that tell apart what was not meant to differ; no protection against malice. */
+/* Fingerprints: 64 bits that detect accidental differences; they do not protect against deliberate ones. */
 #ifndef BEADREEL_SIM_BASE_FINGERPRINT_H
 #define BEADREEL_SIM_BASE_FINGERPRINT_H
 

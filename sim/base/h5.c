@@ -1,4 +1,4 @@
-/* Files, errors and small metadata: see h5.h. Growing datasets are in h5_series.c, reading is in h5_read.c. */
+/* HDF5 files, errors and attributes: see h5.h. h5_series.c writes growing datasets and tables, h5_read.c reads. */
 #include "beadreel/file.h"
 #include "sim/base/h5_private.h"
 
@@ -83,14 +83,14 @@ void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *m
         bead_h5_disk_leave(&h5->disk);
 }
 
-/* What the disk said, if it failed: HDF5 has not noticed. */
+/* Report a failed write, which HDF5 has not noticed. */
 static void check_disk(struct bead_h5 *h5)
 {
     if (h5->disk.error)
         bead_h5_fail(h5, false, "cannot be written: %s", strerror(h5->disk.error));
 }
 
-/* A link out of the file is not followed: a file that is not trusted must not name others. */
+/* Links out of the file are not followed: an untrusted file must not refer to others. */
 static herr_t refuse_external(const char *file, const char *path, const char *target, const char *object, unsigned *flags,
                               hid_t access, void *data)
 {
@@ -134,7 +134,7 @@ void bead_h5_open(struct bead_h5 *h5, const char *path, struct bead_message *msg
         bead_h5_fail(h5, true, "damaged, or cut off");
 }
 
-/* As H5Fis_hdf5, but without waking the library up for what is none: the signature stands at the beginning, or at 512 bytes or a
+/* As H5Fis_hdf5, but without starting the library for other files: the signature stands at the beginning, or at 512 bytes or a
  * power of two times as many. */
 bool bead_h5_is(const char *path)
 {

@@ -1,3 +1,4 @@
+/* The HDF5 driver of h5_disk.h: keeps what could not be written, so that HDF5 itself never sees a failure. */
 #include "sim/base/h5_disk.h"
 
 #include <errno.h>

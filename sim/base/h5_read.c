@@ -1,4 +1,4 @@
-/* Reading files that are not trusted: see h5.h. */
+/* Reads HDF5 files that are not trusted: see h5.h. Trajectories and sweep files are read through it. */
 #include "sim/base/h5_private.h"
 
 #include <stdlib.h>
@@ -56,7 +56,7 @@ hid_t bead_h5_open_group(struct bead_h5 *h5, const char *name)
     return open_object(h5, name, H5I_GROUP);
 }
 
-/* Data that stand in other files are not read: a file that is not trusted must not name others. */
+/* Data in external files are not read: an untrusted file must not refer to others. */
 hid_t bead_h5_open_dataset(struct bead_h5 *h5, const char *name)
 {
     BEAD_H5_QUIET;
@@ -179,7 +179,7 @@ char *bead_h5_read_text(struct bead_h5 *h5, const char *name, size_t limit)
         bead_h5_fail(h5, false, "%s must be a text of at most %zu bytes", name, limit);
         return NULL;
     }
-    /* As it is stored, where it has a NUL: HDF5 takes half a megabyte to change the length of one text. */
+    /* Read at its stored length if it ends with a NUL: to change the length of a text, HDF5 takes half a megabyte. */
     BEAD_H5_AUTO memory = text_type_like(type, H5Tget_strpad(type) == H5T_STR_NULLTERM ? size : size + 1);
     char *text = calloc(1, size + 1);
     if (!text) {
@@ -194,7 +194,7 @@ char *bead_h5_read_text(struct bead_h5 *h5, const char *name, size_t limit)
     return text;
 }
 
-/* Chunks that nothing has packed go from the file straight to where they are wanted, where HDF5 has no cache for them. */
+/* Uncompressed chunks go straight from the file to their destination if HDF5 does not cache them. */
 static hid_t without_cache(struct bead_h5 *h5, const char *name, hid_t dataset)
 {
     BEAD_H5_AUTO layout = dataset < 0 ? -1 : H5Dget_create_plist(dataset);

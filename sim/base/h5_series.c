@@ -1,4 +1,4 @@
-/* Growing datasets: see h5.h. */
+/* Writes growing datasets and whole tables: see h5.h. The trajectory sink streams its samples through these. */
 #include "sim/base/h5_private.h"
 
 /* Wide rows are cut into chunks of this many columns, so that no chunk nears HDF5's limit of 4 GB. */

@@ -1,3 +1,4 @@
+/* Opens a library and its functions at run time: for libraries that most runs do not need. */
 #include "beadreel/library.h"
 
 #include <dlfcn.h>

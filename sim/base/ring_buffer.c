@@ -1,3 +1,4 @@
+/* A ring of slots between two threads: one fills them, the other does the work. A movie is encoded behind it. */
 #include "beadreel/ring_buffer.h"
 
 #include <pthread.h>
@@ -48,7 +49,7 @@ static enum bead_error call(struct bead_ring_buffer *pipe, void *slot, int last,
     return pipe->work(pipe->context, slot, last, message);
 }
 
-/* A producer that found the ring full waits until half of it is free: woken for every slot, it would fill this one and wait again,
+/* A producer that finds the ring full waits until half of it is free. Woken for every slot, it would fill that slot and wait again,
  * and the two threads would do little else. */
 static bool has_room(const struct bead_ring_buffer *pipe)
 {
@@ -75,7 +76,7 @@ static void *run_worker(void *argument)
         pthread_mutex_lock(&pipe->lock);
         pipe->finished++;
     }
-    /* What the worker made is destroyed in its own thread. After an error this happens at once: the producer may still be busy. */
+    /* The worker destroys what it made in its own thread; after an error at once, as the producer may still be busy. */
     int last = pipe->error || pipe->abandoned ? BEAD_PIPE_ABANDONED : BEAD_PIPE_DONE;
     pthread_mutex_unlock(&pipe->lock);
     error = call(pipe, NULL, last, &message);

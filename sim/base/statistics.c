@@ -1,3 +1,4 @@
+/* Statistics that sweeps and measures share: summaries of samples, least-squares lines, participation. */
 #include "beadreel/statistics.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Finds the name nearest to a mistyped word, for messages. */
 #include "sim/base/suggest.h"
 
 #include <ctype.h>

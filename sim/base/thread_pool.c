@@ -1,4 +1,4 @@
-/* A pool of threads for jobs that do not depend on each other; each run of it starts and joins its own. */
+/* A pool of threads for independent jobs (chains of a scene or a sweep). Each run starts and joins its own threads. */
 #include "sim/base/thread_pool.h"
 
 #include <pthread.h>
@@ -19,7 +19,7 @@ struct worker {
     struct pool *pool;
     bool calling;
     pthread_t thread;
-    /* Its jobs ascend and it stops at an error: there is one at most. */
+    /* Jobs ascend within a thread, and it stops at its first error, so a thread has at most one. */
     enum bead_error error;
     size_t failed_at;
     struct bead_message message;

@@ -1,4 +1,4 @@
-/* The threshold between delocalised waves and clean propagation. */
+/* Finds the magnetism at the threshold between delocalised waves and clean propagation, for the statistics of sweeps. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include "beadreel/statistics.h"
 #include "sim/base/random.h"
 
-/* Magnetisms that make the plateau. */
+/* Magnetisms needed for a plateau. */
 static const double flat = 0.2;
 
 /* exp(-rate (1 - M^2)) = plateau. */
@@ -18,7 +18,7 @@ static double find_law(const double *magnetism, const double *mean, size_t count
     return square >= 0 ? sqrt(square) : NAN;
 }
 
-/* Where the means, followed down from M = 1, first fall to `level`; on straight lines between them. */
+/* Where the means, followed down from M = 1, first fall to `level`, by linear interpolation. */
 static double crossing(const double *magnetism, const double *mean, size_t count, double level)
 {
     for (size_t i = count; i-- > 1;) {
@@ -75,7 +75,7 @@ static bool find_regimes(const double *magnetism, const double *mean, size_t cou
     t->low = t->high = NAN;
     if (!(t->plateau > 0) || t->plateau >= 1)
         return false;
-    /* From M = 1 down, so that what chance lifts at low M does not count. */
+    /* From M = 1 down, so that chance maxima at low M do not count. */
     for (size_t i = count; i-- > low && mean[i] >= sqrt(t->plateau);) {
         double x = 1 - magnetism[i] * magnetism[i], y = -log(mean[i]);
         if (!(x > 1e-12))

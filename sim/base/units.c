@@ -1,3 +1,4 @@
+/* Reads numbers with units for the scene: the usual units from a table, others from UDUNITS-2. */
 #include "sim/base/units.h"
 
 #include <locale.h>
@@ -174,7 +175,7 @@ static enum bead_error wrong(char *why, size_t size, const char *text, const cha
     return BEAD_ERROR_SCENE;
 }
 
-/* Number and a unit behind it. */
+/* A number followed by a unit. */
 static enum bead_error read_with_unit(struct bead_units *units, const char *text, size_t length, const char *unit, const char *si,
                                       double *value, char *why, size_t size)
 {

@@ -1,4 +1,4 @@
-/* From text to trees: libyaml's events. */
+/* Parses YAML text into trees of nodes, from libyaml's events; the scene reader starts here. */
 #include "sim/base/yaml.h"
 
 #include <stdlib.h>
@@ -59,7 +59,7 @@ static enum bead_error no_node(const struct builder *b, yaml_mark_t mark)
     return out_of_memory(b);
 }
 
-/* What is most often behind libyaml's complaints. */
+/* The usual cause of libyaml's complaints. */
 static const char *hint(const char *problem)
 {
     static const char quotes[] = "; a text with a colon, comma or bracket in it stands in \"quotes\"";

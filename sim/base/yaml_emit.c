@@ -1,4 +1,4 @@
-/* From trees to text: libyaml's emitter. */
+/* Writes a tree as YAML text, through libyaml's emitter: the scene as changed by settings, which trajectories store. */
 #include <stdlib.h>
 #include <string.h>
 #include <yaml.h>

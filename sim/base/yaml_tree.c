@@ -1,4 +1,4 @@
-/* Trees of nodes: memory, look-ups, and how nodes are shown in messages. */
+/* Trees of nodes: memory, look-ups, and their text in messages. Parser, editor and scene reader share these. */
 #include <stdlib.h>
 #include <string.h>
 

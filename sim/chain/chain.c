@@ -1,3 +1,4 @@
+/* Makes a chain from its part of the scene: beads, spins, contacts and their static forces. Runs take it from here, unchanged. */
 #include "beadreel/chain.h"
 
 #include <inttypes.h>
@@ -71,7 +72,7 @@ static void write_spins(const struct bead_segment *segment, char *digits)
         memset(digits, segment->spins == BEAD_SPINS_UP ? '1' : '0', segment->count);
 }
 
-/* Lay one segment from bead `at` on; returns the bead behind it. */
+/* Place the beads of one segment from bead `at` on; returns the next free bead. */
 static size_t lay_segment(struct bead_chain *chain, const struct bead_segment *segment, size_t at, char *spins)
 {
     size_t length = segment->cell_beads;
@@ -109,7 +110,7 @@ static void lay_beads(struct bead_chain *chain)
         chain->position[i] = chain->position[i - 1] + chain->radius[i - 1] + chain->radius[i];
 }
 
-/* Cells whose spins the scene gives make the magnetism; fixed ones beside them are only the way there. */
+/* The magnetism is that of the cells whose spins the scene gives; fixed cells beside them do not count. */
 static double find_magnetism(const struct bead_chain *chain)
 {
     double up[2] = {0, 0}, all[2] = {0, 0};

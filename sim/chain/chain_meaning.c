@@ -1,10 +1,10 @@
-/* What the numbers of a chain mean: fields, times and places, of beads and of equations. */
+/* The meaning of a chain's numbers: fields, units, times and places, of beads and of equations alike. Tables and views ask here. */
 #include <stdio.h>
 
 #include "sim/chain/chain_data.h"
 #include "sim/chain/system.h"
 
-/* Of beads there is no strain: springs have lengths, beads only touch. */
+/* Beads have no strain: springs have lengths, beads only touch. */
 static const unsigned fields_of_beads = (BEAD_FIELD_BIT(BEAD_FIELD_COUNT) - 1) & ~BEAD_FIELD_BIT(BEAD_FIELD_STRAIN);
 
 unsigned bead_system_fields(const struct bead_equation_spec *spec)
@@ -38,7 +38,7 @@ const struct bead_field_info *bead_chain_field(const struct bead_chain *chain, e
     return chain->system ? chain->system->field(&chain->spec->equation, field) : bead_field_info(field);
 }
 
-/* Pulses and solitons have the sign of their amplitude as long as they keep together. */
+/* Pulses and solitons keep the sign of their amplitude until they break up. */
 static bool one_sided(const struct bead_equation_spec *spec, enum bead_field field)
 {
     const struct bead_system *system = spec->system;

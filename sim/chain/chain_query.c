@@ -1,4 +1,4 @@
-/* What may be asked of a chain: accessors, energy and the bound of its frequencies. */
+/* Accessors of a chain, its energy and the bound of its frequencies, from which the step is chosen. */
 #include <math.h>
 
 #include "sim/chain/chain_data.h"
@@ -113,7 +113,7 @@ static double bound(const struct bead_chain *chain, size_t k, double energy)
     return high;
 }
 
-/* Cells repeat: the bound of a contact like the one before, or the one before that, is known. */
+/* Cells repeat, so the bounds of the last two different contacts are kept. */
 struct bounds {
     double stiffness[2], start[2], found[2];
     int next;

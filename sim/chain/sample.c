@@ -1,3 +1,4 @@
+/* The table of fields, and the times of a grid of samples. */
 #include "beadreel/sample.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
-/* Systems: what the points of an equation mean, for everybody who shows or stores them as if they were beads.
+/* Systems: what the points of an equation mean to code that shows or stores them as if they were beads.
  *
- * A chain that is an equation has one of these in its specification (bead_equation_spec.system); how it moves stands in the room
- * of the equations, above this one. */
+ * A chain that is an equation has one of these in its specification (bead_equation_spec.system); sim/equation, the room above,
+ * knows how it moves. */
 #ifndef BEADREEL_SIM_CHAIN_SYSTEM_H
 #define BEADREEL_SIM_CHAIN_SYSTEM_H
 

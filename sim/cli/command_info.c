@@ -1,4 +1,4 @@
-/* --info: what is in a scene or a trajectory. */
+/* --info: describes a scene, a trajectory or a sweep's file. */
 #include "sim/cli/command_line.h"
 
 #include <limits.h>
@@ -36,7 +36,7 @@ static void print_options(FILE *out, const struct bead_chain_spec *spec)
         fprintf(out, "  damping %.4g N (s/m)^%.3g\n", spec->damping_coefficient, spec->damping_exponent);
 }
 
-/* The keys that an equation was given say it best: those of its own. */
+/* Print the equation's own keys, as the scene gives them. */
 static void print_equation(FILE *out, const struct bead_chain *chain, size_t index)
 {
     const struct bead_equation_spec *spec = &bead_chain_spec(chain)->equation;

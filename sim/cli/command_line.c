@@ -320,7 +320,7 @@ static void print_version(const struct command_program *program, FILE *out)
     fprintf(out, "%s " BEADREEL_VERSION "\nLicence GPL-3.0-or-later: free software, without any warranty.\n", program->name);
 }
 
-/* What getopt_long could not make sense of. */
+/* Say what was wrong with an option that getopt_long rejects. */
 static enum bead_error unknown_option(char **argv, int found, struct bead_message *msg)
 {
     char near[64];
@@ -399,7 +399,7 @@ static void on_signal(int number)
     stop_signal = number;
 }
 
-/* A first signal ends the run in good order; a second of the same kind ends it at once. */
+/* The first signal ends the run in good order; a second of the same kind kills the program. */
 static enum bead_error catch_signals(struct bead_message *msg)
 {
     static const int stopping[] = {SIGINT, SIGTERM, SIGHUP};
@@ -466,7 +466,8 @@ int command_main(const struct command_program *program, int argc, char **argv)
     struct bead_message msg = {""};
     struct command command = {.program = program};
     enum bead_error err = BEAD_OK;
-    /* All files are closed before the end. What damage in one makes HDF5 keep open it would complain of on stderr, at exit. */
+    /* All files are closed before the end. HDF5 may keep objects of a damaged file open, and must not complain of them on stderr at
+     * exit. */
     H5dont_atexit();
     command.settings = calloc((size_t)argc + 1, sizeof *command.settings);
     command.only = calloc((size_t)argc + 1, sizeof *command.only);

@@ -1,5 +1,5 @@
 /* The command line of both programs: options, help, lists, progress and results.
- * Linked into the two programs only; the libraries neither print nor exit. */
+ * Linked into the two programs only: the libraries neither print nor exit. */
 #ifndef BEADREEL_SIM_CLI_COMMAND_LINE_H
 #define BEADREEL_SIM_CLI_COMMAND_LINE_H
 
@@ -80,7 +80,7 @@ enum bead_error command_list_keys(FILE *out, struct bead_message *msg); /* of sc
 /* Progress on stderr. */
 struct command_meter {
     enum command_progress mode;     /* AUTO stands for a bar on a terminal */
-    double done_began, items_began; /* of a stage that goes on where another process was stopped */
+    double done_began, items_began; /* when a stage continues what a stopped process began */
     double began, said;             /* s, monotonic clock: this stage began, the last line was written */
     char what[160];
     bool drawn; /* the terminal's line is not empty */
@@ -93,7 +93,7 @@ void command_meter_clear(struct command_meter *meter);
 /* Seconds of a clock that only runs forward. */
 double command_clock(void);
 
-/* What the samples of a chain say in numbers (measure.h), where they have what that takes and are not too many. */
+/* Print the measures (measure.h) of a chain's samples, if these have the fields it takes and are not too many. */
 enum bead_error command_measures(FILE *out, struct bead_trajectory *trajectory, size_t chain, const struct bead_outcome *outcome,
                                  struct bead_message *msg);
 

@@ -1,4 +1,4 @@
-/* Measures of a stored run, from its samples. */
+/* Measures of a stored run, computed from its samples, for --info. */
 #include "sim/cli/command_line.h"
 
 #include <stdlib.h>
@@ -6,7 +6,7 @@
 #include "beadreel/measure.h"
 
 enum { MOST_MEASURES = 128 };
-/* Values that are read without being asked twice. */
+/* Files with more values than this are not read through for --info. */
 static const double most_values = 5e7;
 
 static enum bead_error feed(struct bead_trajectory *trajectory, size_t chain, size_t samples, struct bead_measures *measures,

@@ -1,4 +1,4 @@
-/* Progress on stderr; numbers with units. */
+/* Progress on stderr, as a bar, plain lines or JSON; and numbers with units for all output. */
 #include "sim/cli/command_line.h"
 
 #include <math.h>
@@ -111,7 +111,7 @@ void command_meter_tell(void *context, const struct bead_progress *progress)
         return;
     meter->said = now;
     double done = progress->done >= 0 ? fmin(progress->done, 1) : 0, elapsed = now - meter->began;
-    double gone = done - meter->done_began; /* what was there before took no time */
+    double gone = done - meter->done_began; /* work found done took no time */
     double left = elapsed > 0.5 && gone > 0.005 ? elapsed * (1 - done) / gone : -1;
     char rate[64];
     rate_words(meter, progress, elapsed, rate, sizeof rate);

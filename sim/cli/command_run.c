@@ -1,4 +1,4 @@
-/* Running and planning: a session with progress on stderr and results on stdout. */
+/* Runs or plans a session for the command line: progress on stderr, results on stdout. */
 #include "sim/cli/command_line.h"
 
 #include <errno.h>
@@ -56,7 +56,7 @@ static void print_results(const struct bead_result *results, size_t count)
         printf("%-*s  %8s\n", width, results[i].path, command_quantity((double)results[i].bytes, "B", size, sizeof size));
 }
 
-/* The largest of all chains; what the method cannot tell, or a stopped run did not, is left out. */
+/* The largest errors of all chains. Those that the method cannot estimate, or a stopped run did not, are left out. */
 static void print_errors(const struct bead_outcome *outcomes, size_t chains)
 {
     double error[3] = {NAN, NAN, NAN};
@@ -75,7 +75,7 @@ static void print_errors(const struct bead_outcome *outcomes, size_t chains)
     }
 }
 
-/* ": 2581 chains, 83 a second"; of a sweep that had begun before, those computed now. */
+/* ": 2581 chains, 83 a second"; if a sweep is resumed, only the chains computed now count. */
 static void print_sweep(const struct bead_session *session, double seconds)
 {
     size_t known = 0, all = bead_sweep_count(bead_session_sweep(session), &known);
