@@ -1,3 +1,4 @@
+/* The table of equations, in which scenes and runs look theirs up. */
 #include "sim/equation/equation.h"
 
 #include <stdio.h>

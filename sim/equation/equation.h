@@ -1,8 +1,8 @@
-/* Equations: what else than a chain of beads can move in a scene, one const table each.
+/* Equations: what can move in a scene instead of a chain of beads, one const table each.
  *
  * The unknown stands at points x_0 < x_1 < ..., equally far apart; samples of it are those of a chain with as many beads, so
  * sinks and views show it without knowing what it is. Numbers have no units: time, length and the unknown are those of the
- * equation. Results must not depend on who samples them when: steps follow from the state alone. */
+ * equation. Results must not depend on when they are sampled: steps follow from the state alone. */
 #ifndef BEADREEL_SIM_EQUATION_EQUATION_H
 #define BEADREEL_SIM_EQUATION_EQUATION_H
 
@@ -56,7 +56,8 @@ struct bead_equation {
     const double *(*state)(const struct bead_motion *motion, size_t *count);
     /* The conserved quantity to watch (energy, or the integral of u^2), now. */
     double (*energy)(const struct bead_motion *motion);
-    /* Conserved integrals and what was found on the way (recurrence, breaking); returns how many there are, fills `room`. */
+    /* Conserved integrals and events of the run (recurrence, breaking) into `measures`, at most `room`; returns how many there are.
+     */
     size_t (*measures)(const struct bead_motion *motion, struct bead_measure *measures, size_t room);
 };
 

@@ -1,3 +1,4 @@
+/* Exponential time differencing, see etd.h: the coefficients of a step and the step itself, for kdv_solver.c. */
 #include "sim/equation/etd.h"
 
 #include <math.h>
@@ -73,7 +74,7 @@ static struct bead_complex narrow(struct wide x, long double h)
 
 void bead_etd_rows(const long double *omega, size_t modes, long double h, struct bead_etd_row *rows)
 {
-    const long double cancels = 2; /* below this |z| the formulas lose digits */
+    const long double cancels = 2; /* the formulas lose digits below this |z| */
     struct wide circle[CONTOUR], growth[CONTOUR];
     for (int i = 0; i < CONTOUR; i++) { /* none of them on the imaginary axis, where z + r could be 0 */
         circle[i] = turn(2 * pi * (i + 0.5L) / CONTOUR);

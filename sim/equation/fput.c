@@ -1,4 +1,4 @@
-/* The equation `fput`: the string of fput_string.h, its modes, and how the mode it started from comes back. */
+/* The equation `fput`: makes a row of equation.c of the string in fput_string.h; its modes, and the return of the first one. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -318,7 +318,7 @@ static double time_of(const struct bead_motion *m)
     return m->stepper.end.t;
 }
 
-/* Energy is looked at this often, in steps; off by more than this part of itself the numbers mean nothing. */
+/* Steps between checks of the energy, and the relative error beyond which the numbers mean nothing. */
 enum { CHECK_EVERY = 16 };
 static const double energy_limit = 0.1, last_sliver = 1e-9;
 

@@ -1,4 +1,4 @@
-/* The string of Fermi, Pasta, Ulam and Tsingou: its springs, starts, steps and the states between them. fput.c makes an equation of
+/* The string of Fermi, Pasta, Ulam and Tsingou: its springs, starts, steps and dense output. fput.c makes a row of equation.c of
  * it. */
 #include "sim/equation/fput_string.h"
 

@@ -3,7 +3,7 @@
  * Spring j is left of mass j; with fixed ends there is one more, at the right end; with periodic ones spring 0 joins the last
  * mass and the first. Tension of a spring stretched by r: r + alpha r^2 + beta r^3, so that
  * u_j'' = T(r_{j+1}) - T(r_j), which for beta = 0 is (u_{j+1} + u_{j-1} - 2 u_j) (1 + alpha (u_{j+1} - u_{j-1})), Eq. 5 of the
- * thesis. r_j = u_j - u_{j-1} + stretch: what the ends are apart more than the springs are long, a spring's part of it. */
+ * thesis. r_j = u_j - u_{j-1} + stretch: the distance of the ends beyond the springs' total length, per spring. */
 #ifndef BEADREEL_SIM_EQUATION_FPUT_STRING_H
 #define BEADREEL_SIM_EQUATION_FPUT_STRING_H
 

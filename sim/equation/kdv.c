@@ -1,4 +1,4 @@
-/* The equation `kdv`: what its settings mean, what is watched on the way and measured at the end. */
+/* The equation `kdv`: makes a row of equation.c of the solver in kdv_solver.h; its settings, integrals, recurrence and measures. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -204,7 +204,7 @@ static size_t add_of_soliton(struct bead_measure *to, size_t n, size_t room, siz
     return bead_measure_add(to, n, room, name, value);
 }
 
-/* The crest whose height is nearest the soliton's; those further off than a tenth are no soliton's, or in a collision. */
+/* The crest whose height is nearest the soliton's. One that differs by more than a tenth is no soliton, or one in a collision. */
 static bool find_soliton(const struct bead_kdv *kdv, const double *u, size_t i, struct crest *best)
 {
     const struct bead_equation_spec *spec = kdv->spec;

@@ -1,5 +1,4 @@
-/* The Korteweg-de Vries equation on a ring: where it starts, how many points it takes, and its steps. kdv.c makes an equation of
- * it. */
+/* The Korteweg-de Vries equation on a ring: its start, number of points and steps. kdv.c makes a row of equation.c of it. */
 #include "sim/equation/kdv_solver.h"
 
 #include <math.h>
@@ -8,7 +7,7 @@
 
 static const long double pi = 3.141592653589793238462643383279503L;
 
-/* ---- starts, and how fine a grid they and what becomes of them need ---- */
+/* ---- starts, and the grid that they and their later shapes need ---- */
 
 static double sech2(double x)
 {
@@ -87,7 +86,7 @@ static double hirota(const struct bead_equation_spec *spec, double x)
     return (double)(12 * spec->dispersion / spec->nonlinearity * (square / weight - mean * mean));
 }
 
-/* As many times the same speed, or solitons far from each other: their sum. */
+/* Solitons of equal speed, or far from each other: their sum. */
 static double sum_of_solitons(const struct bead_equation_spec *spec, double x)
 {
     double sum = 0;
@@ -154,7 +153,7 @@ size_t bead_kdv_points(const struct bead_equation_spec *spec, double accuracy)
  * seldom. An error grows with the time after it was made (a wave of wrong speed runs away), hence the margin. */
 enum { COMPARE_EVERY = 16 };
 static const double notch = 0.70710678118654752, margin = 3, rounding = 4e-15, last_sliver = 1e-9;
-/* Beyond these the numbers mean nothing. */
+/* Limits beyond which the numbers mean nothing. */
 static const double momentum_limit = 0.01, tail_limit = 0.02, tail_by_accuracy = 1000;
 
 /* N(u) = -(a / 2) i k (u^2)_k */

@@ -2,8 +2,7 @@
  * differencing.
  *
  * The mean of u is kept apart: it only moves waves along, so it belongs to the linear part. Steps of the method ETDRK4 are as
- * long as the accuracy allows, by comparing one step with two halves every so often; where numbers do not make sense any more
- * a step fails. */
+ * long as the accuracy allows, by comparing one step with two halves every so often; a step whose numbers make no sense fails. */
 #ifndef BEADREEL_SIM_EQUATION_KDV_SOLVER_H
 #define BEADREEL_SIM_EQUATION_KDV_SOLVER_H
 

@@ -73,7 +73,7 @@ static void places(const struct bead_equation_spec *spec, size_t cells, double *
 /* Part of the time in which waves cross a cell. */
 static const double courant = 0.8, courant_limit = 1, last_sliver = 1e-9;
 
-/* INFINITY or NaN where the equation has lost its waves. */
+/* INFINITY or NaN where the equation is no longer hyperbolic. */
 static double fastest(const struct bead_motion *m, const struct bead_shock_state *s)
 {
     double most = 0, least = INFINITY;
@@ -268,7 +268,7 @@ static const double *state(const struct bead_motion *m, size_t *count)
     return m->end.r;
 }
 
-/* Shocks take energy, as they must; an error is what comes out of nothing. */
+/* Shocks dissipate energy; only a gain of energy is an error. */
 static double energy(const struct bead_motion *m)
 {
     return m->watch.start.energy + m->watch.energy_gained;

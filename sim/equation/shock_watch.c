@@ -1,3 +1,4 @@
+/* What a run of shock.c watches after every step: energy, variation, and the time at which the wave breaks. */
 #include "sim/equation/shock_watch.h"
 
 #include <math.h>

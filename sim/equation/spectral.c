@@ -1,3 +1,4 @@
+/* Fourier series through FFTW, see spectral.h, for kdv_solver.c. */
 #include "sim/equation/spectral.h"
 
 #include <fftw3.h>
@@ -16,7 +17,7 @@ static const unsigned same_everywhere = FFTW_ESTIMATE | FFTW_NO_SIMD;
 
 enum { FUNCTIONS = 7 };
 
-/* Opened when it is first needed: starting without it is a millisecond shorter. */
+/* Opened when first needed: programs start a millisecond earlier without it. */
 struct bead_fftw {
     union {
         struct {

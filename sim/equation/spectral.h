@@ -27,7 +27,7 @@ struct bead_spectral {
     struct bead_fftw *fftw;   /* its functions */
 };
 
-/* Opens FFTW, which nothing else needs. Errors: MEMORY, UNSUPPORTED (it is not installed). On failure there is nothing to destroy.
+/* Opens FFTW, which nothing else uses. Errors: MEMORY, UNSUPPORTED (it is not installed). On failure there is nothing to destroy.
  */
 BEAD_CHECK enum bead_error bead_spectral_create(size_t points, struct bead_spectral *spectral, struct bead_message *msg);
 void bead_spectral_destroy(struct bead_spectral *spectral);

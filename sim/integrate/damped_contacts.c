@@ -1,13 +1,14 @@
+/* Finds where contacts with damping open and close, see damped_contacts.h; the stepper ends its steps there. */
 #include "sim/integrate/damped_contacts.h"
 
 #include <math.h>
 
 #include "sim/integrate/dense.h"
 
-/* A contact this near to closing, in units of what it moves in a step, is closed: a step that ends at a closing meets it but for
+/* A contact this near to closing, in units of its motion in a step, counts as closed: a step that ends at a closing meets it up to
  * the error of the root. */
 static const double touching = 1e-3;
-/* What changes within this part of a step changes at its start. */
+/* A change within this part of a step counts as one at its start. */
 static const double at_once = 1e-6;
 
 static double compression(const struct bead_stepper *s, const struct bead_state *state, size_t k)
@@ -36,7 +37,7 @@ void bead_damped_contacts_update(struct bead_stepper *s)
     }
 }
 
-/* A contact over the step: its compression as a cubic, which is exact enough to place an event, and the force that follows. */
+/* A contact over the step: a cubic for its compression, accurate enough to locate an event, and the force that follows. */
 struct contact_curve {
     const struct bead_stepper *stepper;
     size_t contact;

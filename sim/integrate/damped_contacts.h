@@ -1,8 +1,8 @@
-/* Closings: contacts with damping, whose force jumps when they close.
+/* Contacts with damping, whose force jumps when they close.
  *
- * gamma |D|^a acts from the first touch on, so the force jumps by it, and a method for smooth forces falls to order 1 there; beads
- * do not stick, so the force ends, with a kink, where the damping of the parting beads outweighs their elasticity. So a contact's
- * state, closed or open, is kept for the whole of a step, and a step in which one changes is made again so that it ends there. */
+ * gamma |D|^a acts from the first touch on, so the force jumps, and a method for smooth forces falls to order 1 there. Beads
+ * do not stick, so the force ends, with a kink, where the damping of the parting beads exceeds their elastic force. Therefore a
+ * contact stays closed or open for a whole step, and a step in which one changes is repeated so that it ends at the change. */
 #ifndef BEADREEL_SIM_INTEGRATE_DAMPED_CONTACTS_H
 #define BEADREEL_SIM_INTEGRATE_DAMPED_CONTACTS_H
 

@@ -1,3 +1,4 @@
+/* Dense output: interpolates states, compressions and forces between the ends of a step, for samples, peaks and the front. */
 #include "sim/integrate/dense.h"
 
 #include <math.h>

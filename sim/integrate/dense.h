@@ -6,7 +6,7 @@
 
 #include "sim/integrate/stepper.h"
 
-/* Third derivatives of the displacements at both ends of a step, found where somebody looks between them, and kept. */
+/* Third derivatives of the displacements at both ends of a step, found when a state between them is first asked for, and kept. */
 struct bead_dense {
     double *memory, *jerk[2]; /* [beads] m/s^3, at start and end of step `step` */
     uint64_t step;            /* 0: none */

@@ -1,3 +1,4 @@
+/* Corrects a step near contacts that open or close, see events.h. The stepper calls it after every step. */
 #include "sim/integrate/events.h"
 
 #include <math.h>
@@ -7,13 +8,14 @@
 #include "sim/integrate/events_private.h"
 #include "sim/integrate/tableau.h"
 
-/* Picard sweeps: the second changes 20 to 40 times less than the first, a third brings nothing. */
+/* Picard sweeps: the second changes 20 to 40 times less than the first, a third gains nothing. */
 enum { SWEEPS = 2, SWEEP_GAIN = 8 };
-/* Contacts integrated again on each side of a flagged one: without them an order is lost, more bring nothing. */
+/* Contacts integrated again on each side of a flagged one: without them an order is lost, more gain nothing. */
 enum { WIDTH = 1 };
-/* Flagged contacts a patch at most: its cost grows as their square. Longer ones are cut, which loses a little at the cut. */
+/* Most flagged contacts of a patch, whose cost grows as their square. Longer patches are cut, which loses a little accuracy there.
+ */
 enum { CLUSTER = 64 };
-/* Contacts between patches whose forces are rather computed again than passed over. */
+/* Gaps between patches up to this many contacts are refreshed with them; skipping these would cost more. */
 enum { GAP = 64 };
 
 static bool copy_constants(struct bead_events *e, const struct bead_stepper *s)
@@ -115,7 +117,7 @@ bool bead_events_failed(const struct bead_events *events)
     return events && events->failed;
 }
 
-/* The same for the arrays of a patch, which lose what they had. */
+/* Make room for `count` contacts in the arrays of a patch; their contents are lost. */
 static bool grow_patch(struct bead_patch *patch, size_t count)
 {
     size_t room = (count + count / 2 + 2 * BEAD_EVENTS_LANES) / BEAD_EVENTS_LANES * BEAD_EVENTS_LANES, bytes;
@@ -181,7 +183,7 @@ static void load_quintic(const struct bead_patch *patch, size_t k, double c[6])
         c[i] = patch->array[BEAD_PATCH_C + i][k];
 }
 
-/* Equal ones become one. */
+/* Insert in order of s; equal branch points become one. */
 static void insert(struct bead_events *e, struct bead_patch_branch branch)
 {
     size_t i = e->branch_count;
@@ -250,8 +252,7 @@ static double within(double s, double until)
     return s < 0 ? 0 : s > until ? until : s;
 }
 
-/* From 0 to `until`, from branch point to branch point; where one is near either end of an interval, to the middle between them
- * first. */
+/* Integrate from 0 to `until`, from branch point to branch point. An interval with one near either end is split in the middle. */
 static void integrate(struct bead_events *e, const struct bead_stepper *s, double until)
 {
     for (size_t i = 0; i <= e->branch_count; i++) {
@@ -277,7 +278,7 @@ static void owe(const struct bead_events *e, struct bead_stepper *s, size_t k, d
     s->end.u[k + 1] += moment * e->inverse_mass[k + 1];
 }
 
-/* What the method's quadrature made of the patch's impulses gives way to what they are. */
+/* Replace the impulses of the method's quadrature by those of the patch. */
 static void replace(struct bead_events *e, struct bead_stepper *s, size_t first, double h)
 {
     double *const *array = e->patch.array;
@@ -288,8 +289,7 @@ static void replace(struct bead_events *e, struct bead_stepper *s, size_t first,
     s->event_change = fmax(s->event_change, e->patch.change / h);
 }
 
-/* Forces of the contacts, and accelerations of the beads, that changed displacements of beads first..last change; what else lies
- * between gets the values that it has. */
+/* Compute again the forces and accelerations that depend on the displacements of beads first..last. */
 static void refresh(struct bead_stepper *s, size_t first, size_t last)
 {
     size_t from = first > 0 ? first - 1 : 0, to = last + 1 < s->active ? last + 1 : s->active;
@@ -315,7 +315,7 @@ static bool correct_patch(struct bead_events *e, struct bead_stepper *s, size_t 
     return true;
 }
 
-/* What kinks at..at + count - 1 leave undone, at most, m/s. */
+/* The largest error left by kinks at..at + count - 1, m/s. */
 static double left_undone(const struct bead_events *e, size_t at, size_t count)
 {
     double most = 0;
@@ -324,7 +324,7 @@ static double left_undone(const struct bead_events *e, size_t at, size_t count)
     return most;
 }
 
-/* Kink i gives its impulses to the beads of its contact and of the neighbours: none that is no contact, and none behind the window.
+/* Apply the impulses of kink i to the beads of its contact and of its neighbours, if these exist and lie in the window.
  */
 static void owe_kink(const struct bead_events *e, struct bead_stepper *s, size_t i)
 {
@@ -350,7 +350,7 @@ static void owe_kink(const struct bead_events *e, struct bead_stepper *s, size_t
     }
 }
 
-/* How many flagged contacts from number `at` on are so close together that their patches are one. */
+/* How many flagged contacts from number `at` on share one patch. */
 static size_t cluster(const struct bead_events *e, size_t at)
 {
     const size_t *flagged = e->flags.contact + at, left = e->flagged_count - at;
@@ -360,8 +360,7 @@ static size_t cluster(const struct bead_events *e, size_t at)
     return n;
 }
 
-/* Flagged contacts at..at + count - 1 as kinks, if that is all they are and enough is known of them; else in a patch, of contacts
- * first..last. */
+/* Correct flagged contacts at..at + count - 1 as kinks if that is accurate enough, else in a patch of contacts first..last. */
 static bool correct_cluster(struct bead_events *e, struct bead_stepper *s, size_t at, size_t count, size_t first, size_t last)
 {
     const double left = e->kinks_known ? left_undone(e, at, count) : INFINITY;
@@ -373,8 +372,8 @@ static bool correct_cluster(struct bead_events *e, struct bead_stepper *s, size_
     return true;
 }
 
-/* Patches that touch or overlap are one. Forces are computed again behind the last patch, or for those so far before a gap that is
- * not worth going over. */
+/* Correct all flagged contacts. Patches that touch or overlap are one. Forces are refreshed after the last patch, and before a gap
+ * that is longer than GAP. */
 static bool correct_flagged(struct bead_events *e, struct bead_stepper *s)
 {
     size_t begin = 0, end = 0; /* beads moved */

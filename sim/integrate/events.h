@@ -1,7 +1,7 @@
 /* Contact-event correction: repairs a Nystrom step near contacts that open or close.
  *
  * The force A d_+^{3/2} has a branch point where d crosses zero; there every quadrature of smooth functions falls to order 5/2,
- * whatever its order elsewhere. The step is made as if nothing happened. Then:
+ * whatever its order elsewhere. The step is made without regard to that. Then:
  *
  * 1. Contacts are flagged that open or close within the step, graze, or have a branch point so near outside that a velocity
  *    suffers by more than a tolerance.
@@ -17,7 +17,7 @@
  *    made of them, with opposite signs on its two beads: momentum is conserved to rounding.
  * 6. Forces at the end of the step are computed again where beads have moved: the next step begins with them.
  *
- * What is at rest is never touched, so the window changes no bit; times are counted in steps, so the exact scaling of Hertz's
+ * Beads at rest are never touched, so the window changes no bit; times are counted in steps, so the exact scaling of Hertz's
  * chain holds to the bit. Files: events_flags.c says what to flag, events.c does the bookkeeping, events_roots.c finds branch
  * points, events_flags_body.h, events_load_body.h, events_kinks_body.h and events_body.h do what is worth vectors (compiled for
  * each instruction set), events_quadrature.c has the nodes and serves other powers. */
@@ -32,7 +32,7 @@
 struct bead_stepper;
 struct bead_events;
 
-/* For steps of this stepper; NULL where no contact opens (two-sided laws). Errors: MEMORY. */
+/* For steps of this stepper; NULL where no contact opens (two-sided laws), or where the law has no exponent. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_events_create(const struct bead_stepper *stepper, struct bead_events **events,
                                               struct bead_message *msg);
 /* Contacts near an event in the step just made, ascending. */

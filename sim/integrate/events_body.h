@@ -1,5 +1,5 @@
-/* Included by kernels_body.h: the part of the contact-event correction that is worth vectors, in GCC's and Clang's vector types, as
- * wide as the set has them. Lanes are contacts or the nodes of a piece; sums have a fixed order, so every set gives the same bits.
+/* Included by kernels_body.h: the part of the contact-event correction that vectors speed up, in GCC's and Clang's vector types of
+ * the set's width. Lanes are contacts or the nodes of a piece; sums have a fixed order, so every set gives the same bits.
  */
 #include <string.h>
 
@@ -71,7 +71,7 @@ static inline lanes node_forces(const struct bead_patch_rule *rule, double a, do
     return d;
 }
 
-/* The closed contacts that a piece is integrated for: a list, because branches on each would be guessed wrong half of the time. */
+/* The closed contacts that a piece is integrated for: a list, because the processor would mispredict every other branch. */
 struct pushing {
     const uint32_t *contact;
     size_t count, first, last; /* contact[first..last - 1] are not frozen */

@@ -1,4 +1,4 @@
-/* Which contacts of a step have to be corrected. */
+/* Decides which contacts of a step need a correction; events.c then makes it. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

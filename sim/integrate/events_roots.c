@@ -1,4 +1,4 @@
-/* Branch points of one contact: where its compression crosses zero, or nearly does. */
+/* Finds the branch points of one contact, where its compression crosses zero or nearly does, for the patches of events.c. */
 #include <math.h>
 
 #include "sim/integrate/events_patch.h"
@@ -80,7 +80,7 @@ static void add_turn(const double c[6], double a, double b, double fa, double fb
     }
 }
 
-/* All within the step, from samples that part zeros and extrema. */
+/* All branch points within the step, from samples dense enough to separate zeros and extrema. */
 static void search(const double c[6], const double end[2], struct bead_patch_branch *branch, size_t *count)
 {
     double fa = c[0], sa = c[1];

@@ -1,3 +1,4 @@
+/* Chooses the kernels of the best instruction set, and has the scalar ones: laws without a vector kernel, damping, Appendix 4. */
 #include "sim/integrate/kernels.h"
 
 #include <math.h>

@@ -18,7 +18,7 @@ struct bead_patch;
 struct bead_patch_rule;
 struct bead_patch_source;
 
-/* Constants of the contacts 0..n-1 as the force kernels want them. */
+/* Constants of the contacts 0..n-1, laid out for the force kernels. */
 struct bead_contact_table {
     const double *stiffness;          /* A_k; 0 where there is no contact */
     const double *static_compression; /* d0_k */
@@ -65,7 +65,7 @@ struct bead_kernels {
      * step: where its rate was > 0 at the start and is <= 0 at the end, or has one sign at both ends and may have the other in
      * between. Returns whether any. Whole vectors are read, and written. */
     bool (*turns)(size_t n, const struct bead_step_ends *ends, const double *least, unsigned char *mark);
-    /* Contact events, see events_patch.h: which of contacts 0..n-1 have one that matters, and what it does. n is a multiple of 8
+    /* Contact events, see events_patch.h: which of contacts 0..n-1 have one that matters, and its effect. n is a multiple of 8
      * unless beads n, n + 1, ... are at rest; whole vectors are read, and written. Returns how many. */
     size_t (*flag_events)(size_t n, const struct bead_patch_source *source, const struct bead_event_limits *limits,
                           struct bead_event_flags *flags);
@@ -87,14 +87,14 @@ void bead_correct_few_kinks(const struct bead_patch_source *source, const struct
 void bead_integrate_few(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps, double enough,
                         struct bead_patch *patch);
 
-/* NULL: the best this machine has. Otherwise by name; NULL is returned for one that is unknown or not to be had. */
+/* The set called `name`, or the best of this machine for NULL. Returns NULL if it is unknown or this machine lacks it. */
 const struct bead_kernels *bead_kernels_find(const char *name);
 
 /* For laws without a vector kernel, and for damping. */
 void bead_force_general(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f);
 void bead_force_damped(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f);
-/* The arithmetic of the thesis's Appendix 4, operation by operation: d^(3/2) by pow, each force divided by the mass. A chain that
- * multiplies rounding errors by 1e9 within the run comes out the same only so. */
+/* The arithmetic of the thesis's Appendix 4, operation by operation: d^(3/2) by pow, each force divided by the mass. Only so does a
+ * chain that amplifies rounding errors by 1e9 reproduce the thesis. */
 void bead_force_printed(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f);
 void bead_accelerations_printed(size_t n, const double *f, const double *mass, double *a);
 

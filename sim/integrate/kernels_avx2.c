@@ -1,3 +1,4 @@
+/* The kernels of kernels_body.h, compiled for AVX2. */
 #define KERNELS_NAME        "avx2"
 #define KERNELS_DESCRIPTION "x86-64-v3"
 #define KERNELS_TABLE       bead_kernels_avx2

@@ -1,3 +1,4 @@
+/* The kernels of kernels_body.h, compiled for AVX-512. */
 #define KERNELS_NAME        "avx512"
 #define KERNELS_DESCRIPTION "x86-64-v4"
 #define KERNELS_TABLE       bead_kernels_avx512

@@ -54,7 +54,7 @@ static inline __attribute__((always_inline)) lanes move(const double *a, const d
     return now;
 }
 
-/* One root in ROOTS is left to the instruction, which takes its time while the others are computed. */
+/* One root in ROOTS is left to the slow instruction, which runs while the others are computed. */
 static void hertz_move(size_t n, const struct bead_contact_table *table, const double *u, const double *w, double *f, double *out)
 {
     const double *a = table->stiffness;
@@ -236,7 +236,7 @@ static bool turns(size_t n, const struct bead_step_ends *ends, const double *lea
 
 #include "sim/integrate/events_flags_body.h"
 #include "sim/integrate/events_load_body.h"
-/* Few numbers at a time: long vectors wait for their roots, and are less than full. */
+/* For few numbers shorter vectors are faster: long ones wait for their roots, and are not full. */
 #ifdef KERNELS_OF_FEW
 #define correct_kinks   bead_correct_few_kinks
 #define integrate_piece bead_integrate_few

@@ -1,3 +1,4 @@
+/* The kernels of kernels_body.h, compiled for SSE2, which every x86-64 processor has. */
 #define KERNELS_NAME        "sse2"
 #define KERNELS_DESCRIPTION "any x86-64"
 #define KERNELS_TABLE       bead_kernels_sse2

@@ -44,7 +44,7 @@ typedef int64_t lane_masks __attribute__((vector_size(8 * LANES)));
 typedef signed char lane_bytes __attribute__((vector_size(LANES), may_alias, aligned(1)));
 typedef double lanes_anywhere __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
 
-/* Numbers of which 7 digits are enough: twice as many a vector, and their roots and quotients are sooner there. */
+/* For numbers that need only 7 digits: a vector holds twice as many, and roots and quotients are faster. */
 enum { FLOATS = 2 * LANES };
 typedef float floats __attribute__((vector_size(8 * LANES)));
 typedef float floats_anywhere __attribute__((vector_size(8 * LANES), aligned(4), may_alias));

@@ -1,8 +1,8 @@
 /* Runge-Kutta-Nystrom methods for u'' = a(u), from a tableau.
  *
  * A long chain goes through the stages in tiles that the cache holds: stage i of a tile lies SKEW beads further left for each
- * stage, so that all it needs of its right neighbours is there, and what it needs of its left ones was made by the tile before. The
- * numbers are those of whole stages, to the bit. */
+ * stage, so that its right neighbours are known and the previous tile has made the left ones. Results are bit for bit
+ * those of whole stages. */
 #include "sim/integrate/stepper.h"
 #include "sim/integrate/tableau.h"
 

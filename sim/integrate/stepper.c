@@ -1,3 +1,4 @@
+/* Holds the state of one chain and moves it on by a method: forces, window, events. Runs drive it. */
 #include "sim/integrate/stepper.h"
 
 #include <math.h>
@@ -22,7 +23,7 @@ static size_t stage_count(const struct bead_method *method)
     return method->tableau ? method->tableau->stages : 1;
 }
 
-/* All arrays from one block. */
+/* Take the next array from the one block of memory. */
 static double *take(double **at, size_t beads)
 {
     double *array = *at + MARGIN;
@@ -34,7 +35,7 @@ static enum bead_error allocate(struct bead_stepper *s, struct bead_message *msg
 {
     size_t stages = stage_count(s->method), arrays = 2 * 4 + 2 * stages + 4 + 2;
     size_t bytes;
-    /* Zero pages come from the system untouched, and those of beads that the wave never reaches stay so. */
+    /* calloc gets untouched zero pages from the system; those of beads that the wave never reaches cost nothing. */
     if (__builtin_mul_overflow(padded(s->beads) * sizeof(double), arrays, &bytes) || !(s->memory = calloc(1, bytes + ALIGN)))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the state of %zu beads", s->beads);
     double *at = (double *)(((uintptr_t)s->memory + ALIGN - 1) / ALIGN * ALIGN);
@@ -82,7 +83,7 @@ static bead_force_kernel choose_force(const struct bead_chain *chain, const stru
     return has_static(chain) ? kernels->hertz_static : kernels->hertz;
 }
 
-/* Beads that one step may move: those that move now, and one more for each evaluation of the force. */
+/* Beads that one step may move: those in motion, and one more per evaluation of the force. */
 static void open_window(struct bead_stepper *s, const struct bead_state *from)
 {
     size_t reach = (size_t)s->method->info.evaluations + 2, last = s->active;
@@ -200,7 +201,7 @@ void bead_stepper_advance(struct bead_stepper *s, double t1)
     bead_stepper_advance_by(s, t1 - s->t1, t1);
 }
 
-/* A step in which a contact closes or lets go is made again up to there; the next begins with the other state, and its force. */
+/* A step in which a contact closes or opens is repeated up to that moment; the next begins with the new state and force. */
 static void end_at_closing(struct bead_stepper *s)
 {
     struct bead_damped_contact first = bead_damped_contacts_first(s);
@@ -227,8 +228,8 @@ void bead_stepper_advance_by(struct bead_stepper *s, double h, double t1)
     s->t1 = t1;
     s->h = h;
     open_window(s, &s->start);
-    /* Ahead of the front displacements fall doubly exponentially: below 1e-308 they are nothing, not slow
-     * subnormal numbers. The flags are the caller's again afterwards. */
+    /* Ahead of the front displacements fall doubly exponentially: flush them to zero below 1e-308 rather than compute slowly with
+     * subnormal numbers. The caller's flags are restored afterwards. */
     unsigned flags = _mm_getcsr();
     _mm_setcsr(flags | 0x8040);
     s->method->step(s, h);

@@ -4,8 +4,8 @@
  *   while (...) bead_stepper_advance(stepper, h);     state at both ends of the step: stepper->start, ->end
  *   bead_stepper_destroy(stepper);
  *
- * Only beads 0..active-1 are touched: ahead of the front nothing moves, and what cannot be reached within a
- * step stays exactly at rest, so the window changes no bit. */
+ * Only beads 0..active-1 are touched: ahead of the front nothing moves, and beads out of reach of a step stay exactly at rest,
+ * so the window changes no bit. */
 #ifndef BEADREEL_SIM_INTEGRATE_STEPPER_H
 #define BEADREEL_SIM_INTEGRATE_STEPPER_H
 
@@ -74,7 +74,7 @@ BEAD_CHECK enum bead_error bead_stepper_create(const struct bead_chain *chain, c
                                                const struct bead_kernels *kernels, bool full, struct bead_stepper **stepper,
                                                struct bead_message *msg);
 void bead_stepper_destroy(struct bead_stepper *stepper);
-/* Another stepper whose end is the start of the step that `stepper` just made: to go over it again more finely. Errors: MEMORY. */
+/* Another stepper, whose end is the start of the last step of `stepper`: to repeat that step with shorter ones. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_stepper_branch(const struct bead_stepper *stepper, struct bead_stepper **branch,
                                                struct bead_message *msg);
 /* The old end becomes the start; one step to `t1` (> stepper->t1). */

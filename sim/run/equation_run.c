@@ -1,4 +1,4 @@
-/* Runs of equations: a motion, its samples, and what is known of it at the end. */
+/* Runs of equations: steps a motion, samples it, and reports its outcome. The counterpart of run.c. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -112,7 +112,7 @@ static double arrival(const struct bead_run *run)
     return NAN;
 }
 
-/* A number that every bit of the state goes into. */
+/* A hash of every bit of the state. */
 static void hash_state(struct bead_run *run)
 {
     size_t count = 0;
@@ -145,7 +145,7 @@ static enum bead_error step(struct bead_run *run, struct bead_message *msg)
 static enum bead_error sample(struct bead_run *run, double t, unsigned fields, struct bead_span span, struct bead_sample *sample,
                               struct bead_message *msg)
 {
-    (void)span; /* all points: there is no front that some could be ahead of */
+    (void)span; /* all points: an equation has no front with points at rest ahead of it */
     if (!(t >= run->start && t <= time_of(run)))
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "a sample at %.9g lies outside the step from %.9g to %.9g", t, run->start,
                          time_of(run));

@@ -1,3 +1,4 @@
+/* Estimates a step's error from the embedded method, for the outcome of a run. */
 #include "sim/run/estimate.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Estimates: what a step's own numbers tell about its error. */
+/* Estimates a step's error from its own numbers. */
 #ifndef BEADREEL_SIM_RUN_ESTIMATE_H
 #define BEADREEL_SIM_RUN_ESTIMATE_H
 

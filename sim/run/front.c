@@ -1,3 +1,4 @@
+/* Follows the front of the wave and finds when it reaches the end of the chain. */
 #include "sim/run/front.h"
 
 #include <math.h>
@@ -33,7 +34,7 @@ static double peak_within(const struct bead_stepper *s, size_t k)
     return s->chain->law->force(s->chain->stiffness[k], s->table.law, most) - s->chain->static_force[k];
 }
 
-/* The record is broken by the contact that was strongest at one end of the step, or by none. */
+/* Only the contact that was strongest at one end of the step can set a new record. */
 static void update_record(struct bead_front *front, const struct bead_stepper *s, size_t n)
 {
     double force = s->kernels->largest(n, s->end.f);

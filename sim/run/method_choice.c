@@ -1,3 +1,4 @@
+/* Chooses method and step for a chain, from its scene, forces and energy; the plan tells why. */
 #include "sim/run/method_choice.h"
 
 #include <math.h>
@@ -8,7 +9,7 @@
 
 /* The accuracy that the theta in a method's row stands for. */
 static const double row_accuracy = 1e-6;
-/* Asked for no more than this, contacts that open and close need no correction: shorter steps without cost less (tests/bench). */
+/* From this accuracy on, contact events need no correction: shorter steps without it cost less (tests/bench). */
 static const double low_accuracy = 1.5e-4;
 /* Where contacts cannot open, forces are smooth. Peaks are better than asked then (tests/bench); what bounds these steps is the
  * energy of the fastest vibrations over many periods (tests/stress). Only far from opening: the branch point spoils much before it
@@ -33,7 +34,7 @@ static double opening_energy(const struct bead_chain *chain, size_t k)
     return chain->static_force[k] * d0 - chain->law->energy(chain->stiffness[k], &chain->spec->law, d0);
 }
 
-/* No contact holds more than all of the energy above the static state, and that is the striker's. */
+/* No contact can hold more energy above the static state than the striker brings. */
 static bool never_opens(const struct bead_chain *chain)
 {
     const double v = chain->spec->striker_velocity, energy = 0.5 * chain->mass[0] * v * v;
@@ -43,7 +44,7 @@ static bool never_opens(const struct bead_chain *chain)
     return never;
 }
 
-/* What `auto` stands for. */
+/* The method that `auto` picks, and why. */
 static const char *automatic(const struct bead_chain *chain, double accuracy, const char **why)
 {
     if (chain->spec->damping_coefficient > 0) {

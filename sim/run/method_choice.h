@@ -1,4 +1,4 @@
-/* Choice: the method that is asked for, or that `auto` picks, how long its steps may be, and why. */
+/* The choice of a method: the one that a scene names or that `auto` picks, its step, and the reason. */
 #ifndef BEADREEL_SIM_RUN_METHOD_CHOICE_H
 #define BEADREEL_SIM_RUN_METHOD_CHOICE_H
 

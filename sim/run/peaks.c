@@ -1,3 +1,4 @@
+/* Finds the largest force of every contact or bead during a run, between steps as well: see peaks.h. */
 #include "sim/run/peaks.h"
 
 #include <math.h>
@@ -8,7 +9,7 @@
 #include "sim/integrate/dense.h"
 #include "sim/integrate/events.h"
 
-/* Maxima this close to the best so far, relatively, are looked at more closely. */
+/* Maxima this close to the best so far, relatively, are refined. */
 static const double close_call = 1e-3;
 
 /* Vectors go beyond the last bead. */
@@ -178,8 +179,8 @@ static void sharpen(const struct bead_peaks *p, const struct bead_stepper *s, co
     *x = fmin(fmax(*x - rate / bend, 0), 1);
 }
 
-/* More than the force can come to within the step: no compression outgrows both ends by more than its fastest rate would take it.
- * Behind the front nearly all maxima are lower than one before, and are done with here. */
+/* An upper bound of the force within the step: no compression exceeds both ends by more than its fastest rate allows. Behind the
+ * front this rules out nearly all maxima. */
 static double force_bound(const struct bead_peaks *p, const struct bead_stepper *s, size_t index)
 {
     const struct bead_chain *c = s->chain;

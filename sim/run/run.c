@@ -1,3 +1,4 @@
+/* Runs one chain: steps under control of energy and accuracy, samples, peaks and front. Sessions and sweeps call it. */
 #include "sim/run/run.h"
 
 #include <math.h>
@@ -15,8 +16,8 @@
 
 /* What one contact that opens or closes may spoil of a velocity, of the accuracy asked times the striker's. */
 static const double event_part = 0.25;
-/* How often energy is looked at, in steps, at least, and before a sample is given away; and how far it may be off, of all
- * that was put in. */
+/* Energy is checked at least this often, in steps, and before a sample is delivered; and how far it may be off, as a part of the
+ * input. */
 enum { CHECK_EVERY = 64, CHECK_SAMPLES = 8 };
 static const double energy_limit = 1e-2;
 /* Small steps in a stiff spring lose a little energy each; in units of the accuracy asked, so much may go before steps become
@@ -182,7 +183,7 @@ uint64_t bead_run_hash(const struct bead_run *run)
     return run->hash;
 }
 
-/* A number that every bit of the state goes into, and beads at rest do not: the same with and without window. */
+/* A hash of every bit of the state but of beads at rest: the same with and without window. */
 static void hash_state(struct bead_run *run)
 {
     const struct bead_stepper *s = run->stepper;
@@ -210,7 +211,7 @@ static double energy_off(const struct bead_run *run)
     return run->input > 0 ? fabs(change) / run->input : fabs(change);
 }
 
-/* Where the energy runs away the numbers mean nothing any more. */
+/* If the energy runs away, the numbers mean nothing. */
 static enum bead_error check_energy(struct bead_run *run, double error, struct bead_message *msg)
 {
     const struct bead_stepper *s = run->stepper;

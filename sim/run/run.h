@@ -1,4 +1,4 @@
-/* Run: one chain stepped through time, with what is wanted between the steps.
+/* Run: one chain stepped through time, and sampled between the steps.
  *
  *   bead_run_create(&settings, &run, &msg);
  *   while (bead_run_time(run) < t) bead_run_step(run, &msg);

@@ -1,3 +1,4 @@
+/* The tables of run_kinds.h for beads; equation_run.c has the one for equations. */
 #include "sim/run/run_kinds.h"
 
 #include "sim/chain/chain_data.h"

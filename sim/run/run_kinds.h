@@ -1,5 +1,5 @@
-/* What can run: chains of beads (run.h) and equations (equation_run.c), each kind a const table; struct bead_run is each kind's
- * own. Whoever plays chains knows these tables only. */
+/* What can run: chains of beads (run.h) and equations (equation_run.c), each kind a const table with its own struct bead_run.
+ * Sessions use only these tables. */
 #ifndef BEADREEL_SIM_RUN_RUN_KINDS_H
 #define BEADREEL_SIM_RUN_RUN_KINDS_H
 

@@ -1,9 +1,10 @@
+/* Chooses the length of the next step from the stiffest contacts, see step_control.h. */
 #include "sim/run/step_control.h"
 
 #include <math.h>
 #include <stdint.h>
 
-/* omega is looked at again after this many steps, and looks as far ahead. */
+/* Steps between estimates of omega, which look as far ahead. */
 enum { EVERY = 4 };
 static const double much = 1.1;
 /* No step is longer than this many times the first. */
@@ -15,7 +16,7 @@ static double stiffness(const struct bead_stepper *s, size_t k, double d)
     return s->chain->law->one_sided ? here : fmax(here, s->chain->law->stiffness(a, s->table.law, -d));
 }
 
-/* To be expected of contact k: at the compression now, or the one its beads' velocities lead to within `ahead` seconds. */
+/* The stiffness expected of contact k: at its present compression, or at the one that its rate leads to within `ahead` seconds. */
 static double expected(const struct bead_stepper *s, size_t k, double ahead)
 {
     const struct bead_state *now = &s->end;
@@ -62,7 +63,7 @@ struct bead_step_control bead_step_control_start(const struct bead_stepper *s, d
     return (struct bead_step_control){theta, sqrt(circles(s, s->chain->contacts, 0, true)), growth * first, first};
 }
 
-/* Length that the stiffnesses allow which are to be expected when steps of length h are made until they are looked at again. */
+/* The step that the expected stiffnesses allow, if steps of length h are made until the next check. */
 static double allowed(const struct bead_step_control *control, const struct bead_stepper *s, double h)
 {
     size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
@@ -77,7 +78,7 @@ double bead_step_control_next(struct bead_step_control *control, const struct be
     if (s->steps == 0 || s->steps % EVERY != 0)
         return control->h;
     double h = allowed(control, s, control->h);
-    /* Much longer ones see more of what is coming. */
+    /* Much longer steps must look further ahead. */
     if (h > much * control->h)
         h = fmax(control->h, allowed(control, s, h));
     control->h = h;
