@@ -1,4 +1,5 @@
 /* beadreel: does everything a scene asks for, pictures and movies included; draws existing trajectories. */
+#include "beadreel/canvas.h"
 #include "beadreel/colormap.h"
 #include "beadreel/movie.h"
 #include "beadreel/render.h"
@@ -47,7 +48,9 @@ static const struct command_list lists[] = {
 
 int main(int argc, char **argv)
 {
-    static const char *const canvases[] = {"plain", "osmesa", "egl", NULL};
+    const char *canvases[8] = {NULL};
+    for (size_t i = 0; i + 1 < sizeof canvases / sizeof *canvases && bead_canvas_backend_info(i); i++)
+        canvases[i] = bead_canvas_backend_info(i)->name;
     const struct bead_sink_type *const *const sinks[] = {bead_data_sinks(), bead_render_sinks(), NULL};
     const struct bead_sweep_sink *const *const sweep_sinks[] = {bead_sweep_data_sinks(), bead_sweep_render_sinks(), NULL};
     const struct command_program program = {

@@ -52,8 +52,9 @@ BEAD_API BEAD_CHECK enum bead_error bead_movie_add(struct bead_movie *movie, con
  * Containers other than mp4 have none; nothing happens then. Errors: CODEC, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_movie_cover(struct bead_movie *movie, const uint8_t *png, size_t bytes,
                                                      struct bead_message *msg);
-BEAD_API uint64_t bead_movie_frames(const struct bead_movie *movie);  /* shown */
-BEAD_API uint64_t bead_movie_encoded(const struct bead_movie *movie); /* given to the encoder */
+BEAD_API const char *bead_movie_encoder(const struct bead_movie *movie); /* "libavcodec (libx264)"; "": pictures are not encoded */
+BEAD_API uint64_t bead_movie_frames(const struct bead_movie *movie);     /* shown */
+BEAD_API uint64_t bead_movie_encoded(const struct bead_movie *movie);    /* given to the encoder */
 /* Frees the movie in any case; on failure no file is left. *bytes (may be NULL): size of the file. Errors: IO, CODEC
  * (also where an earlier add failed, or no frame was added). */
 BEAD_API BEAD_CHECK enum bead_error bead_movie_close(struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg);

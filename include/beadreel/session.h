@@ -72,6 +72,7 @@ BEAD_API BEAD_CHECK enum bead_error bead_session_run(struct bead_session *sessio
 struct bead_result {
     const char *path;
     uint64_t bytes, items;
+    const char *makers; /* "painted by ..., encoded by ..."; NULL or "": nothing to tell */
 };
 BEAD_API size_t bead_session_results(const struct bead_session *session, const struct bead_result **results);
 

@@ -106,6 +106,8 @@ struct bead_sink_type {
     void (*destroy)(struct bead_sink *sink);
     /* For the result line: bytes written so far, and a work measure such as frames; may be NULL. */
     void (*result)(const struct bead_sink *sink, uint64_t *bytes, uint64_t *items);
+    /* Who made it, after `end`: "painted by ..., encoded by ..." (the sink's). "": nothing to tell. May be NULL. */
+    const char *(*makers)(const struct bead_sink *sink);
     /* A second file, such as a movie's poster: where it goes (the sink's), and bytes written so far. NULL: none. May be NULL. */
     const char *(*beside)(const struct bead_sink *sink, uint64_t *bytes);
 };

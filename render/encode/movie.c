@@ -1,6 +1,7 @@
 #include "beadreel/movie.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -97,6 +98,8 @@ enum bead_error bead_movie_open(const char *path, const struct bead_movie_settin
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", path);
     m->codec = codec;
     m->settings = *settings;
+    if (codec->presets)
+        snprintf(m->encoded_by, sizeof m->encoded_by, "libavcodec (%s)", codec->presets[settings->quality].encoder);
     err = bead_file_join(NULL, path, &m->path, msg);
     if (!err)
         err = bead_file_part_name(path, &m->part, msg);
@@ -161,6 +164,11 @@ enum bead_error bead_movie_cover(struct bead_movie *movie, const uint8_t *png, s
     if (!movie->codec->covers || !movie->codec->way->cover || !movie->settings.cover)
         return BEAD_OK;
     return movie->codec->way->cover(movie, png, bytes, msg);
+}
+
+const char *bead_movie_encoder(const struct bead_movie *movie)
+{
+    return movie->encoded_by;
 }
 
 uint64_t bead_movie_frames(const struct bead_movie *movie)

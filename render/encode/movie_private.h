@@ -57,6 +57,7 @@ struct bead_movie {
     const struct bead_codec *codec;
     struct bead_movie_settings settings; /* title and comment: only within open */
     char *path, *part;
+    char encoded_by[48];
     struct bead_encoder *encoder; /* bead_movie_libav */
     FILE *lines;                  /* bead_movie_hashes */
     uint64_t shown, encoded;

@@ -1,5 +1,6 @@
 /* A figure that has a page of its own: the kind of still that takes what no other wants. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "beadreel/canvas.h"
@@ -9,6 +10,7 @@
 
 struct bead_still {
     struct bead_figure *figure;
+    char painter[64]; /* "": none was needed */
 };
 
 static bool figure_wanted(const struct bead_output *output)
@@ -102,6 +104,8 @@ static enum bead_error figure_write(struct bead_still *still, const struct bead_
     bead_figure_set_range(f, colours, sensors);
     enum bead_error err =
         bead_figure_needs_canvas(f) ? bead_canvas_create(f->context.canvas, f->page.width, f->page.height, &canvas, msg) : BEAD_OK;
+    if (canvas)
+        snprintf(still->painter, sizeof still->painter, "%s", bead_canvas_painter(canvas));
     if (!err)
         err = bead_figure_finish(f, canvas, msg);
     if (!err)
@@ -111,11 +115,17 @@ static enum bead_error figure_write(struct bead_still *still, const struct bead_
     return err;
 }
 
+static const char *figure_painter(const struct bead_still *still)
+{
+    return still->painter;
+}
+
 const struct bead_still_kind bead_figure_still = {
     .wanted = figure_wanted,
     .create = figure_create,
     .needs = figure_needs,
     .feed = figure_feed,
     .write = figure_write,
+    .painter = figure_painter,
     .destroy = figure_destroy,
 };

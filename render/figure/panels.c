@@ -176,11 +176,17 @@ static enum bead_error panels_feed(struct bead_still *still, const struct bead_s
     return err;
 }
 
+static const char *panels_painter(const struct bead_still *s)
+{
+    return s->painter;
+}
+
 const struct bead_still_kind bead_panels = {
     .wanted = panels_wanted,
     .create = panels_create,
     .needs = panels_needs,
     .feed = panels_feed,
     .write = panels_write,
+    .painter = panels_painter,
     .destroy = panels_destroy,
 };

@@ -33,6 +33,7 @@ struct bead_still {
     char *title, *caption; /* markup; NULL: none */
     double title_height, caption_height;
     char why[96];
+    char painter[64]; /* of a canvas; "": none was needed */
 };
 
 /* Number of panels in a row. */

@@ -1,5 +1,6 @@
 /* The end of a still of panels: ranges are known now, everything is drawn. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "beadreel/canvas.h"
@@ -114,6 +115,8 @@ enum bead_error panels_write(struct bead_still *s, const struct bead_outcome *ou
     struct bead_canvas *canvas = NULL;
     const struct bead_drawing drawing = {draw_vector, panels_draw_frame, s};
     enum bead_error err = panels_finish(s, outcomes, &canvas, msg);
+    if (canvas)
+        snprintf(s->painter, sizeof s->painter, "%s", bead_canvas_painter(canvas));
     if (!err)
         err = bead_page_write(&s->page, s->output, s->context.scene, &drawing, path, bytes, msg);
     for (size_t p = 0; p < s->count; p++) {

@@ -1,6 +1,7 @@
 /* Sinks for `image:` and `plot:` outputs: each is a still of the first kind that wants it. */
 #include "render/figure/still.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "beadreel/file.h"
@@ -14,6 +15,7 @@ struct bead_sink {
     struct bead_still *still;
     char *path;
     uint64_t bytes;
+    char makers[96];
 };
 
 static void still_destroy(struct bead_sink *sink)
@@ -70,7 +72,15 @@ static enum bead_error still_sample(struct bead_sink *sink, const struct bead_sa
 
 static enum bead_error still_end(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
-    return sink->kind->write(sink->still, outcomes, sink->path, &sink->bytes, msg);
+    enum bead_error err = sink->kind->write(sink->still, outcomes, sink->path, &sink->bytes, msg);
+    const char *painter = sink->kind->painter ? sink->kind->painter(sink->still) : "";
+    snprintf(sink->makers, sizeof sink->makers, "%s%s", *painter ? "painted by " : "", painter);
+    return err;
+}
+
+static const char *still_makers(const struct bead_sink *sink)
+{
+    return sink->makers;
 }
 
 static void still_result(const struct bead_sink *sink, uint64_t *bytes, uint64_t *items)
@@ -83,7 +93,7 @@ static void still_result(const struct bead_sink *sink, uint64_t *bytes, uint64_t
     {                                                                                                                   \
         .name = title, .help = words, .kind = of, .extensions = bead_still_extensions, .create = still_create,          \
         .needs = still_needs, .begin = still_begin, .sample = still_sample, .end = still_end, .destroy = still_destroy, \
-        .result = still_result                                                                                          \
+        .result = still_result, .makers = still_makers                                                                  \
     }
 
 const struct bead_sink_type bead_image_sink =

@@ -18,6 +18,8 @@ struct bead_still_kind {
     /* To a .png, .pdf or .svg. Errors: UNSUPPORTED (no outcomes for peaks), IO, MEMORY, GRAPHICS. */
     enum bead_error (*write)(struct bead_still *still, const struct bead_outcome *outcomes, const char *path, uint64_t *bytes,
                              struct bead_message *msg);
+    /* What painted its beads, after `write`; "": nothing had to be painted. NULL: this kind paints nothing. */
+    const char *(*painter)(const struct bead_still *still);
     void (*destroy)(struct bead_still *still);
 };
 

@@ -2,6 +2,7 @@
 #include "render/movie/composer_private.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "render/draw/colour_range.h"
@@ -253,7 +254,17 @@ static enum bead_error create_canvas(struct bead_composer *c, struct bead_messag
         width = left + plot->width + right > width ? left + plot->width + right : width;
         height = plot->height > height ? plot->height : height;
     }
-    return width ? bead_canvas_create(c->setup.canvas, width, height, &c->canvas, msg) : BEAD_OK;
+    if (!width)
+        return BEAD_OK;
+    enum bead_error err = bead_canvas_create(c->setup.canvas, width, height, &c->canvas, msg);
+    if (!err)
+        snprintf(c->painter, sizeof c->painter, "%s", bead_canvas_painter(c->canvas));
+    return err;
+}
+
+const char *bead_composer_painter(const struct bead_composer *c)
+{
+    return c->painter;
 }
 
 static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, struct bead_message *msg)

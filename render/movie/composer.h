@@ -51,6 +51,8 @@ BEAD_CHECK enum bead_error bead_composer_draw(struct bead_composer *composer, do
  * where views of all times have filled. Only for outputs with a poster. */
 double bead_composer_interest(const struct bead_composer *composer, double time);
 const struct bead_frame *bead_composer_frame(const struct bead_composer *composer);
+/* What paints the beads, as of bead_composer_open; "": nothing needs to be painted. */
+const char *bead_composer_painter(const struct bead_composer *composer);
 /* What belongs to the drawing thread goes. */
 void bead_composer_close(struct bead_composer *composer);
 void bead_composer_destroy(struct bead_composer *composer);

@@ -21,6 +21,7 @@ struct bead_composer {
     struct bead_camera **cameras; /* of the chains; NULL: none follows */
     struct bead_view **views;     /* of chain c: from c * wants.view_count on */
     struct bead_canvas *canvas;
+    char painter[64]; /* of the canvas; "": nothing is painted on one */
     struct bead_frame frame, background;
     cairo_surface_t *surface; /* of the frame */
     cairo_t *cr;

@@ -41,7 +41,7 @@ struct bead_sink {
     struct bead_run_context context;
     char *path, *poster_path; /* NULL: none */
     uint64_t poster_bytes;
-    char why[192];
+    char why[192], makers[160];
     int width, height;
     struct bead_movie_times times;
     unsigned fields, comparison;
@@ -403,12 +403,20 @@ static enum bead_error movie_sample(struct bead_sink *s, const struct bead_sampl
     return BEAD_OK;
 }
 
+static void credit(struct bead_sink *s)
+{
+    const char *painter = bead_composer_painter(s->composer), *encoder = bead_movie_encoder(s->movie);
+    snprintf(s->makers, sizeof s->makers, "%s%s%s%s%s", *painter ? "painted by " : "", painter, *painter && *encoder ? ", " : "",
+             *encoder ? "encoded by " : "", encoder);
+}
+
 static enum bead_error movie_end(struct bead_sink *s, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
     (void)outcomes;
     enum bead_error err = finish_pipes(s, msg);
     if (err)
         return err;
+    credit(s);
     if (s->poster)
         err = bead_poster_write(s->poster, s->movie, &s->poster_bytes, msg);
     if (err)
@@ -422,6 +430,11 @@ static void movie_result(const struct bead_sink *s, uint64_t *bytes, uint64_t *i
 {
     *bytes = s->bytes;
     *items = s->drawn;
+}
+
+static const char *movie_makers(const struct bead_sink *s)
+{
+    return s->makers;
 }
 
 static const char *movie_beside(const struct bead_sink *s, uint64_t *bytes)
@@ -442,5 +455,6 @@ const struct bead_sink_type bead_movie_sink = {
     .end = movie_end,
     .destroy = movie_destroy,
     .result = movie_result,
+    .makers = movie_makers,
     .beside = movie_beside,
 };

@@ -1,19 +1,21 @@
+/* Canvas: the table of back ends, and which of them is opened. Views paint through paint.c on what is made here. */
 #include "beadreel/canvas.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "render/paint/canvas_private.h"
 #include "render/paint/gl_context.h"
 
-/* The first is the default. */
+/* Where none is named: the first that works. */
 static const struct bead_canvas_driver drivers[] = {
-    {{"plain", "painted by this program, on any machine"}, &bead_painting_plain, NULL},
-    {{"osmesa", "Mesa's off-screen software renderer (OSMesa, llvmpipe)"}, &bead_painting_gl, &bead_context_osmesa},
-    {{"egl", "EGL without surfaces (Mesa, llvmpipe)"}, &bead_painting_gl, &bead_context_egl},
+    {{"osmesa", "Mesa's off-screen software renderer (llvmpipe)"}, "OSMesa", &bead_painting_gl, &bead_context_osmesa},
+    {{"egl", "the same renderer through EGL, for Mesa 25.1 and later"}, "EGL", &bead_painting_gl, &bead_context_egl},
+    {{"plain", "this program's own painter: the fastest, on any machine"}, "the plain canvas", &bead_painting_plain, NULL},
 };
-enum { DRIVERS = sizeof drivers / sizeof drivers[0] };
+enum { DRIVERS = sizeof drivers / sizeof drivers[0], MANY_CORES = 4 };
 
 const struct bead_canvas_backend *bead_canvas_backend_info(size_t index)
 {
@@ -23,7 +25,7 @@ const struct bead_canvas_backend *bead_canvas_backend_info(size_t index)
 static const struct bead_canvas_driver *find(const char *name)
 {
     for (size_t i = 0; i < DRIVERS; i++) {
-        if (!name || strcmp(name, drivers[i].info.name) == 0)
+        if (strcmp(name, drivers[i].info.name) == 0)
             return &drivers[i];
     }
     return NULL;
@@ -31,12 +33,12 @@ static const struct bead_canvas_driver *find(const char *name)
 
 void bead_canvas_prepare(const char *backend)
 {
-    const struct bead_canvas_driver *driver = find(backend);
+    const struct bead_canvas_driver *driver = backend ? find(backend) : &drivers[0];
     if (!driver || !driver->context)
         return;
-    /* Mesa reads this when the first context is made. Rasterising in the calling thread leaves the other cores to simulation and
-     * encoder; the pixels are the same for any number. */
-    setenv("LP_NUM_THREADS", "0", 0);
+    /* Mesa reads this when the first context is made. On few cores the calling thread rasterises, which leaves the others to
+     * simulation and encoder; the pixels are the same for any number. */
+    setenv("LP_NUM_THREADS", sysconf(_SC_NPROCESSORS_ONLN) < MANY_CORES ? "0" : "2", 0);
     /* Graphics cards round as they like; the same pixels everywhere come from the software renderer only. */
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
 }
@@ -49,16 +51,9 @@ static enum bead_error fail_unknown(const char *backend, struct bead_message *ms
     return bead_fail(msg, BEAD_ERROR_USAGE, "there is no canvas `%s`; there are %s", backend, names);
 }
 
-enum bead_error bead_canvas_create(const char *backend, int width, int height, struct bead_canvas **canvas,
+static enum bead_error open_driver(const struct bead_canvas_driver *driver, int width, int height, struct bead_canvas **canvas,
                                    struct bead_message *msg)
 {
-    *canvas = NULL;
-    if (width < 1 || height < 1)
-        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "a canvas of %d x %d pixels: both must be at least 1", width, height);
-    const struct bead_canvas_driver *driver = find(backend);
-    if (!driver)
-        return fail_unknown(backend, msg);
-    bead_canvas_prepare(backend);
     struct bead_canvas *c = calloc(1, sizeof *c);
     if (!c)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a canvas");
@@ -73,9 +68,32 @@ enum bead_error bead_canvas_create(const char *backend, int width, int height, s
     return err;
 }
 
+enum bead_error bead_canvas_create(const char *backend, int width, int height, struct bead_canvas **canvas,
+                                   struct bead_message *msg)
+{
+    *canvas = NULL;
+    if (width < 1 || height < 1)
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "a canvas of %d x %d pixels: both must be at least 1", width, height);
+    const struct bead_canvas_driver *named = backend ? find(backend) : NULL;
+    if (backend && !named)
+        return fail_unknown(backend, msg);
+    bead_canvas_prepare(backend);
+    if (named)
+        return open_driver(named, width, height, canvas, msg);
+    enum bead_error err = BEAD_ERROR_GRAPHICS;
+    for (size_t i = 0; err == BEAD_ERROR_GRAPHICS && i < DRIVERS; i++)
+        err = open_driver(&drivers[i], width, height, canvas, msg);
+    return err;
+}
+
 const char *bead_canvas_describe(const struct bead_canvas *canvas)
 {
     return canvas->description;
+}
+
+const char *bead_canvas_painter(const struct bead_canvas *canvas)
+{
+    return canvas->credit;
 }
 
 void bead_canvas_destroy(struct bead_canvas *canvas)

@@ -32,6 +32,7 @@ struct bead_painting {
 
 struct bead_canvas_driver {
     struct bead_canvas_backend info;
+    const char *title;
     const struct bead_painting *painting;
     const struct bead_context_type *context; /* OpenGL's; NULL: needs none */
 };
@@ -42,7 +43,7 @@ struct bead_canvas {
     const struct bead_canvas_driver *driver;
     int width, height;
     struct bead_painter *painter;
-    char description[160];
+    char description[160], credit[64];
 
     /* From begin to end; frame NULL: nothing is painted. */
     const struct bead_backdrop *backdrop;

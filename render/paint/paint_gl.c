@@ -3,6 +3,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "render/paint/canvas_private.h"
 #include "render/paint/gl.h"
@@ -126,6 +127,9 @@ static void describe(struct bead_canvas *canvas, const struct bead_gl *gl)
     const char *renderer = (const char *)gl->GetString(GL_RENDERER), *version = (const char *)gl->GetString(GL_VERSION);
     snprintf(canvas->description, sizeof canvas->description, "%s, %s, OpenGL %s", canvas->driver->info.name,
              renderer ? renderer : "unknown renderer", version ? version : "of unknown version");
+    /* "llvmpipe (LLVM 15.0.6, 256 bits)": the name alone. */
+    snprintf(canvas->credit, sizeof canvas->credit, "%s (%.*s)", canvas->driver->title, (int)strcspn(renderer ? renderer : "", " "),
+             renderer ? renderer : "");
 }
 
 /* Half of the largest point; 0 where the viewport cannot be so wide. */

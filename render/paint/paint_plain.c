@@ -17,6 +17,7 @@ static enum bead_error plain_open(struct bead_canvas *canvas, struct bead_messag
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for drawing");
     canvas->painter->kernels = bead_pixel_kernels_find(NULL);
     snprintf(canvas->description, sizeof canvas->description, "%s, %s", canvas->driver->info.name, canvas->painter->kernels->name);
+    snprintf(canvas->credit, sizeof canvas->credit, "%s (%s)", canvas->driver->title, canvas->painter->kernels->name);
     return BEAD_OK;
 }
 

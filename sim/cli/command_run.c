@@ -44,7 +44,12 @@ enum bead_error command_plan(const struct command *command, const volatile sig_a
     return err;
 }
 
-/* One line a file: name and size, in columns. */
+static bool told(const struct bead_result *result)
+{
+    return result->makers && result->makers[0];
+}
+
+/* One line a file: name and size, in columns, and who made it. */
 static void print_results(const struct bead_result *results, size_t count)
 {
     char size[32];
@@ -53,7 +58,8 @@ static void print_results(const struct bead_result *results, size_t count)
         if ((int)strlen(results[i].path) > width && strlen(results[i].path) < 80)
             width = (int)strlen(results[i].path);
     for (size_t i = 0; i < count; i++)
-        printf("%-*s  %8s\n", width, results[i].path, command_quantity((double)results[i].bytes, "B", size, sizeof size));
+        printf("%-*s  %8s%s%s\n", width, results[i].path, command_quantity((double)results[i].bytes, "B", size, sizeof size),
+               told(&results[i]) ? "  " : "", told(&results[i]) ? results[i].makers : "");
 }
 
 /* The largest errors of all chains. Those that the method cannot estimate, or a stopped run did not, are left out. */
@@ -172,7 +178,7 @@ enum bead_error command_merge(const struct command *command, struct bead_message
     if (!err)
         err = bead_sweep_write(sweep, command->output, msg);
     if (!err) {
-        const struct bead_result result = {command->output, bead_file_bytes(command->output), 0};
+        const struct bead_result result = {.path = command->output, .bytes = bead_file_bytes(command->output)};
         print_results(&result, 1);
     }
     bead_sweep_close(sweep);

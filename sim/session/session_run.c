@@ -84,7 +84,7 @@ static enum bead_error collect_outcomes(struct bead_session *s, struct bead_mess
 static void add_result(struct bead_session *s, const struct bead_made *m, const char *path)
 {
     struct bead_result *r = &s->results[s->result_count++];
-    *r = (struct bead_result){path, 0, 0};
+    *r = (struct bead_result){.path = path, .makers = m->type->makers ? m->type->makers(m->sink) : NULL};
     if (m->type->result)
         m->type->result(m->sink, &r->bytes, &r->items);
 }
@@ -114,7 +114,7 @@ static enum bead_error finish(struct bead_session *s, struct bead_made *m, struc
     uint64_t bytes = 0;
     const char *beside = m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
     if (beside && bytes > 0)
-        s->results[s->result_count++] = (struct bead_result){beside, bytes, 1};
+        s->results[s->result_count++] = (struct bead_result){.path = beside, .bytes = bytes, .items = 1};
     return BEAD_OK;
 }
 

@@ -276,7 +276,7 @@ static enum bead_error write_output(struct bead_session *s, struct bead_made *m,
     bool results = bead_session_holds_sweep(m) && !s->sweep_read;
     if (!m->asked || (!results && !m->sweep_type))
         return BEAD_OK;
-    *r = (struct bead_result){m->path, 0, 0};
+    *r = (struct bead_result){.path = m->path};
     const struct bead_sweep_settings settings = settings_of(s);
     enum bead_error err = BEAD_OK;
     if (!results && m->sweep_type->run)

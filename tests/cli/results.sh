@@ -36,7 +36,8 @@ poster=(--set 'outputs=[{movie: m.mp4, size: [320, 180], duration: 1 s, fps: 10,
 ok "a movie with a poster" exits 0 "$beadreel" scene.yaml -o posters "${poster[@]}"
 ok "... names both files" grep -q '^posters/p.png  ' out
 ok "... and counts them" grep -q '^2 files, ' out
-ok "... with their sizes" test "$(grep -c '^posters/[mp].* [1-9][0-9.]* kB$' out)" = 2
+ok "... with their sizes" test "$(grep -c '^posters/[mp].* [1-9][0-9.]* kB\(  painted by .*, encoded by .*\)\?$' out)" = 2
+ok "... and the movie's encoder" grep -q '^posters/m.mp4 .* kB  .*encoded by libavcodec (libx264)$' out
 ok "... as planned" bash -c "'$beadreel' scene.yaml --plan -o posters \"\$@\" | grep -q '^  beside it: posters/p.png$'" - "${poster[@]}"
 
 ok "--only" exits 0 "$beadreel" scene.yaml -o only --only peaks.csv

@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "beadreel/canvas.h"
 #include "render/paint/paint.h"
@@ -312,7 +313,7 @@ static void test_failures_are_told(void **state)
     struct bead_message msg = {""};
     assert_int_equal(bead_canvas_create("etch-a-sketch", 10, 10, &canvas, &msg), BEAD_ERROR_USAGE);
     assert_null(canvas);
-    assert_non_null(strstr(msg.text, "plain, osmesa, egl"));
+    assert_non_null(strstr(msg.text, "osmesa, egl, plain"));
     assert_int_equal(bead_canvas_create(NULL, 0, 10, &canvas, &msg), BEAD_ERROR_GRAPHICS);
     assert_null(canvas);
     bead_canvas_destroy(NULL);
@@ -370,10 +371,39 @@ static void test_says_what_it_is(void **state)
     assert_non_null(strstr(bead_canvas_describe(canvas), *state));
     assert_true(!strstr(bead_canvas_describe(canvas), "OpenGL") == !strcmp(*state, "plain"));
     bead_canvas_destroy(canvas);
-    require(bead_canvas_create(NULL, 8, 8, &canvas, NULL), &(struct bead_message){"no canvas"});
-    assert_non_null(strstr(bead_canvas_describe(canvas), "plain"));
-    assert_string_equal(bead_canvas_backend_info(0)->name, "plain");
+}
+
+/* Who painted, in the words of result lines. */
+static void test_says_who_painted(void **state)
+{
+    static const char *const titles[][2] = {
+        {"osmesa", "OSMesa (llvmpipe)"}, {"egl", "EGL (llvmpipe)"}, {"plain", "the plain canvas ("}};
+    struct bead_canvas *canvas = open_canvas(*state, 8, 8);
+    for (size_t i = 0; i < sizeof titles / sizeof *titles; i++) {
+        if (strcmp(*state, titles[i][0]) == 0)
+            assert_memory_equal(bead_canvas_painter(canvas), titles[i][1], strlen(titles[i][1]));
+    }
     bead_canvas_destroy(canvas);
+}
+
+/* Without a name it is the first of the table that can be had: OSMesa, EGL, plain. */
+static void test_the_first_that_works(void **state)
+{
+    struct bead_canvas *canvas, *named = NULL;
+    struct bead_message msg = {""};
+    (void)state;
+    assert_string_equal(bead_canvas_backend_info(0)->name, "osmesa");
+    assert_string_equal(bead_canvas_backend_info(1)->name, "egl");
+    assert_string_equal(bead_canvas_backend_info(2)->name, "plain");
+    assert_null(bead_canvas_backend_info(3));
+    for (size_t i = 0; !named; i++) {
+        enum bead_error err = bead_canvas_create(bead_canvas_backend_info(i)->name, 8, 8, &named, &msg);
+        assert_true(err == BEAD_OK || err == BEAD_ERROR_GRAPHICS);
+    }
+    require(bead_canvas_create(NULL, 8, 8, &canvas, &msg), &msg);
+    assert_string_equal(bead_canvas_describe(canvas), bead_canvas_describe(named));
+    bead_canvas_destroy(canvas);
+    bead_canvas_destroy(named);
 }
 
 /* Where OpenGL is not asked for, nothing of it is opened, nor is the environment changed. */
@@ -384,7 +414,7 @@ static void test_plain_needs_no_opengl(void **state)
     (void)state;
     for (int i = 0; i < 2; i++)
         unsetenv(variables[i]);
-    bead_canvas_prepare(NULL);
+    bead_canvas_prepare("plain");
     open_stage(&s, "plain", true);
     draw(&s, whole, NULL, 0, NULL, 0);
     assert_null(getenv(variables[0]));
@@ -393,7 +423,7 @@ static void test_plain_needs_no_opengl(void **state)
     assert_null(dlopen("libEGL.so.1", RTLD_NOLOAD | RTLD_LAZY));
     close_stage(&s);
     bead_canvas_prepare("egl");
-    assert_string_equal(getenv(variables[0]), "0");
+    assert_string_equal(getenv(variables[0]), sysconf(_SC_NPROCESSORS_ONLN) < 4 ? "0" : "2");
     assert_string_equal(getenv(variables[1]), "1");
 }
 
@@ -419,6 +449,8 @@ int main(void)
         FOR("osmesa", test_missing_shaders),
         FOR("egl", test_missing_shaders),
         FOR_EACH(test_says_what_it_is),
+        FOR_EACH(test_says_who_painted),
+        cmocka_unit_test(test_the_first_that_works),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
