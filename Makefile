@@ -29,12 +29,11 @@ CI_DEPS    = clang clang-format cppcheck shellcheck man-db mandoc
 once              = $(eval $(1) := $(2))$($(1))
 # Plain `hdf5` may be a build for MPI, where one is installed beside the serial one.
 hdf5              = $(call once,hdf5,$(shell pkg-config --exists hdf5-serial 2>/dev/null && echo hdf5-serial || echo hdf5))
-SIM_PACKAGES      = $(hdf5) yaml-0.1 udunits
-# Opened at run time where they are, linked by nothing; only their headers are needed.
-SIM_OPENED        = fftw3
+SIM_PACKAGES      = $(hdf5) yaml-0.1 udunits fftw3
+# Opened at run time where they are (beadreel --list libraries), linked by nothing; only their headers are needed.
 OPENED_PACKAGES   = osmesa egl libavformat libavcodec libavutil
 RENDER_PACKAGES   = libpng cairo pangocairo fontconfig
-sim_cflags        = $(call once,sim_cflags,$(shell pkg-config --cflags $(SIM_PACKAGES) $(SIM_OPENED)))
+sim_cflags        = $(call once,sim_cflags,$(shell pkg-config --cflags $(SIM_PACKAGES)))
 # The loader looks names up in this order: HDF5 and what hangs on it need most, and all need the C library.
 sim_libs          = $(call once,sim_libs,$(shell pkg-config --libs $(hdf5)) -lc $(shell pkg-config --libs $(SIM_PACKAGES)) -lhdf5_hl -lm -ldl -pthread)
 render_cflags     = $(call once,render_cflags,$(shell pkg-config --cflags $(RENDER_PACKAGES) $(OPENED_PACKAGES)))
@@ -106,7 +105,7 @@ WAIT = $(filter deps deps-ci,$(MAKECMDGOALS))
 $(BUILD)/.ready: | $(WAIT)
 	@mkdir -p $(@D)
 	@pkg-config --version >/dev/null 2>&1 || { echo >&2 "pkg-config is missing: run 'make deps' first."; exit 1; }
-	@missing=; for p in $(SIM_PACKAGES) $(SIM_OPENED) $(RENDER_PACKAGES) $(OPENED_PACKAGES); do pkg-config --exists $$p || missing="$$missing $$p"; done; \
+	@missing=; for p in $(SIM_PACKAGES) $(RENDER_PACKAGES) $(OPENED_PACKAGES); do pkg-config --exists $$p || missing="$$missing $$p"; done; \
 	echo '#include <Random123/philox.h>' | $(CC) -E - >/dev/null 2>&1 || missing="$$missing Random123"; \
 	[ -z "$$missing" ] || { echo >&2 "Libraries are missing:$$missing. Run 'make deps' first."; exit 1; }
 	@touch $@

@@ -1,13 +1,10 @@
-/* Fourier series through FFTW, see spectral.h, for kdv_solver.c. */
+/* Fourier transforms by FFTW. The equations on a ring (KdV) take derivatives and products with them. */
 #include "sim/equation/spectral.h"
 
 #include <fftw3.h>
 #include <math.h>
 #include <pthread.h>
-#include <stdlib.h>
 #include <string.h>
-
-#include "beadreel/library.h"
 
 /* FFTW's planner, unlike its transforms, keeps tables that all threads share. */
 static pthread_mutex_t planner = PTHREAD_MUTEX_INITIALIZER;
@@ -15,52 +12,15 @@ static pthread_mutex_t planner = PTHREAD_MUTEX_INITIALIZER;
 /* Plans by estimate, not by the clock, and no vector code: the same sums on every machine. */
 static const unsigned same_everywhere = FFTW_ESTIMATE | FFTW_NO_SIMD;
 
-enum { FUNCTIONS = 7 };
-
-/* Opened when first needed: programs start a millisecond earlier without it. */
-struct bead_fftw {
-    union {
-        struct {
-            double *(*alloc_real)(size_t);
-            fftw_complex *(*alloc_complex)(size_t);
-            void (*free)(void *);
-            fftw_plan (*plan_to_grid)(int, fftw_complex *, double *, unsigned);
-            fftw_plan (*plan_to_modes)(int, double *, fftw_complex *, unsigned);
-            void (*destroy_plan)(fftw_plan);
-            void (*execute)(const fftw_plan);
-        };
-        void (*loaded[FUNCTIONS])(void);
-    };
-};
-
-static enum bead_error load(struct bead_fftw *fftw, struct bead_message *msg)
-{
-    static const char *const names[FUNCTIONS] = {"fftw_alloc_real",      "fftw_alloc_complex",   "fftw_free",
-                                                 "fftw_plan_dft_c2r_1d", "fftw_plan_dft_r2c_1d", "fftw_destroy_plan",
-                                                 "fftw_execute"};
-    static const char *const files[] = {"libfftw3.so.3", NULL};
-    struct bead_message why;
-    if (bead_library_load(files, names, FUNCTIONS, fftw->loaded, &why))
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "Fourier transforms need FFTW 3: %s", why.text);
-    return BEAD_OK;
-}
-
 enum bead_error bead_spectral_create(size_t points, struct bead_spectral *s, struct bead_message *msg)
 {
     *s = (struct bead_spectral){.points = points, .modes = (points - 1) / 3};
-    struct bead_fftw *f = s->fftw = calloc(1, sizeof *f);
-    enum bead_error err = f ? load(f, msg) : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for Fourier transforms");
-    if (err) {
-        free(f);
-        *s = (struct bead_spectral){0};
-        return err;
-    }
-    s->grid = f->alloc_real(points);
-    s->bins = (struct bead_complex *)f->alloc_complex(points / 2 + 1);
+    s->grid = fftw_alloc_real(points);
+    s->bins = (struct bead_complex *)fftw_alloc_complex(points / 2 + 1);
     if (s->grid && s->bins) {
         pthread_mutex_lock(&planner);
-        s->to_grid = f->plan_to_grid((int)points, (fftw_complex *)s->bins, s->grid, same_everywhere);
-        s->to_modes = f->plan_to_modes((int)points, s->grid, (fftw_complex *)s->bins, same_everywhere);
+        s->to_grid = fftw_plan_dft_c2r_1d((int)points, (fftw_complex *)s->bins, s->grid, same_everywhere);
+        s->to_modes = fftw_plan_dft_r2c_1d((int)points, s->grid, (fftw_complex *)s->bins, same_everywhere);
         pthread_mutex_unlock(&planner);
     }
     if (s->to_grid && s->to_modes)
@@ -71,18 +31,14 @@ enum bead_error bead_spectral_create(size_t points, struct bead_spectral *s, str
 
 void bead_spectral_destroy(struct bead_spectral *s)
 {
-    const struct bead_fftw *f = s->fftw;
-    if (!f)
-        return;
     pthread_mutex_lock(&planner);
     if (s->to_grid)
-        f->destroy_plan(s->to_grid);
+        fftw_destroy_plan(s->to_grid);
     if (s->to_modes)
-        f->destroy_plan(s->to_modes);
+        fftw_destroy_plan(s->to_modes);
     pthread_mutex_unlock(&planner);
-    f->free(s->grid);
-    f->free(s->bins);
-    free(s->fftw);
+    fftw_free(s->grid);
+    fftw_free(s->bins);
     *s = (struct bead_spectral){0};
 }
 
@@ -90,13 +46,13 @@ void bead_spectral_to_grid(struct bead_spectral *s, const struct bead_complex *c
 {
     memcpy(s->bins, c, (s->modes + 1) * sizeof *c);
     memset(s->bins + s->modes + 1, 0, (s->points / 2 - s->modes) * sizeof *c);
-    s->fftw->execute(s->to_grid);
+    fftw_execute(s->to_grid);
 }
 
 void bead_spectral_to_modes(struct bead_spectral *s, struct bead_complex *c)
 {
     double scale = 1 / (double)s->points;
-    s->fftw->execute(s->to_modes);
+    fftw_execute(s->to_modes);
     for (size_t j = 0; j <= s->modes; j++)
         c[j] = (struct bead_complex){scale * s->bins[j].re, scale * s->bins[j].im};
 }

@@ -24,11 +24,9 @@ struct bead_spectral {
     double *grid; /* [points]: values, scratch of both directions */
     struct bead_complex *bins;
     void *to_grid, *to_modes; /* plans */
-    struct bead_fftw *fftw;   /* its functions */
 };
 
-/* Opens FFTW, which nothing else uses. Errors: MEMORY, UNSUPPORTED (it is not installed). On failure there is nothing to destroy.
- */
+/* Errors: MEMORY. On failure there is nothing to destroy. */
 BEAD_CHECK enum bead_error bead_spectral_create(size_t points, struct bead_spectral *spectral, struct bead_message *msg);
 void bead_spectral_destroy(struct bead_spectral *spectral);
 /* c[0..modes] -> grid. */
