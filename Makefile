@@ -21,8 +21,10 @@ endif
 
 # Debian 12 packages: to build, to build and run the tests, and what .ci/run uses beyond those.
 BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libfftw3-dev libpng-dev \
-             libosmesa6-dev libegl-dev libavformat-dev libavcodec-dev libavutil-dev libcairo2-dev libpango1.0-dev libfontconfig-dev fonts-stix fonts-lato
+             libegl-dev libavformat-dev libavcodec-dev libavutil-dev libcairo2-dev libpango1.0-dev libfontconfig-dev fonts-stix fonts-lato
 TEST_DEPS  = libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py
+# Left out where a release has them no more: OSMesa went with Mesa 25.1.
+WISHED_DEPS = libosmesa6
 CI_DEPS    = clang clang-format cppcheck shellcheck man-db mandoc
 
 # Asked once, when a recipe first needs it: after `deps` has run in `make deps all`.
@@ -31,7 +33,7 @@ once              = $(eval $(1) := $(2))$($(1))
 hdf5              = $(call once,hdf5,$(shell pkg-config --exists hdf5-serial 2>/dev/null && echo hdf5-serial || echo hdf5))
 SIM_PACKAGES      = $(hdf5) yaml-0.1 udunits fftw3
 # Opened at run time where they are (beadreel --list libraries), linked by nothing; only their headers are needed.
-OPENED_PACKAGES   = osmesa egl libavformat libavcodec libavutil
+OPENED_PACKAGES   = egl libavformat libavcodec libavutil
 RENDER_PACKAGES   = libpng cairo pangocairo fontconfig
 sim_cflags        = $(call once,sim_cflags,$(shell pkg-config --cflags $(SIM_PACKAGES)))
 # The loader looks names up in this order: HDF5 and what hangs on it need most, and all need the C library.
@@ -77,17 +79,19 @@ help: ## this list
 	@echo "Targets (variables: PREFIX, DESTDIR, BUILD, CC, CFLAGS; V=1 shows the commands):"
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1|\2/p' $(firstword $(MAKEFILE_LIST)) | awk -F'|' '{printf "%-12s %s\n", $$1, $$2}'
 
-# Install what is missing of the Debian packages $(1): as root, with sudo, or say what to run.
+# Install what is missing of the Debian packages $(1), and of $(2) what the release has: as root, with sudo, or say what to run.
 define install_packages
-	@missing=; for p in $(1); do \
-	    case "$$(dpkg-query -W -f='$${Status}' "$$p" 2>/dev/null)" in *" ok installed") ;; *) missing="$$missing $$p";; esac; \
-	done; \
-	if [ -z "$$missing" ]; then echo "All packages are there."; exit 0; fi; \
+	@absent() { \
+	    for p; do case "$$(dpkg-query -W -f='$${Status}' "$$p" 2>/dev/null)" in *" ok installed") ;; *) printf ' %s' "$$p";; esac; done; \
+	}; \
+	known() { for p; do [ -z "$$(apt-cache madison "$$p" 2>/dev/null)" ] || printf ' %s' "$$p"; done; }; \
+	missing=$$(absent $(1)); wished=$$(absent $(2)); \
+	if [ -z "$$missing$$(known $$wished)" ]; then echo "All packages are there."; exit 0; fi; \
 	if [ "$$(id -u)" = 0 ]; then as=; elif command -v sudo >/dev/null; then as=sudo; else as=none; fi; \
 	if [ "$$as" != none ] && command -v apt-get >/dev/null; then \
 	    apt="$$as env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300"; \
-	    echo "Installing:$$missing"; \
-	    $$apt update -q && $$apt install -q -y --no-install-recommends $$missing && exit 0; \
+	    $$apt update -q && missing="$$missing$$(known $$wished)" && echo "Installing:$$missing" && \
+	    $$apt install -q -y --no-install-recommends $$missing && exit 0; \
 	fi; \
 	echo >&2 "Packages are missing. As root, run:"; \
 	echo >&2 "  apt-get update && apt-get install --no-install-recommends$$missing"; \
@@ -95,7 +99,7 @@ define install_packages
 endef
 
 deps: ## install the Debian packages needed to build, run and test (only what is missing)
-	$(call install_packages,$(BUILD_DEPS) $(TEST_DEPS))
+	$(call install_packages,$(BUILD_DEPS) $(TEST_DEPS),$(WISHED_DEPS))
 # apt-get locks: never two of them at a time.
 deps-ci: | $(filter deps,$(MAKECMDGOALS)) ## the same for lint and .ci/run
 	$(call install_packages,$(CI_DEPS))

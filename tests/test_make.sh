@@ -25,6 +25,8 @@ sleep 0.5
 case " \$* " in *" install "*) touch "$T/installed" ;; esac
 rmdir "$T/lock"
 SH
+# Of packages that may be wanting, this release has OSMesa.
+printf '#!/bin/sh\n[ "$*" != "madison libosmesa6" ] || echo found\n' >"$T/bin/apt-cache"
 printf '#!/bin/sh\nexec "$@"\n' >"$T/bin/sudo"
 chmod +x "$T"/bin/*
 bare() { PATH="$T/bin:$PATH" quiet "$@"; }
@@ -34,12 +36,17 @@ object=$T/b/sim/chain/law.o
 ok "make before make deps says what to do" bare_fails BUILD="$T/b" "$object"
 ok "make deps all in one command" bare make -j4 BUILD="$T/b" deps "$object"
 ok "... installed with apt-get" grep -q 'install .*libhdf5-dev' "$T/apt"
+ok "... and what the release need not have, as it has it" grep -q 'install .*libosmesa6' "$T/apt"
 ok "... and compiled afterwards" test -s "$object"
 rm -f "$T/apt"
 ok "make deps where all is there" bare make deps
 ok "... installs nothing" test ! -e "$T/apt"
 rm -f "$T/installed"
 ok "make deps deps-ci: one apt-get at a time" bare make -j4 deps deps-ci
+printf '#!/bin/sh\n' >"$T/bin/apt-cache"
+rm -f "$T/installed" "$T/apt"
+without_osmesa() { bare make deps && grep -q 'install .*libhdf5-dev' "$T/apt" && ! grep -q osmesa "$T/apt"; }
+ok "make deps where the release has no OSMesa" without_osmesa
 ok "make help lists the targets" bash -c "make help | grep -q '^  install '"
 no_root() {
     rm -f "$T/installed" "$T/bin/sudo"

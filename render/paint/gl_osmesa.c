@@ -1,5 +1,5 @@
 /* Mesa's off-screen interface: software rendering, no display, no window system. Gone from Mesa 25.1 on. */
-#include <GL/osmesa.h>
+#include <GL/glcorearb.h>
 #include <stdlib.h>
 
 #include "beadreel/library.h"
@@ -7,6 +7,18 @@
 
 /* The context needs a default framebuffer, which nobody draws into: a canvas has its own. */
 enum { IDLE_SIZE = 16 };
+
+/* Of GL/osmesa.h what is used here, so that this program can be built where the header is gone; it changes no more. */
+enum {
+    OSMESA_BGRA = 0x1,
+    OSMESA_FORMAT = 0x22,
+    OSMESA_PROFILE = 0x33,
+    OSMESA_CORE_PROFILE = 0x34,
+    OSMESA_CONTEXT_MAJOR_VERSION = 0x36,
+    OSMESA_CONTEXT_MINOR_VERSION = 0x37
+};
+typedef struct osmesa_context *OSMesaContext;
+typedef void (*OSMESAproc)(void);
 
 #define OSMESA_FUNCTIONS(X)                                                      \
     X(OSMesaContext, CreateContextAttribs, (const int *, OSMesaContext))         \
