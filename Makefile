@@ -11,6 +11,7 @@ CFLAGS  ?= -O2 -g
 WERROR  ?=
 VERSION := $(shell sed -n 's/^\#define BEADREEL_VERSION "\(.*\)"/\1/p' include/beadreel/api.h)
 SOVERSION = 0
+SUITE   ?= bookworm
 STRICT_LINK ?= -Wl,-z,defs
 
 .DEFAULT_GOAL = all
@@ -25,7 +26,7 @@ BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev li
 TEST_DEPS  = libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
 WISHED_DEPS = libosmesa6
-CI_DEPS    = clang clang-format cppcheck shellcheck man-db mandoc
+CI_DEPS    = clang clang-format cppcheck shellcheck man-db mandoc debootstrap
 
 # Asked once, when a recipe first needs it: after `deps` has run in `make deps all`.
 once              = $(eval $(1) := $(2))$($(1))
@@ -195,6 +196,9 @@ test: all $(TESTS) $(EXAMPLES) ## unit tests and tests of the programs; ends wit
 
 compile: all $(TESTS) $(EXAMPLES) $(BENCHES) $(STRESSES) ## everything, tests and benchmarks too, without running it
 
+fresh: ## README's commands on a bare Debian: make fresh SUITE=bookworm|trixie (root, debootstrap; minutes)
+	@tests/fresh.sh $(SUITE)
+
 golden: all $(BUILD)/tests/test_golden ## make the golden pictures of the tests anew; look at them before you commit
 	@BEADREEL_ASSETS=assets BUILD=$(BUILD) BEADREEL_GOLDEN=update $(BUILD)/tests/test_golden
 
@@ -264,6 +268,6 @@ uninstall: ## remove what `make install` put there
 clean: ## remove what was built
 	rm -rf $(BUILD) $(BUILD)-asan
 
-.PHONY: all help deps deps-ci demo thesis gallery test golden asan bench stress lint man doc install uninstall clean always compile
+.PHONY: all help deps deps-ci demo thesis gallery test fresh golden asan bench stress lint man doc install uninstall clean always compile
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
