@@ -30,7 +30,7 @@ chmod 755 "$root"
 # Mounts end with their name space, and the processes in it with the script: nothing of the host is below $root here.
 clean_up() {
     if [ -n "${inside:-}" ]; then kill "$inside" && wait "$inside"; fi 2>/dev/null
-    rm -rf --one-file-system "$root"
+    rm -rf --one-file-system "$root" "$root.log"
 }
 trap clean_up EXIT
 trap 'exit 130' INT
@@ -54,8 +54,7 @@ within() {
 
 say "minimal system from $mirror"
 debootstrap --variant=minbase "$suite" "$root" "$mirror" >"$root.log" 2>&1 ||
-    { tail -n 20 "$root.log"; rm -f "$root.log"; say "debootstrap failed" >&2; exit 1; }
-rm -f "$root.log"
+    { tail -n 20 "$root.log"; say "debootstrap failed" >&2; exit 1; }
 cp /etc/resolv.conf /etc/hosts "$root/etc/"
 apt-config dump Acquire | grep -E '^Acquire::(Check|Retries|[a-z]+::(Proxy|Verify|Timeout))' >"$root/etc/apt/apt.conf.d/90host"
 within apt-get -q update && within apt-get -q -y install --no-install-recommends make git ca-certificates ||
