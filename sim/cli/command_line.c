@@ -198,7 +198,7 @@ static const struct option_row rows[] = {
     {"instructions", 0, "SET", "compute with sse2, avx2 or avx512 (default: the best there is); the results do not depend on SET",
      instruction_words, set_instructions},
     {"canvas", 0, "NAME",
-     "what paints beads: osmesa (Mesa; default), else egl, else plain; all look the same, and plain is the fastest", NULL,
+     "what paints beads: osmesa (the default), else egl, else plain, which is the fastest; all look the same", NULL,
      set_canvas},
     {"progress", 0, "HOW", "how to show progress on stderr: auto (default), plain, json or none", progress_words, set_progress},
     {"help", 'h', NULL, "show this help", NULL, set_help},
