@@ -1,4 +1,4 @@
-/* Sweeps: from a scene to panels, configurations and their chains. */
+/* Makes a sweep from its scene: panels, configurations and their chains. The other files of this room run, store and read it. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -91,7 +91,7 @@ enum bead_error bead_sweep_allocate(const struct bead_scene *scene, struct bead_
     return err;
 }
 
-/* Each random segment by its own magnetism, on a stream of its own. */
+/* Draw each random segment with its own magnetism, from a stream of its own. */
 static void draw_segments(const struct bead_chain_spec *pattern, uint64_t seed, size_t index, char *digits)
 {
     uint64_t number = 0;
@@ -186,7 +186,7 @@ const char *bead_sweep_version(const struct bead_sweep *sweep)
     return sweep->version;
 }
 
-/* Of the cells whose spins the scene gives: as bead_chain_magnetism. */
+/* The magnetism of the cells whose spins the scene gives, as bead_chain_magnetism. */
 static double magnetism_of(const struct bead_chain_spec *pattern, const char *digits)
 {
     double up = 0, all = 0;

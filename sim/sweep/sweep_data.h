@@ -1,4 +1,4 @@
-/* A sweep's insides, shared by sim/sweep*.c. */
+/* The insides of a sweep, shared by the files of this room. */
 #ifndef BEADREEL_SIM_SWEEP_SWEEP_DATA_H
 #define BEADREEL_SIM_SWEEP_SWEEP_DATA_H
 
@@ -38,6 +38,13 @@ BEAD_CHECK enum bead_error bead_sweep_allocate(const struct bead_scene *scene, s
 /* Numbers of 8 bytes that a job's results are. */
 size_t bead_sweep_words(const struct sweep_panel *panel);
 
+/* When to give up waiting for the front of a chain whose run ends at time `end`, s: never where that is finite. */
+double bead_sweep_give_up(const struct bead_chain *chain, double end);
+/* Step number `step` of a configuration's run. Errors: NUMBERS (also past `give_up`), STOPPED. */
+struct bead_run;
+BEAD_CHECK enum bead_error bead_sweep_step(const struct bead_sweep *sweep, struct bead_run *run, uint64_t step, double give_up,
+                                           const volatile sig_atomic_t *stop, struct bead_message *msg);
+
 /* Names and units of the datasets of profiles. */
 struct sweep_profile_name {
     const char *name, *unit;
@@ -56,7 +63,7 @@ size_t bead_sweep_alike(const struct sweep_entry *entries, size_t count, size_t 
 
 /* ---- journal: records with checksums, written one after the other ---- */
 struct bead_sweep_journal;
-/* Open, or go on with one: results in it become known. Errors: IO, USAGE (of another scene, or in use), MEMORY. */
+/* Open a journal, or continue one, whose results are loaded. Errors: IO, USAGE (of another scene, or in use), MEMORY. */
 BEAD_CHECK enum bead_error bead_sweep_journal_open(struct bead_sweep *sweep, const char *path, struct bead_sweep_journal **journal,
                                                    struct bead_message *msg);
 /* Add a job's results. Errors: IO. */

@@ -1,10 +1,10 @@
-/* From the profiles of a sweep to how waves decay along its chains. */
+/* Computes the decay of waves along the chains of a sweep from its profiles. */
 #include <math.h>
 #include <stdlib.h>
 
 #include "sim/sweep/sweep_data.h"
 
-/* Nearer to the striker the wave has not formed yet. */
+/* Closer to the striker the wave is still forming. */
 enum { NEAR = 10, RESAMPLES = 200 };
 
 /* Of one panel: what is the same for all its magnetisms. */
@@ -43,7 +43,7 @@ void bead_sweep_smooth(const struct bead_sweep *sweep, size_t panel, const doubl
     }
 }
 
-/* In units of the clean chain at the same bead: what a cell's beads have in common with it is not of the disorder. */
+/* Relative to the clean chain at the same bead: this removes the differences between the beads of a cell. */
 static enum bead_error fit(const struct decay_panel *p, const struct sweep_entry *entries, struct bead_sweep_decay *d,
                            struct bead_message *msg)
 {

@@ -1,4 +1,4 @@
-/* The journal of a sweep: a head, then one record for each chain that is done, in the order of their ends. A process that is killed
+/* The journal of a sweep: a head, then one record for each finished chain, in the order of finishing. A process that is killed
  * at any moment leaves whole records and at most one torn one, which is cut off when the next process goes on. */
 #include <errno.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@
 
 static const char magic[16] = "beadreel-sweep\n";
 enum { FORMAT = 2 };
-/* Seconds of work that a power failure may cost. */
+/* A power failure may cost this many seconds of work. */
 static const double sync_every = 1;
 
 struct head {
@@ -129,7 +129,7 @@ static enum bead_error take_records(struct bead_sweep_journal *j, struct bead_sw
     return errno ? failed(j, "cannot be read", msg) : BEAD_OK;
 }
 
-/* A head that is torn is as good as none; one of another sweep is none of ours. */
+/* A torn head counts as none; the head of another sweep is an error. */
 static enum bead_error check_head(struct bead_sweep_journal *j, const struct bead_sweep *sweep, bool *fresh,
                                   struct bead_message *msg)
 {
@@ -224,7 +224,7 @@ void bead_sweep_journal_close(struct bead_sweep_journal *j)
     if (!j)
         return;
     if (j->file >= 0)
-        close(j->file); /* all is written already; the lock goes with it */
+        close(j->file); /* everything is written already; closing releases the lock */
     free(j->path);
     free(j->record);
     free(j);

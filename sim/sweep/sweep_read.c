@@ -1,4 +1,4 @@
-/* Reading a sweep's file, which is not trusted, and putting parts together. */
+/* Reads the file of a sweep, which is not trusted, and merges parts. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -24,7 +24,7 @@ bool bead_sweep_is(const char *path)
     return is;
 }
 
-/* What is being read of a panel: `count` configurations, those of the file's part. */
+/* A panel being read: `count` configurations, those in the file's part. */
 struct reader {
     struct bead_h5 *h5;
     struct bead_sweep *sweep;

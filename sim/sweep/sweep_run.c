@@ -1,4 +1,4 @@
-/* Computing a sweep: one chain a thread, its results into their place. */
+/* Computes a sweep, one chain per thread, and puts the results into their places. */
 #include <math.h>
 #include <pthread.h>
 #include <stdatomic.h>
@@ -12,12 +12,12 @@
 #include "sim/run/run.h"
 #include "sim/sweep/sweep_data.h"
 
-/* Steps between looks at the clock of the user's patience. */
+/* Steps between checks of whether the user wants to stop. */
 enum { LOOK_EVERY = 64 };
-/* A front that takes this many times longer than a wave needs for the chain never comes. */
+/* A front that takes this many times longer than a wave needs for the chain will never arrive. */
 static const double patience = 200;
-/* A clean pulse in a chain of dimers is held by three beads on either side of its peak, but for 1e-4 of its energy; four leave room
- * for one that disorder has widened. */
+/* A clean pulse in a chain of dimers has all but 1e-4 of its energy within three beads of its peak; four leave room for a pulse
+ * that disorder has widened. */
 enum { REACH = 4 };
 
 /* What is measured of one chain. */
@@ -96,21 +96,33 @@ static enum bead_error keep_last(const struct measure *m, struct bead_run *run, 
     return err;
 }
 
+double bead_sweep_give_up(const struct bead_chain *chain, double end)
+{
+    return isfinite(end) ? INFINITY : patience * bead_chain_passage(chain, bead_chain_energy(chain));
+}
+
+enum bead_error bead_sweep_step(const struct bead_sweep *sweep, struct bead_run *run, uint64_t step, double give_up,
+                                const volatile sig_atomic_t *stop, struct bead_message *msg)
+{
+    const double now = bead_run_time(run);
+    if (step % LOOK_EVERY == 0 && stop && *stop)
+        return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped");
+    if (now > give_up)
+        return bead_fail(msg, BEAD_ERROR_NUMBERS,
+                         "%s: a configuration's front has not reached the end after %.4g s: give simulate.until",
+                         sweep->scene->file, now);
+    return bead_run_step(run, msg);
+}
+
 static enum bead_error play(struct measure *m, struct bead_run *run, double end, const volatile sig_atomic_t *stop,
                             struct bead_message *msg)
 {
-    const double give_up = patience * bead_chain_passage(m->chain, bead_chain_energy(m->chain));
+    const double give_up = bead_sweep_give_up(m->chain, end);
     for (uint64_t step = 0;; step++) {
         double from = bead_run_time(run);
         if (isfinite(end) ? from >= end : !isnan(bead_run_arrival(run)))
             return BEAD_OK;
-        if (step % LOOK_EVERY == 0 && stop && *stop)
-            return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped");
-        if (!isfinite(end) && from > give_up)
-            return bead_fail(msg, BEAD_ERROR_NUMBERS,
-                             "%s: a configuration's front has not reached the end after %.4g s: give simulate.until",
-                             m->sweep->scene->file, from);
-        enum bead_error err = bead_run_step(run, msg);
+        enum bead_error err = bead_sweep_step(m->sweep, run, step, give_up, stop, msg);
         if (!err && m->seen)
             err = watch_energies(m, run, msg);
         if (err)

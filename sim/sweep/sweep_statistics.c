@@ -1,4 +1,4 @@
-/* From the results of a sweep to statistics. */
+/* Computes the statistics of a sweep from its results: groups of one magnetism, thresholds, plateaus. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,7 +6,7 @@
 #include "sim/sweep/sweep_data.h"
 
 enum { RESAMPLES = 1000 };
-/* Two magnetisms closer than this are the same: those of chains are ratios of whole numbers. */
+/* Magnetisms closer than this are equal: those of chains are ratios of whole numbers. */
 static const double same = 1e-9;
 
 static enum bead_error out_of_memory(struct bead_message *msg)
@@ -66,7 +66,7 @@ static enum bead_error fill_rows(struct bead_sweep_statistics *s, const struct s
     return BEAD_OK;
 }
 
-/* A sweep need not have both regimes. */
+/* A sweep may lack one of the regimes. */
 static enum bead_error find_threshold(struct bead_sweep_statistics *s, const char *name, uint64_t seed, struct bead_message *msg)
 {
     const struct bead_threshold_info *how = bead_threshold_info_named(name);

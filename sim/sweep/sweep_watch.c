@@ -1,4 +1,4 @@
-/* Configurations of a sweep that are run to be looked at: samples as they come, and what is measured of a single run. */
+/* Runs single configurations of a sweep for pictures: delivers samples as they come, and measures of each run. */
 #include <math.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -9,10 +9,6 @@
 #include "sim/run/run.h"
 #include "sim/sweep/sweep_data.h"
 
-enum { LOOK_EVERY = 64 };
-/* A front that takes this many times longer than a wave needs for the chain never comes. */
-static const double patience = 200;
-
 struct work {
     const struct bead_sweep *sweep;
     const struct bead_sweep_settings *settings;
@@ -22,7 +18,7 @@ struct work {
     double *clean; /* [panels]: participation of the wave with all random cells up */
 };
 
-/* One run: until the front arrives where no end is given, and from sample to sample where somebody takes them. */
+/* One run: until the front arrives if no end is given, and from sample to sample if somebody takes them. */
 struct watched {
     const struct work *work;
     struct bead_sweep_watch *watch;
@@ -67,8 +63,7 @@ static enum bead_error measure(struct watched *w, struct bead_message *msg)
 
 static enum bead_error play(struct watched *w, struct bead_message *msg)
 {
-    const volatile sig_atomic_t *stop = w->work->settings->stop;
-    const double give_up = patience * bead_chain_passage(w->chain, bead_chain_energy(w->chain));
+    const double give_up = bead_sweep_give_up(w->chain, w->end);
     for (uint64_t step = 0;; step++) {
         enum bead_error err = w->watch->take ? give_samples(w, msg) : BEAD_OK;
         if (!err && !w->measured && !isnan(bead_run_arrival(w->run)))
@@ -76,19 +71,13 @@ static enum bead_error play(struct watched *w, struct bead_message *msg)
         double now = bead_run_time(w->run);
         if (err || now >= w->end || (isinf(w->end) && w->measured))
             return err;
-        if (step % LOOK_EVERY == 0 && stop && *stop)
-            return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped");
-        if (isinf(w->end) && now > give_up)
-            return bead_fail(msg, BEAD_ERROR_NUMBERS,
-                             "%s: a configuration's front has not reached the end after %.4g s: give simulate.until",
-                             w->work->sweep->scene->file, now);
-        err = bead_run_step(w->run, msg);
+        err = bead_sweep_step(w->work->sweep, w->run, step, give_up, w->work->settings->stop, msg);
         if (err)
             return err;
     }
 }
 
-/* Where most cells are reversed the clean wave is another one. */
+/* If most cells are reversed, the clean wave is that of the reversed cell. */
 static enum bead_error compare(struct watched *w, struct bead_message *msg)
 {
     double clean = w->work->clean[w->watch->panel];

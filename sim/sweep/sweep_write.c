@@ -1,4 +1,4 @@
-/* The file of a sweep, written in one go when everything is known: see beadreel/sweep.h for what stands in it. */
+/* Writes the file of a sweep, once everything is known; beadreel/sweep.h describes its contents. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
