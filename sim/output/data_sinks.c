@@ -1,3 +1,4 @@
+/* The list of the sinks of this room, which both programs hand to sessions. */
 #include "sim/output/data_sinks.h"
 
 #include <stddef.h>

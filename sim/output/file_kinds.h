@@ -1,4 +1,4 @@
-/* What a sweep's file says of itself. */
+/* The kind and format that a sweep's file states; here, because opening a trajectory must recognise it. */
 #ifndef BEADREEL_SIM_OUTPUT_FILE_KINDS_H
 #define BEADREEL_SIM_OUTPUT_FILE_KINDS_H
 

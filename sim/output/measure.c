@@ -1,3 +1,4 @@
+/* Measures of a run: takes samples, feeds pulses, trace and participation, and reads the rows at the end. */
 #include "beadreel/measure.h"
 
 #include <math.h>

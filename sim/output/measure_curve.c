@@ -1,3 +1,4 @@
+/* Polynomials through equally spaced samples, for maxima and crossings between them. */
 #include "sim/output/measure_curve.h"
 
 #include <math.h>

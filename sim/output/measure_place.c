@@ -1,3 +1,4 @@
+/* Finds where along a chain to measure: see measure_place.h. */
 #include "sim/output/measure_place.h"
 
 /* Contacts between the probe and the end of the chain, where there is room for them. */

@@ -1,4 +1,4 @@
-/* Inside of measures: what is kept of a run, for the rows of the table. */
+/* The insides of measures: what is kept of a run for the rows of measure_rows.c. */
 #ifndef BEADREEL_SIM_OUTPUT_MEASURE_PRIVATE_H
 #define BEADREEL_SIM_OUTPUT_MEASURE_PRIVATE_H
 
@@ -36,7 +36,7 @@ struct bead_measures {
     double arrived; /* participation of the energies at the first sample after the front's arrival; NaN: none so far */
 };
 
-/* What the rows of the table are made from, worked out once when they are read. */
+/* What the rows are computed from, found once when the measures are read. */
 struct bead_pulse_found {
     double force, bead_force, velocity, compression; /* N, N, m/s, m: the largest in the cell */
     double beads_per_second, speed;                  /* at the probe: 1/s, m/s */

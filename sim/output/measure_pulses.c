@@ -1,3 +1,4 @@
+/* Finds the pulses in every contact's force, see measure_pulses.h; measures of speed, decay and walls follow from them. */
 #include "sim/output/measure_pulses.h"
 
 #include <math.h>
@@ -77,7 +78,7 @@ static void look_ahead(struct bead_pulses *p, double x)
     }
 }
 
-/* A maximum of about this force changes what is known of a contact: most in what follows the front do not. */
+/* Could a maximum of about this force change the record of a contact? Behind the front most cannot. */
 static bool matters(const struct bead_pulses *p, size_t contact, double force)
 {
     const struct bead_track *track = &p->track[contact];

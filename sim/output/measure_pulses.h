@@ -1,4 +1,4 @@
-/* Pulses: maxima of every contact's force as samples come, told apart where the force falls in between. */
+/* Pulses: maxima of every contact's force, found as samples come in; the force must fall between two of them. */
 #ifndef BEADREEL_SIM_OUTPUT_MEASURE_PULSES_H
 #define BEADREEL_SIM_OUTPUT_MEASURE_PULSES_H
 

@@ -1,4 +1,4 @@
-/* What is measured: one row each. */
+/* The table of measures: one row each, with name, unit and function. Tables, --info and sweeps read it. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -103,7 +103,7 @@ static double ahead(const struct reading *r, int n)
     return law->compression(a[contact], spec, force) / law->compression(a[probe], spec, first);
 }
 
-/* Where it has come furthest, so that it has parted from those before it. */
+/* Taken where the pulse has come furthest, so that it has separated from those ahead of it. */
 static double follower(const struct reading *r, int n)
 {
     const struct bead_pulses *p = r->m->pulses;
@@ -143,7 +143,7 @@ static double energy_participation(const struct reading *r, int n)
     return bead_chain_participation(r->m->chain, r->m->u, r->m->v);
 }
 
-/* A run that ends as the front arrives has no sample behind that, but one close to it. */
+/* A run that ends at the front's arrival has no sample after it, but one just before. */
 static double clean_index(const struct reading *r, int n)
 {
     (void)n;
@@ -219,7 +219,7 @@ static double decay_rate(const struct reading *r, int n)
     return r->decay;
 }
 
-/* Only where it is one. */
+/* The length only if there is a decay. */
 static double decay_length(const struct reading *r, int n)
 {
     (void)n;
@@ -272,7 +272,7 @@ static double strike_time(const struct reading *r, int n)
     return one_sided(r) ? r->m->strike.opened : NAN;
 }
 
-/* Once it has let go. */
+/* After the striker has separated. */
 static double striker_velocity(const struct reading *r, int n)
 {
     (void)n;

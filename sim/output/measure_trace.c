@@ -1,4 +1,4 @@
-/* What happens at the probe, and at the striker. */
+/* Records what happens at the probe and at the striker, sample by sample, for measure_rows.c. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +20,7 @@ void bead_trace_free(struct bead_trace *trace)
     *trace = (struct bead_trace){0};
 }
 
-/* All rows in one piece of memory, each of `room` numbers. */
+/* All rows in one block of memory, `room` numbers each. */
 static enum bead_error grow(struct bead_trace *t, struct bead_message *msg)
 {
     enum { ROWS = 3 * BEAD_PLACE_PERIOD + 2 };
@@ -180,7 +180,7 @@ void bead_front_speed(const struct bead_measures *m, size_t first, size_t last, 
     const double *position = bead_chain_position(m->chain), *radius = bead_chain_radius(m->chain);
     double n = 0, k0 = 0, t0 = 0, x0 = 0, tt = 0, tk = 0, tx = 0;
     last = last < m->places.links ? last : m->places.links - 1;
-    for (int pass = 0; pass < 2; pass++) { /* means first, so that nothing is lost in the sums of squares */
+    for (int pass = 0; pass < 2; pass++) { /* subtract the means first: sums of squares then lose no digits */
         for (size_t k = first; k <= last; k += step) {
             double t = bead_pulses_first(m->pulses, k).time, x = position[k] + radius[k];
             if (isnan(t))

@@ -1,3 +1,4 @@
+/* The participation of beads in the wave, relative to the clean wave, for which it runs a chain of equal cells. */
 #include "beadreel/participation.h"
 
 #include <math.h>
@@ -8,7 +9,7 @@
 #include "sim/output/measure_place.h"
 #include "sim/run/run.h"
 
-/* What the clean wave is run to; and how many of its usual passages it may take. */
+/* Accuracy of the clean wave, and the passage times that it may take. */
 static const double accuracy = 1e-6, patience = 100;
 
 static double compression(const struct bead_chain *chain, const double *u, size_t k)

@@ -1,3 +1,4 @@
+/* Collects the profiles of a field at given times, for tables and plots. */
 #include "beadreel/profile_times.h"
 
 #include <math.h>
@@ -67,7 +68,7 @@ static enum bead_error reserve(struct bead_profile_times *m, struct bead_message
     return got ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for profiles");
 }
 
-/* Do all moments lie on this grid? */
+/* Do all times lie on this grid? */
 static bool hits(const struct bead_output *output, double start, double every)
 {
     for (size_t i = 0; i < output->curves.profile_time_count; i++) {
@@ -134,7 +135,7 @@ struct bead_needs bead_profile_times_needs(const struct bead_profile_times *m)
                                .why = m->why};
 }
 
-/* The first sample behind the moment: a straight line to there from the last one before. */
+/* The first sample after the time: interpolate linearly from the last one before. */
 static void complete(struct profile *p, const struct bead_sample *sample, const double *values, size_t count, double moment)
 {
     double weight = fmin(1, fmax(0, (moment - p->time) / (sample->time - p->time)));

@@ -1,3 +1,4 @@
+/* Sample times and spans of outputs, shared by all sinks. */
 #include "sim/output/sink_grid.h"
 
 #include <math.h>
@@ -12,7 +13,7 @@ double bead_round_down(double x)
     return exponent < 0 ? round / unit : round * unit;
 }
 
-/* More samples than this are a mistake, whatever the disk. */
+/* More samples than this are a mistake, however large the disk. */
 static const double most_samples = 1e10;
 
 /* Move a grid to the times of `native`. */

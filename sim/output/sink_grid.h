@@ -1,4 +1,4 @@
-/* What the sinks without graphics have in common. */
+/* Sample times, spans and words that all sinks of data share. */
 #ifndef BEADREEL_SIM_OUTPUT_SINK_GRID_H
 #define BEADREEL_SIM_OUTPUT_SINK_GRID_H
 

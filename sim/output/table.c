@@ -48,7 +48,7 @@ static void peaks_header(struct bead_sink *sink)
             sink->output->curves.show == BEAD_SHOW_PEAKS ? "contact" : "bead");
 }
 
-/* Contacts that the wave has not reached are many, and need no digits. */
+/* Contacts that the wave has not reached are many; a short row does for them. */
 static void write_peak(FILE *file, size_t index, const struct bead_peak *peak)
 {
     if (peak->value == 0 && isnan(peak->time))
@@ -152,7 +152,7 @@ static void sensors_header(struct bead_sink *sink)
     bead_table_columns(sink, "time_s");
 }
 
-/* A row is written when all chains have come, so that a run that is stopped leaves no half row. */
+/* A row is written when the values of all chains are there, so that a stopped run leaves no incomplete row. */
 static enum bead_error sensors_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
 {
     (void)msg;

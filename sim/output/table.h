@@ -1,4 +1,4 @@
-/* Inside of tables, shared by table.c and the files of what tables show. */
+/* The insides of the table sink, shared by table.c and the table_*.c, one for each kind of table. */
 #ifndef BEADREEL_SIM_OUTPUT_TABLE_H
 #define BEADREEL_SIM_OUTPUT_TABLE_H
 

@@ -23,7 +23,7 @@ static enum bead_error prepare(struct bead_sink *sink, struct bead_message *msg)
     if (!sink->measures)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
     for (size_t c = 0; !err && c < count; c++) {
-        if (!of_beads(sink->context.chains[c])) /* what moves there measures itself */
+        if (!of_beads(sink->context.chains[c])) /* an equation has measures of its own */
             continue;
         err = bead_measures_create(sink->context.chains[c], &sink->measures[c], msg);
         watched++;

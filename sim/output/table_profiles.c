@@ -19,7 +19,7 @@ static void header(struct bead_sink *sink)
 {
     const struct bead_chain *chain = sink->context.chains[0];
     const struct bead_field_info *field = bead_chain_field(chain, sink->output->shown.field);
-    /* Of equations the letter or word of their unknown. */
+    /* For equations, the letter or word for the unknown. */
     const char *column = bead_chain_spec(chain)->equation.name ? field->title : field->name;
     const char *time = bead_chain_time_unit(chain);
     fprintf(sink->file, "%stime%s%s,%s,%s%s%s\n", sink->context.chain_count > 1 ? "chain," : "", *time ? "_" : "", time,

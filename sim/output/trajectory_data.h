@@ -1,4 +1,4 @@
-/* An open trajectory's insides, shared by trajectory_open.c and trajectory_read.c. */
+/* The insides of an open trajectory, shared by trajectory_open.c and trajectory_read.c. */
 #ifndef BEADREEL_SIM_OUTPUT_TRAJECTORY_DATA_H
 #define BEADREEL_SIM_OUTPUT_TRAJECTORY_DATA_H
 
@@ -43,9 +43,9 @@ enum bead_error bead_trajectory_no_memory(struct bead_trajectory *trajectory);
 /* Beads of the longest chain, at least 1. */
 size_t bead_trajectory_longest(const struct bead_trajectory *trajectory);
 
-/* Opening in two steps, for whom the stored scene decides with which settings: first the file and its scene as it is stored, then
- * the rest, for the scene with settings. A sweep's file is none: then *trajectory is NULL without an error. On failure of either
- * the trajectory is to be closed. Errors: as bead_trajectory_open. */
+/* Opening in two steps, for callers whose settings depend on the stored scene: first the file and its scene as stored, then the
+ * rest, for the scene with settings. For a sweep's file, *trajectory is NULL without an error. If either step fails, close the
+ * trajectory. Errors: as bead_trajectory_open. */
 BEAD_CHECK enum bead_error bead_trajectory_begin(const char *path, struct bead_trajectory **trajectory, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_trajectory_settle(struct bead_trajectory *trajectory, const char *const *settings,
                                                   size_t setting_count, struct bead_message *msg);

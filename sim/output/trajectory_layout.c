@@ -1,3 +1,4 @@
+/* The table of series in a trajectory and of the numbers of its outcome; both the writer and the reader follow it. */
 #include "sim/output/trajectory_layout.h"
 
 #include "sim/output/sink_grid.h"

@@ -1,4 +1,4 @@
-/* Opening trajectories, which are not trusted: everything is checked against the scene that the file stores. */
+/* Opens a trajectory. The file is not trusted: everything is checked against the scene that it stores. */
 #include "sim/output/trajectory_data.h"
 
 #include <math.h>
@@ -170,7 +170,7 @@ static enum bead_error open_sources(struct bead_trajectory *t)
     return BEAD_OK;
 }
 
-/* The times must be those of the grid; datasets of a killed run may differ in length, the shortest counts. */
+/* The times must be those of the grid. Datasets of a killed run may differ in length; the shortest counts. */
 static enum bead_error check_times(struct bead_trajectory *t)
 {
     double times[1024];
@@ -266,7 +266,7 @@ static bool is_sweep(struct bead_trajectory *t)
     return strcmp(kind, BEAD_SWEEP_KIND) == 0;
 }
 
-/* The file, but for its scene. `sweep`: it is one, and there is nothing more to read. */
+/* Read the file up to its scene. `sweep` is set for a sweep's file, of which nothing more is read. */
 static enum bead_error open_file(struct bead_trajectory *t, const char *path, bool *sweep, struct bead_message *msg)
 {
     t->h5.file = -1;

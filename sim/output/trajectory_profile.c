@@ -1,4 +1,4 @@
-/* What stands beside the samples in a trajectory: see trajectory_layout.h. */
+/* Writes everything in a trajectory but its samples, see trajectory_layout.h; trajectory_write.c calls it. */
 #include "sim/output/trajectory_sink.h"
 
 #include <math.h>
@@ -133,7 +133,7 @@ static void lay_out_axes(struct bead_sink *sink)
         sink->contact_scale = make_axis(sink, "/contacts/contact", "contact", true);
 }
 
-/* Equations have words of their own for their fields. */
+/* Equations name their own fields. */
 static const char *long_name(const struct bead_sink *sink, const struct bead_series_info *info)
 {
     const struct bead_chain *chain = sink->context.chains[0];
@@ -212,7 +212,7 @@ static void write_summary(struct bead_sink *sink)
     bead_h5_put_text(h5, group, "fields", names);
     bead_h5_put_double(h5, group, "start", sink->grid.start);
     bead_h5_put_double(h5, group, "every", sink->grid.every);
-    /* A run until the front arrives may not know its end yet. */
+    /* A run that ends when the front arrives may not know its end yet. */
     bead_h5_put_double(h5, group, "end", sink->context.end < INFINITY ? sink->context.end : sink->grid.end);
     bead_h5_put_ints(h5, group, "first_bead", &first, 0);
     bead_h5_put_ints(h5, group, "last_bead", &last, 0);

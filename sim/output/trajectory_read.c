@@ -1,4 +1,4 @@
-/* Samples of an open trajectory. */
+/* Reads the samples of an open trajectory in blocks, as the session replays it. */
 #include "sim/output/trajectory_data.h"
 
 #include <math.h>
@@ -54,7 +54,7 @@ enum bead_error bead_trajectory_outcome(const struct bead_trajectory *t, size_t 
     return BEAD_OK;
 }
 
-/* Of numbers that are not finite all bits of the exponent are set: one more there carries into the sign. */
+/* A number that is not finite has all bits of the exponent set: adding one there carries into the sign. */
 static bool all_finite(const double *values, size_t count)
 {
     const uint64_t exponent = (uint64_t)0x7ff << 52, one = (uint64_t)1 << 52;
@@ -89,7 +89,7 @@ static enum bead_error read_ahead(struct bead_trajectory *t, struct bead_source 
     return BEAD_OK;
 }
 
-/* One chain's values of a sample by bead (or contact) number: lent from the block where all are stored. */
+/* One chain's values of a sample by bead or contact number; borrowed from the block if all are stored. */
 static const double *values_of(struct bead_trajectory *t, enum bead_series_id id, size_t index, size_t chain)
 {
     struct bead_source *source = &t->sources[id];

@@ -246,7 +246,7 @@ static const fill_function fill[BEAD_SERIES_COUNT] = {
     [BEAD_SERIES_STRAIN] = fill_strain,
 };
 
-/* A run that went wrong must not leave a file that looks right. */
+/* A failed run must not leave a file that looks complete. */
 static void check_finite(struct bead_sink *sink, enum bead_series_id id)
 {
     const struct bead_series *series = &sink->series[id];
