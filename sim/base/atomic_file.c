@@ -120,8 +120,7 @@ enum bead_error bead_file_close(FILE *file, const char *part, struct bead_messag
         error = errno;
     }
     if (failed)
-        return bead_fail(msg, BEAD_ERROR_IO, "%s: writing failed: %s", part,
-                         error ? strerror(error) : "an earlier write did not succeed");
+        return bead_fail(msg, BEAD_ERROR_IO, "%s: writing failed: %s", part, error ? strerror(error) : "an earlier write failed");
     return BEAD_OK;
 }
 

@@ -65,7 +65,7 @@ hid_t bead_h5_open_dataset(struct bead_h5 *h5, const char *name)
         return -1;
     BEAD_H5_AUTO layout = H5Dget_create_plist(dataset);
     if (layout < 0 || H5Pget_layout(layout) == H5D_VIRTUAL || H5Pget_external_count(layout) != 0) {
-        bead_h5_fail(h5, false, "%s lies in another file", name);
+        bead_h5_fail(h5, false, "%s is stored in another file", name);
         bead_h5_release(&dataset);
     }
     return dataset;

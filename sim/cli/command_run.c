@@ -173,7 +173,7 @@ enum bead_error command_merge(const struct command *command, struct bead_message
     struct bead_sweep *sweep = NULL;
     const char *dot = command->output ? strrchr(command->output, '.') : NULL;
     if (!dot || strcmp(dot, ".h5") != 0)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--merge: say where to with -o FILE.h5");
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--merge: name the merged file with -o FILE.h5");
     enum bead_error err = bead_sweep_merge(command->parts, command->part_count, &sweep, msg);
     if (!err)
         err = bead_sweep_write(sweep, command->output, msg);

@@ -61,7 +61,7 @@ static const char *check(const struct bead_equation_spec *spec, const char **key
     /* The force has its maximum where 1 + 2 alpha r + 3 beta r^2 = 0; beyond it a spring tears or folds. */
     double r = spec->amplitude;
     if (spec->start == BEAD_START_PULSE && !(1 + 2 * spec->alpha * r + 3 * spec->beta * r * r > 0))
-        return "asks for strains that a spring of this alpha and beta does not bear: its stiffness is not positive there";
+        return "asks for strains at which a spring with this alpha and beta has no positive stiffness";
     return NULL;
 }
 

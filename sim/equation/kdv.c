@@ -48,10 +48,10 @@ static const char *check(const struct bead_equation_spec *spec, const char **key
         return "must be a field of points, not of contacts";
     *key = "points";
     if (spec->start == BEAD_START_COSINE && spec->points && 3 * spec->mode + 1 > spec->points)
-        return "must be more than three by wave of the start";
+        return "must be more than 3 for each wave of the start";
     *key = "dispersion";
     if (spec->dispersion == 0 && spec->nonlinearity != 0)
-        return "must not be 0 beside a nonlinearity: the wave would break";
+        return "must not be 0 with a nonlinearity: the wave would break";
     if (spec->start != BEAD_START_SOLITONS)
         return NULL;
     if (!(spec->dispersion > 0))

@@ -42,7 +42,7 @@ static const char *check(const struct bead_equation_spec *spec, const char **key
     double strongest = spec->epsilon * spec->amplitude;
     *key = "points";
     if (spec->start != BEAD_START_PULSE && spec->points && spec->points < 8 * spec->mode)
-        return "must be 8 or more by wave of the start";
+        return "must be at least 8 for each wave of the start";
     *key = "start";
     if (spec->start != BEAD_START_PULSE)
         strongest = -fabs(strongest);

@@ -50,4 +50,4 @@ static void end(struct bead_sink *sink, const struct bead_outcome *outcomes)
     }
 }
 
-const struct table bead_table_chain = {"beads and contacts as the scene has them", NULL, needs, header, NULL, end};
+const struct table bead_table_chain = {"beads and contacts as in the scene", NULL, needs, header, NULL, end};

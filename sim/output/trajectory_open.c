@@ -92,7 +92,7 @@ static enum bead_error read_summary(struct bead_trajectory *t)
     bead_h5_close(h5, &group);
     if (!h5->error &&
         !(t->grid.start >= 0 && t->grid.start < 1e9 && t->grid.every > 0 && t->grid.every < 1e9 && t->end >= 0 && t->end < 1e9))
-        bead_h5_fail(h5, false, "its times make no sense");
+        bead_h5_fail(h5, false, "its times are not valid");
     if (!h5->error && t->fields == 0)
         bead_h5_fail(h5, false, "holds no field");
     return h5->error;
@@ -190,7 +190,7 @@ static enum bead_error check_times(struct bead_trajectory *t)
     bead_h5_close(&t->h5, &series);
     t->grid.end = t->samples ? bead_grid_time(&t->grid, t->samples - 1) : t->grid.start - t->grid.every;
     if (!t->h5.error && t->samples && bead_grid_count(&t->grid) != t->samples)
-        bead_h5_fail(&t->h5, false, "its times make no sense");
+        bead_h5_fail(&t->h5, false, "its times are not valid");
     return t->h5.error;
 }
 

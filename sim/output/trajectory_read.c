@@ -49,7 +49,7 @@ enum bead_error bead_trajectory_outcome(const struct bead_trajectory *t, size_t 
                                         struct bead_message *msg)
 {
     if (chain >= t->chain_count)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: has %zu chains, none has the number %zu", t->path, t->chain_count, chain);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: has %zu chains; there is no chain %zu", t->path, t->chain_count, chain);
     *outcome = t->outcomes[chain];
     return BEAD_OK;
 }
@@ -131,7 +131,7 @@ enum bead_error bead_trajectory_read(struct bead_trajectory *t, size_t index, si
     if (index >= t->samples || chain >= t->chain_count)
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s: there is no sample %zu of chain %zu", t->path, index, chain);
     if (fields & ~(t->fields | t->derived))
-        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: does not hold all fields asked for", t->path);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: does not have all requested fields", t->path);
     t->h5.msg = msg;
     t->h5.error = BEAD_OK;
     sample->time = bead_grid_time(&t->grid, index);

@@ -60,11 +60,11 @@ static const char *automatic(const struct bead_chain *chain, double accuracy, co
         return "rkn8-plain";
     }
     if (share_of(chain) * accuracy >= low_accuracy) {
-        *why = "little accuracy is asked: opening contacts need no correction";
+        *why = "the requested accuracy is low: contact events need no correction";
         return "rkn8-plain";
     }
     if (!chain->law->exponent) {
-        *why = "contact events cannot be corrected: the law is no power of the compression";
+        *why = "contact events cannot be corrected: the law is not a power of the compression";
         return "rkn8-plain";
     }
     *why = "contacts open and close";
@@ -84,10 +84,9 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: `%s` is for forces without damping; use rk4 or auto", file,
                          name);
     if (method->events && chain->law->one_sided && !chain->law->exponent)
-        return bead_fail(
-            msg, BEAD_ERROR_SCENE,
-            "%s: simulate.method: `%s` corrects contact events, which law `%s` is not known for; use rkn8-plain or auto", file,
-            name, chain->law->name);
+        return bead_fail(msg, BEAD_ERROR_SCENE,
+                         "%s: simulate.method: `%s` corrects contact events, which law `%s` does not allow; use rkn8-plain or auto",
+                         file, name, chain->law->name);
     *choice = (struct bead_method_choice){method, method->info.theta, method->info.theta_order, method->info.theta_cap, 1, why};
     if (method->events && chain->law->one_sided)
         choice->share = share_of(chain);

@@ -149,7 +149,7 @@ static enum bead_error check_head(struct bead_sweep_journal *j, const struct bea
         return failed(j, "cannot be read", msg);
     if (memcmp(found.magic, magic, sizeof magic) != 0 || found.format != FORMAT ||
         found.check != bead_fingerprint(BEAD_FINGERPRINT_START, &found, offsetof(struct head, check)))
-        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: is no journal of a sweep; remove it to start over", j->path);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: is not a journal of a sweep; remove it to start over", j->path);
     const char *differs = found.version != wanted.version                                        ? "another version of the program"
                           : found.fingerprint != wanted.fingerprint || found.jobs != wanted.jobs ? "another scene"
                           : found.part != wanted.part || found.parts != wanted.parts             ? "another part of the sweep"

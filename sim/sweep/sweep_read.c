@@ -181,7 +181,7 @@ static enum bead_error read_head(struct bead_h5 *h5, struct bead_sweep *sweep, s
     char kind[32] = "", version[64] = "";
     bead_h5_get_text(h5, h5->file, "format", kind, sizeof kind);
     if (!h5->error && strcmp(kind, BEAD_SWEEP_KIND) != 0)
-        bead_h5_fail(h5, false, "is no file of a sweep");
+        bead_h5_fail(h5, false, "is not the file of a sweep");
     bead_h5_get_int(h5, h5->file, "format_version", BEAD_SWEEP_FORMAT, BEAD_SWEEP_FORMAT);
     bead_h5_get_text(h5, h5->file, "version", version, sizeof version);
     int64_t parts = bead_h5_get_int(h5, h5->file, "parts", 1, 1000000), part = bead_h5_get_int(h5, h5->file, "part", 1, parts);
@@ -231,7 +231,7 @@ static enum bead_error check_part(const struct bead_sweep *first, const char *fi
                           : strcmp(part->scene->text, first->scene->text) != 0 ? "another scene"
                                                                                : NULL;
     if (differs)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: is of %s than %s", path, differs, first_path);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: belongs to %s than %s", path, differs, first_path);
     if (part->parts != first->parts)
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s: is part %zu of %zu, and %s one of %zu", path, part->part, part->parts,
                          first_path, first->parts);

@@ -188,7 +188,7 @@ static void a_spoilt_journal_is_not_believed(void **state)
     fclose(text);
     assert_int_equal(bead_sweep_create(scene, &sweep, &msg), BEAD_OK);
     assert_int_equal(bead_sweep_run(sweep, &settings, NULL, &msg), BEAD_ERROR_USAGE);
-    assert_non_null(strstr(msg.text, "no journal"));
+    assert_non_null(strstr(msg.text, "not a journal"));
     bead_sweep_close(sweep);
     bead_scene_free(scene);
     bead_scene_free(other);
