@@ -27,16 +27,16 @@ static void automatic(enum bead_scale scale, bool is_signed, double least, doubl
     }
 }
 
-struct bead_colour_range bead_colour_range_find(const struct bead_output *output, const struct bead_chain *chain, double least,
+struct bead_colour_range bead_colour_range_find(const struct bead_colours_asked *asked, bool is_signed, double least,
                                                 double largest)
 {
     struct bead_colour_range range = {0, 1, false, false};
-    automatic(output->colours.scale, bead_chain_signed(chain, output->shown.field), least, largest, &range.low, &range.high);
-    bool low_given = !isnan(output->colours.range[0]), high_given = !isnan(output->colours.range[1]);
-    range.high = high_given ? output->colours.range[1] : range.high;
+    automatic(asked->scale, is_signed, least, largest, &range.low, &range.high);
+    bool low_given = !isnan(asked->range[0]), high_given = !isnan(asked->range[1]);
+    range.high = high_given ? asked->range[1] : range.high;
     if (low_given)
-        range.low = output->colours.range[0];
-    else if (high_given && output->colours.scale == BEAD_SCALE_LOG)
+        range.low = asked->range[0];
+    else if (high_given && asked->scale == BEAD_SCALE_LOG)
         range.low = log_span * range.high;
     if (!(range.high > range.low)) { /* all values lie beyond the one end that was asked for */
         double size = fmax(fabs(range.low), 1e-12);
@@ -45,7 +45,7 @@ struct bead_colour_range bead_colour_range_find(const struct bead_output *output
     }
     double slack = 1e-9 * (range.high - range.low);
     range.over = largest > range.high + slack;
-    range.under = least < range.low - (output->colours.scale == BEAD_SCALE_LOG ? 0 : slack);
+    range.under = least < range.low - (asked->scale == BEAD_SCALE_LOG ? 0 : slack);
     return range;
 }
 

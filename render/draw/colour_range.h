@@ -13,8 +13,8 @@ struct bead_colour_range {
     bool over, under; /* there are values beyond */
 };
 
-/* `least` and `largest`: of what is shown; least > largest: nothing is. */
-struct bead_colour_range bead_colour_range_find(const struct bead_output *output, const struct bead_chain *chain, double least,
+/* `least` and `largest`: of what is shown; least > largest: nothing is. is_signed: the field has both signs (bead_chain_signed). */
+struct bead_colour_range bead_colour_range_find(const struct bead_colours_asked *asked, bool is_signed, double least,
                                                 double largest);
 /* A range that makes no sense as asked. `file` for the message. Errors: SCENE (with the output's place). */
 BEAD_CHECK enum bead_error bead_colour_range_check(const struct bead_output *output, const char *file, struct bead_message *msg);

@@ -50,11 +50,11 @@ const char *bead_page_size(const struct bead_page *page, char words[BEAD_SIZE_WO
     return words;
 }
 
-void bead_page_look(const struct bead_page *page, const struct bead_output *output, struct bead_look *look)
+void bead_page_look(const struct bead_page *page, const struct bead_paper *asked, struct bead_look *look)
 {
-    bool automatic = output->paper.theme == BEAD_THEME_AUTO;
-    bool dark = output->paper.theme == BEAD_THEME_DARK || (automatic && output->paper.style == BEAD_STYLE_MOVIE);
-    if (!page->paper && output->paper.style == BEAD_STYLE_SLIDE) {
+    bool automatic = asked->theme == BEAD_THEME_AUTO;
+    bool dark = asked->theme == BEAD_THEME_DARK || (automatic && asked->style == BEAD_STYLE_MOVIE);
+    if (!page->paper && asked->style == BEAD_STYLE_SLIDE) {
         bead_look_slide(look, page->width, page->height, dark);
         return;
     }

@@ -28,7 +28,7 @@ BEAD_CHECK enum bead_error bead_page_find(const struct bead_output *output, cons
 enum { BEAD_SIZE_WORDS = 64 };
 /* The size of a picture as the scene has it, for messages: "86 x 64 mm", "1920 x 1080 pixels". Returns `words`. */
 const char *bead_page_size(const struct bead_page *page, char words[BEAD_SIZE_WORDS]);
-void bead_page_look(const struct bead_page *page, const struct bead_output *output, struct bead_look *look);
+void bead_page_look(const struct bead_page *page, const struct bead_paper *asked, struct bead_look *look);
 /* What a picture file says about itself; `description` of `size` bytes must live as long as the notes. */
 void bead_page_notes(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
                      char *description, size_t size, struct bead_picture_notes *notes);

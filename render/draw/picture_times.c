@@ -15,7 +15,7 @@ enum bead_error bead_picture_times(const struct bead_output *output, const struc
     return BEAD_OK;
 }
 
-struct bead_grid bead_picture_grid(const struct bead_run_context *context, const struct bead_output *output, const double time[2],
+struct bead_grid bead_picture_grid(const struct bead_run_context *context, const struct bead_shown *shown, const double time[2],
                                    double pixels)
 {
     const struct bead_grid *native = &context->native;
@@ -27,6 +27,6 @@ struct bead_grid bead_picture_grid(const struct bead_run_context *context, const
     }
     double pixel = (time[1] - time[0]) / pixels, resolution = context->resolution;
     double parts = resolution > 0 && isfinite(resolution) ? ceil(pixel / resolution) : 2;
-    double every = output->shown.every > 0 ? output->shown.every : pixel / fmax(2, parts);
+    double every = shown->every > 0 ? shown->every : pixel / fmax(2, parts);
     return (struct bead_grid){time[0], every > 0 ? every : 1, time[1]};
 }

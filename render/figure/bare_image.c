@@ -97,7 +97,7 @@ static enum bead_error bare_prepare(struct bead_still *b, struct bead_message *m
         err = make_areas(b, time, msg);
     if (err)
         return err;
-    b->grid = bead_picture_grid(&b->context, output, time, b->page.width);
+    b->grid = bead_picture_grid(&b->context, &output->shown, time, b->page.width);
     snprintf(b->why, sizeof b->why, "%d x %d bare pixels", b->page.width, b->page.height);
     return BEAD_OK;
 }
@@ -111,7 +111,7 @@ static struct bead_colour_range bare_find_range(const struct bead_still *b)
         low = fmin(low, one[0]);
         high = fmax(high, one[1]);
     }
-    return bead_colour_range_find(b->output, b->context.chains[0], low, high);
+    return bead_colour_range_find(&b->output->colours, bead_chain_signed(b->context.chains[0], b->output->shown.field), low, high);
 }
 
 static enum bead_error fill_indices(const struct bead_still *b, uint8_t *indices, struct bead_message *msg)

@@ -118,7 +118,8 @@ static enum bead_error find_colours(struct contact_sheet *s, struct bead_message
         low = fmin(low, one[0]);
         high = fmax(high, one[1]);
     }
-    s->range = bead_colour_range_find(s->output, bead_sweep_chain_of(made), low, high);
+    s->range = bead_colour_range_find(&s->output->colours, bead_chain_signed(bead_sweep_chain_of(made), s->output->shown.field),
+                                      low, high);
     s->colours = (struct bead_colours){&s->map, s->output->colours.scale, s->range.low, s->range.high};
     bead_sweep_chain_destroy(made);
     return BEAD_OK;
@@ -137,7 +138,7 @@ static enum bead_error sheet_prepare(struct contact_sheet *s, struct bead_messag
         err = bead_sweep_chain_create(s->sweep, 0, BEAD_SWEEP_CLEAN, &made, msg);
     if (err)
         return err;
-    bead_page_look(&s->page, s->output, &s->look);
+    bead_page_look(&s->page, &s->output->paper, &s->look);
     s->small = smaller * s->look.tick;
     s->of_contacts = bead_field_info(s->output->shown.field)->of_contacts;
     s->behind = bead_sweep_panel(s->sweep, 0)->spec->measures.sensor_count == 0;

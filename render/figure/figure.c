@@ -141,7 +141,7 @@ static void figure_choose_grid(struct bead_figure *f)
 {
     const double times[2] = {f->collects ? f->time[0] : f->at, f->collects ? fmax(f->time[1], f->stills ? f->at : 0) : f->at};
     double pixels = time_pixels(f) * (f->collects ? (times[1] - times[0]) / (f->time[1] - f->time[0]) : 1);
-    f->grid = bead_picture_grid(&f->context, f->output, times, pixels);
+    f->grid = bead_picture_grid(&f->context, &f->output->shown, times, pixels);
 }
 
 static void explain(struct bead_figure *f)
@@ -172,7 +172,7 @@ static enum bead_error figure_prepare(struct bead_figure *f, const enum bead_vie
     if (err)
         return err;
     /* as wide as labels get; found at the end */
-    f->range = bead_colour_range_find(output, f->context.chains[0], is_signed ? -888 : 0, 888);
+    f->range = bead_colour_range_find(&output->colours, is_signed, is_signed ? -888 : 0, 888);
     f->colours = (struct bead_colours){&f->map, output->colours.scale, f->range.low, f->range.high};
     return make_cells(f, views, msg);
 }

@@ -34,7 +34,7 @@ static enum bead_error make_figure(const struct bead_output *output, const struc
     enum bead_error err = bead_page_find(output, context->scene->file, &page, msg);
     if (err)
         return err;
-    bead_page_look(&page, output, &look);
+    bead_page_look(&page, &output->paper, &look);
     err = bead_figure_create(output, context, &page, &look, NULL, figure, msg);
     if (!err)
         err = bead_figure_put(*figure, (struct bead_rect){0, 0, page.width, page.height}, &none, &insets, msg);

@@ -36,7 +36,8 @@ void bead_figure_extremes(const struct bead_figure *f, double colours[2], double
 
 void bead_figure_set_range(struct bead_figure *f, const double colours[2], const double sensors[2])
 {
-    f->range = bead_colour_range_find(f->output, f->context.chains[0], colours[0], colours[1]);
+    f->range = bead_colour_range_find(&f->output->colours, bead_chain_signed(f->context.chains[0], f->output->shown.field),
+                                      colours[0], colours[1]);
     f->colours.low = f->range.low;
     f->colours.high = f->range.high;
     for (size_t c = 0; c < f->cell_count; c++) {

@@ -118,7 +118,7 @@ static enum bead_error panels_create(const struct bead_output *output, const str
     s->count = count;
     enum bead_error err = bead_page_find(output, context->scene->file, &s->page, msg);
     if (!err) {
-        bead_page_look(&s->page, output, &s->look);
+        bead_page_look(&s->page, &output->paper, &s->look);
         err = make_words(s, msg);
     }
     for (size_t p = 0; !err && p < count; p++)

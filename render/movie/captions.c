@@ -23,10 +23,10 @@ double bead_caption_height(const struct bead_look *look)
 }
 
 /* s of the motion. */
-static double end_of(const struct bead_output *output, double slowed, size_t i)
+static double end_of(const struct bead_movie_asked *movie, double slowed, size_t i)
 {
-    const struct bead_caption *c = &output->movie.captions[i];
-    bool last = i + 1 == output->movie.caption_count;
+    const struct bead_caption *c = &movie->captions[i];
+    bool last = i + 1 == movie->caption_count;
     double next = last ? INFINITY : c[1].at;
     if (!isnan(c->until))
         return fmin(c->until, next);
@@ -35,12 +35,12 @@ static double end_of(const struct bead_output *output, double slowed, size_t i)
     return last ? c->at + fmax(least_time, (double)strlen(c->text) / reading) / slowed : next;
 }
 
-size_t bead_captions_find(const struct bead_output *output, double slowed, double time)
+size_t bead_captions_find(const struct bead_movie_asked *movie, double slowed, double time)
 {
     size_t found = SIZE_MAX;
-    for (size_t i = 0; i < output->movie.caption_count && output->movie.captions[i].at <= time; i++)
+    for (size_t i = 0; i < movie->caption_count && movie->captions[i].at <= time; i++)
         found = i;
-    return found != SIZE_MAX && time < end_of(output, slowed, found) ? found : SIZE_MAX;
+    return found != SIZE_MAX && time < end_of(movie, slowed, found) ? found : SIZE_MAX;
 }
 
 enum bead_error bead_captions_check(const struct bead_output *output, const struct bead_scene *scene, double end, const char *unit,
@@ -128,13 +128,13 @@ static struct lines wrap(cairo_t *cr, const struct bead_text_style *style, const
     return (struct lines){.text = {text, text + best + 1}, .length = {best, all - best - 1}, .count = 2, .whole = least <= room};
 }
 
-int bead_captions_lines(const struct bead_output *output, const struct bead_look *look, int width)
+int bead_captions_lines(const struct bead_movie_asked *movie, const struct bead_look *look, int width)
 {
     struct bead_text_style style = captions_style_of(look, font_size(look));
     double room = width - 2 * ceil(1.3 * look->gap);
     size_t most = 0;
-    for (size_t i = 0; i < output->movie.caption_count; i++) {
-        struct lines lines = wrap(NULL, &style, output->movie.captions[i].text, room, MOST_LINES);
+    for (size_t i = 0; i < movie->caption_count; i++) {
+        struct lines lines = wrap(NULL, &style, movie->captions[i].text, room, MOST_LINES);
         most = lines.count > most ? lines.count : most;
     }
     return (int)most;

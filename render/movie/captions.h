@@ -10,9 +10,9 @@
 
 /* The caption at a time of the motion; SIZE_MAX: none. `slowed`: s of the film for one of the motion. One stays until the next
  * appears or its own end; the last without an end for as long as it takes to read, at least 2.5 s of the film. */
-size_t bead_captions_find(const struct bead_output *output, double slowed, double time);
+size_t bead_captions_find(const struct bead_movie_asked *movie, double slowed, double time);
 /* Lines that the longest needs in a frame of that width: 0 where there is none, at most 2. */
-int bead_captions_lines(const struct bead_output *output, const struct bead_look *look, int width);
+int bead_captions_lines(const struct bead_movie_asked *movie, const struct bead_look *look, int width);
 /* Height of a line, px. */
 double bead_caption_height(const struct bead_look *look);
 /* In the middle of `rect`, in as many lines as it has room for; smaller, and in the end cut, where it is too long. */

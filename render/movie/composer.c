@@ -137,7 +137,7 @@ static enum bead_error fill_wants(struct bead_composer *c, struct bead_message *
                                    .title = c->setup.title && c->setup.title[0],
                                    .trust = output->shown.trust,
                                    .follow = output->movie.follow == BEAD_FOLLOW_FRONT,
-                                   .caption_lines = bead_captions_lines(output, &c->look, c->setup.width),
+                                   .caption_lines = bead_captions_lines(&output->movie, &c->look, c->setup.width),
                                    .caption_line = bead_caption_height(&c->look)};
     for (size_t i = 0; i < output->views.count && i < BEAD_STACK_VIEWS; i++) {
         const struct bead_view_type *type = bead_view_find(output->views.kinds[i]);

@@ -50,6 +50,6 @@ enum bead_error bead_graph_write(const struct bead_graph *graph, bool titled, co
     if (err)
         return err;
     whole.size = bead_page_size(&job.page, size);
-    bead_page_look(&job.page, output, &job.look);
+    bead_page_look(&job.page, &output->paper, &job.look);
     return bead_page_write(&job.page, output, scene, &(struct bead_drawing){graph_draw, NULL, &job}, path, bytes, msg);
 }

@@ -92,7 +92,7 @@ static enum bead_error plot_sensors_create(struct bead_plot_data *data, struct b
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of sensors");
     if (err)
         return err;
-    data->grid = bead_picture_grid(&data->context, output, data->time, moments);
+    data->grid = bead_picture_grid(&data->context, &output->shown, data->time, moments);
     name_axis(data);
     plot_sensors_make_axes(data);
     snprintf(data->why, sizeof data->why, "curves of sensors");

@@ -222,7 +222,7 @@ static enum bead_error open_paper(const struct bead_output *output, const struct
     *paper = (struct paper){.output = output, .context = context};
     enum bead_error err = bead_page_find(output, context->scene->file, &paper->page, msg);
     if (!err)
-        bead_page_look(&paper->page, output, &paper->look);
+        bead_page_look(&paper->page, &output->paper, &paper->look);
     return err;
 }
 

@@ -31,7 +31,7 @@ static struct styled styled(const char *output)
     struct built built = build_chain(output);
     struct styled found;
     assert_int_equal(bead_page_find(&built.scene->outputs[0], "test", &found.page, NULL), BEAD_OK);
-    bead_page_look(&found.page, &built.scene->outputs[0], &found.look);
+    bead_page_look(&found.page, &built.scene->outputs[0].paper, &found.look);
     release_chain(&built);
     return found;
 }
