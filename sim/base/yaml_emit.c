@@ -27,43 +27,27 @@ static int append(void *data, unsigned char *bytes, size_t size)
     return 1;
 }
 
-static bool emit_scalar(yaml_emitter_t *emitter, const struct bead_node *node)
+/* The node and all below it; returns its number in the document, 0: no memory. Depth is bounded where trees are made. */
+static int add(yaml_document_t *document, const struct bead_node *node)
 {
-    yaml_event_t event;
-    yaml_scalar_style_t style = node->plain ? YAML_PLAIN_SCALAR_STYLE : YAML_DOUBLE_QUOTED_SCALAR_STYLE;
-    return yaml_scalar_event_initialize(&event, NULL, NULL, (const yaml_char_t *)node->text, (int)strlen(node->text), 1, 1,
-                                        style) &&
-           yaml_emitter_emit(emitter, &event);
-}
-
-/* Depth is bounded where trees are made. */
-static bool emit_node(yaml_emitter_t *emitter, const struct bead_node *node)
-{
-    yaml_event_t event;
-    bool map = node->kind == BEAD_NODE_MAP;
+    int made, item[2] = {1, 1};
     if (node->kind == BEAD_NODE_SCALAR)
-        return emit_scalar(emitter, node);
-    int begun = map ? yaml_mapping_start_event_initialize(&event, NULL, NULL, 1,
-                                                          node->flow ? YAML_FLOW_MAPPING_STYLE : YAML_BLOCK_MAPPING_STYLE)
-                    : yaml_sequence_start_event_initialize(&event, NULL, NULL, 1,
-                                                           node->flow ? YAML_FLOW_SEQUENCE_STYLE : YAML_BLOCK_SEQUENCE_STYLE);
-    if (!begun || !yaml_emitter_emit(emitter, &event))
-        return false;
-    for (size_t i = 0; i < node->count; i++) {
-        if (!emit_node(emitter, node->items[i]))
-            return false;
+        return yaml_document_add_scalar(document, NULL, (const yaml_char_t *)node->text, (int)strlen(node->text),
+                                        node->plain ? YAML_PLAIN_SCALAR_STYLE : YAML_DOUBLE_QUOTED_SCALAR_STYLE);
+    bool map = node->kind == BEAD_NODE_MAP;
+    made = map ? yaml_document_add_mapping(document, NULL, node->flow ? YAML_FLOW_MAPPING_STYLE : YAML_BLOCK_MAPPING_STYLE)
+               : yaml_document_add_sequence(document, NULL, node->flow ? YAML_FLOW_SEQUENCE_STYLE : YAML_BLOCK_SEQUENCE_STYLE);
+    for (size_t i = 0; made && i < node->count; i++) {
+        item[i % 2] = add(document, node->items[i]);
+        bool added = item[i % 2];
+        if (added && map && i % 2 == 1)
+            added = yaml_document_append_mapping_pair(document, made, item[0], item[1]);
+        else if (added && !map)
+            added = yaml_document_append_sequence_item(document, made, item[i % 2]);
+        if (!added)
+            return 0;
     }
-    int ended = map ? yaml_mapping_end_event_initialize(&event) : yaml_sequence_end_event_initialize(&event);
-    return ended && yaml_emitter_emit(emitter, &event);
-}
-
-static bool emit_document(yaml_emitter_t *emitter, const struct bead_node *root)
-{
-    yaml_event_t event;
-    return yaml_stream_start_event_initialize(&event, YAML_UTF8_ENCODING) && yaml_emitter_emit(emitter, &event) &&
-           yaml_document_start_event_initialize(&event, NULL, NULL, NULL, 1) && yaml_emitter_emit(emitter, &event) &&
-           emit_node(emitter, root) && yaml_document_end_event_initialize(&event, 1) && yaml_emitter_emit(emitter, &event) &&
-           yaml_stream_end_event_initialize(&event) && yaml_emitter_emit(emitter, &event) && yaml_emitter_flush(emitter);
+    return made;
 }
 
 enum bead_error bead_yaml_emit(const struct bead_yaml *yaml, char **text, struct bead_message *msg)
@@ -77,7 +61,13 @@ enum bead_error bead_yaml_emit(const struct bead_yaml *yaml, char **text, struct
     yaml_emitter_set_encoding(&emitter, YAML_UTF8_ENCODING);
     yaml_emitter_set_unicode(&emitter, 1);
     yaml_emitter_set_width(&emitter, -1);
-    bool good = emit_document(&emitter, yaml->root) && buffer.text;
+    yaml_document_t document;
+    bool good = yaml_document_initialize(&document, NULL, NULL, NULL, 1, 1);
+    if (good && !add(&document, yaml->root)) {
+        yaml_document_delete(&document);
+        good = false;
+    }
+    good = good && yaml_emitter_dump(&emitter, &document) && yaml_emitter_close(&emitter) && buffer.text; /* dump deletes it */
     yaml_emitter_delete(&emitter);
     if (!good) {
         free(buffer.text);
