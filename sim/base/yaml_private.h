@@ -1,4 +1,4 @@
-/* Inside of YAML documents, shared by sim/yaml*.c. */
+/* Inside of YAML documents, shared by yaml*.c. */
 #ifndef BEADREEL_SIM_BASE_YAML_PRIVATE_H
 #define BEADREEL_SIM_BASE_YAML_PRIVATE_H
 

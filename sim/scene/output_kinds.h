@@ -17,6 +17,7 @@ struct bead_output_type {
     const struct bead_options *sweep_options;         /* in scenes with sweeps; NULL: it shows a single run */
     BEAD_OUTPUT_CHECK((*checks[BEAD_OUTPUT_CHECKS])); /* in scenes that are run once, in this order; NULL behind the last */
     BEAD_OUTPUT_CHECK((*check_sweep));                /* in scenes with sweeps; NULL: nothing to check */
+    bool shows;                                       /* has `show`: bead_output_show */
     bool stores_samples;                              /* of a run: pictures can be drawn from its file */
     bool stores_sweep;                                /* all results of a sweep */
     bool draws;

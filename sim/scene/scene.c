@@ -1,4 +1,4 @@
-/* Scenes: from text to structures. Every structure has its own file, sim/scene_*.c. */
+/* Scenes: from text to structures. Every structure has a file of its own, scene_*.c, with its table of keys. */
 #include "beadreel/scene.h"
 
 #include <errno.h>

@@ -165,9 +165,15 @@ BEAD_OUTPUT_CHECK(bead_output_check_views)
     bool modes = bead_views_any(views->kinds, views->count, BEAD_SHOWS_MODES);
     if (bead_views_any(views->kinds, views->count, BEAD_SHOWS_BEADS) && !has_beads(reader->scene))
         return bead_wrong(reader, &where, "beads are not there to be seen: the equation has none; must be profile or spacetime");
-    if (modes && output->kind == BEAD_OUTPUT_IMAGE)
-        return bead_wrong(reader, &where, "modes are a view of movies; {plot: FILE, show: modes} has their energies over time");
     return modes ? bead_output_need_modes(reader, &where) : BEAD_OK;
+}
+
+BEAD_OUTPUT_CHECK(bead_output_check_still_views)
+{
+    struct bead_at where = bead_at_key(at, "views");
+    if (bead_views_any(output->views.kinds, output->views.count, BEAD_SHOWS_MODES))
+        return bead_wrong(reader, &where, "modes are a view of movies; {plot: FILE, show: modes} has their energies over time");
+    return bead_output_check_views(reader, at, output);
 }
 
 static bool has_cells(const struct bead_scene *scene)

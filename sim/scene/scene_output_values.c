@@ -150,15 +150,11 @@ enum bead_error bead_output_check_size(const struct bead_reader *reader, const s
     return BEAD_OK;
 }
 
-BEAD_OUTPUT_READER(bead_output_read_size)
+static enum bead_error read_extents(const struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                    struct bead_paper *paper)
 {
-    struct bead_output *output = settings;
-    struct bead_paper *paper = &output->paper;
     bool length[2] = {false, false};
     char shown[64];
-    if (at->node->kind == BEAD_NODE_SCALAR && option->initial && strcmp(option->initial, "auto") == 0 &&
-        strcmp(at->node->text, "auto") == 0)
-        return BEAD_OK; /* settled when the style and the panels are known */
     if (at->node->kind != BEAD_NODE_LIST || at->node->count != 2)
         return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
     for (size_t i = 0; i < 2; i++) {
@@ -169,10 +165,26 @@ BEAD_OUTPUT_READER(bead_output_read_size)
     }
     if (length[0] != length[1])
         return bead_wrong(reader, at, "mixes pixels and a length; must be %s", option->shape);
-    if (length[0] && output->kind == BEAD_OUTPUT_MOVIE)
-        return bead_wrong(reader, at, "is a length; the size of a movie must be in pixels, such as [1920, 1080]");
     paper->size_is_length = length[0];
-    return bead_output_check_size(reader, at, paper);
+    return BEAD_OK;
+}
+
+BEAD_OUTPUT_READER(bead_output_read_size)
+{
+    struct bead_output *output = settings;
+    if (at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, "auto") == 0)
+        return BEAD_OK; /* settled when the style and the panels are known */
+    enum bead_error err = read_extents(reader, at, option, &output->paper);
+    return err ? err : bead_output_check_size(reader, at, &output->paper);
+}
+
+BEAD_OUTPUT_READER(bead_output_read_frame_size)
+{
+    struct bead_output *output = settings;
+    enum bead_error err = read_extents(reader, at, option, &output->paper);
+    if (!err && output->paper.size_is_length)
+        return bead_wrong(reader, at, "is a length; the size of a movie must be in pixels, such as [1920, 1080]");
+    return err ? err : bead_output_check_size(reader, at, &output->paper);
 }
 
 /* [low, high] in `unit`; "": plain numbers. */

@@ -28,8 +28,7 @@ static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
 
 const struct bead_show_type *bead_output_show(const struct bead_output *output)
 {
-    bool has_show = output->kind == BEAD_OUTPUT_PLOT || output->kind == BEAD_OUTPUT_TABLE;
-    return has_show ? &shows[output->curves.show] : NULL;
+    return bead_output_type(output->kind)->shows ? &shows[output->curves.show] : NULL;
 }
 
 static bool takes(const struct bead_show_type *show, const char *key)

@@ -1,3 +1,4 @@
+/* Who wants samples when: of all consumers the next time, and the delivery to those who wanted it. */
 #include "sim/session/driver.h"
 
 #include <math.h>

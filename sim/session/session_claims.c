@@ -2,15 +2,10 @@
 #include "beadreel/file.h"
 #include "sim/session/session_data.h"
 
-/* A sweep's results: their unfinished file is a journal, which locks itself. */
-static bool locks_itself(const struct bead_made *m)
-{
-    return m->output->kind == BEAD_OUTPUT_SWEEP;
-}
-
 static enum bead_error claim(struct bead_made *m, struct bead_message *msg)
 {
-    if (locks_itself(m) || !(m->sink || (m->asked && m->sweep_type)))
+    /* The unfinished file of a sweep's results is a journal, which locks itself. */
+    if (bead_session_holds_sweep(m) || !(m->sink || (m->asked && m->sweep_type)))
         return BEAD_OK;
     enum bead_error err = bead_file_claim(m->path, &m->claims[0], msg);
     uint64_t bytes;
