@@ -9,7 +9,7 @@
 
 static const struct bead_colormap_info maps[] = {
     {"viridis", "dark violet, green, yellow; even lightness"},
-    {"cividis", "blue, grey, yellow; the same with colour-blindness"},
+    {"cividis", "blue, grey, yellow; looks alike to the colour-blind"},
     {"inferno", "black, red, yellow, white"},
     {"magma", "black, violet, pink, cream"},
     {"batlow", "dark blue, green, orange, pink; even lightness"},

@@ -12,7 +12,7 @@ static const struct bead_codec_info infos[CODECS + 1] = {
     [GIF] = {"gif", "animated GIF, 255 colours, at most 50 frames a second"},
     [APNG] = {"apng", "animated PNG, lossless"},
     [PNG] = {"png", "animated PNG, lossless"},
-    [HASH] = {"hash", "one line a frame: hash of its pixels, to compare runs"},
+    [HASH] = {"hash", "a line per frame with the hash of its pixels, to compare runs"},
 };
 
 /* Most of a bead movie never changes, and there the search for a better encoding is the cost, not the picture:

@@ -174,7 +174,8 @@ static const struct bead_law laws[] = {
      .compression = fpu_compression,
      .energy_compression = fpu_energy_compression},
     {.name = "thesis-appendix",
-     .description = "Hertz with A as printed in Appendix 4, 4 sqrt(R1 R2)/(R1+R2): too stiff by 10.25 for 4.76 mm beads",
+     .description =
+         "Hertz with A as printed in Appendix 4, 4 sqrt(R1 R2)/(R1+R2): too stiff by a factor of 10.25 for beads of 4.76 mm",
      .one_sided = true,
      .hertz = true,
      .as_printed = true,
