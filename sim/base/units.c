@@ -150,7 +150,7 @@ static bool convert(struct bead_units *units, const char *unit, const char *si, 
 {
     ut_unit *from = ut_parse(units->system, unit, UT_UTF8), *to = ut_parse(units->system, si, UT_UTF8);
     cv_converter *converter = from && to ? ut_get_converter(from, to) : NULL;
-    *why = from ? "is not in a unit of" : "has a unit that is not known; wanted is a unit of";
+    *why = from ? "is not in a unit of" : "has a unit that is not known; must be a unit of";
     if (converter) {
         *factor = cv_convert_double(converter, 1);
         if (cv_convert_double(converter, 0) != 0 || cv_convert_double(converter, 2) != 2 * *factor || !isfinite(*factor)) {
@@ -184,7 +184,7 @@ static enum bead_error read_with_unit(struct bead_units *units, const char *text
     double factor = 1;
     int power = 0;
     if (!si)
-        return wrong(why, size, text, "carries a unit, where a plain number belongs", NULL);
+        return wrong(why, size, text, "has a unit, but must be a plain number", NULL);
     if (known && strcmp(known->si, si) == 0) {
         *value = shifted(units, text, length, known->power) * known->factor;
         return BEAD_OK;
@@ -195,7 +195,7 @@ static enum bead_error read_with_unit(struct bead_units *units, const char *text
     if ((strchr("0123456789+-.", *unit) && strncmp(unit, "1/", 2) != 0) || strchr(unit, '@'))
         return wrong(why, size, text, "is not a number with a unit of", si);
     if (!read_tables(units))
-        return wrong(why, size, text, "has a unit that is not known (the tables of UDUNITS-2 cannot be read); wanted is a unit of",
+        return wrong(why, size, text, "has a unit that is not known (the tables of UDUNITS-2 cannot be read); must be a unit of",
                      si);
     if (!convert(units, unit, si, &factor, &what))
         return wrong(why, size, text, what, si);

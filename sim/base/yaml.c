@@ -219,7 +219,7 @@ static enum bead_error take_event(struct builder *b, const yaml_event_t *event)
 {
     switch (event->type) {
     case YAML_DOCUMENT_START_EVENT:
-        return b->root ? wrong(b, event->start_mark, "there must be one document only, not a second behind `---`") : BEAD_OK;
+        return b->root ? wrong(b, event->start_mark, "only one document is allowed, not a second one after `---`") : BEAD_OK;
     case YAML_ALIAS_EVENT:
         return take_alias(b, event);
     case YAML_SCALAR_EVENT:

@@ -135,7 +135,7 @@ static enum bead_error follow(const struct edit *e, const char *end, struct bead
         if (node->kind == BEAD_NODE_SCALAR && node->plain && !*node->text)
             node->kind = BEAD_NODE_MAP; /* `simulate:` with nothing behind it */
         if (node->kind == BEAD_NODE_SCALAR)
-            return wrong(e, path, "what stands before this key is a single value; set it as a whole");
+            return wrong(e, path, "the key before it holds a single value; set that as a whole");
         enum bead_error err = node->kind == BEAD_NODE_LIST ? find_element(e, node, path, end, slot, &used)
                                                            : find_key(e, node, path, end, slot, &used);
         if (err)

@@ -35,10 +35,10 @@ const char *const *bead_output_field_names(void)
 }
 
 /* The first row of a kind: its key has the file as its value. */
-#define FILE_ROW(name, files)                                                                   \
-    {                                                                                           \
-        .key = name, .type = BEAD_OPTION_CUSTOM, .required = true, .shape = files,              \
-        .help = "the file, or a list of files: the same in each", .read = bead_output_read_path \
+#define FILE_ROW(name, files, sample)                                                                       \
+    {                                                                                                       \
+        .key = name, .type = BEAD_OPTION_CUSTOM, .required = true, .shape = files, .example = sample,       \
+        .help = "name of the file, or a list of names for the same contents", .read = bead_output_read_path \
     }
 
 /* ---- shared: what of the chains ---- */
@@ -49,7 +49,7 @@ static const struct bead_option field_row[] = {
      .offset = OUTPUT(shown.field),
      .initial = "force",
      .choices = fields,
-     .help = "what to show; force is the bead force, the mean of a bead's two contacts; strain is a field of equations"},
+     .help = "the field to show; force is the bead force, the mean of the two contacts of a bead; strain is a field of equations"},
 };
 static const struct bead_option time_row[] = {
     {.key = "time",
@@ -62,7 +62,8 @@ static const struct bead_option time_row[] = {
      .high = 1e6,
      .word = "auto",
      .word_value = NAN,
-     .help = "from when to when; auto: the whole run"},
+     .help = "the span of time; auto: the whole run",
+     .example = "[0.5 ms, auto]"},
 };
 static const struct bead_option beads_row[] = {
     {.key = "beads",
@@ -70,6 +71,7 @@ static const struct bead_option beads_row[] = {
      .initial = "all",
      .shape = "all, one number, or [first, last]; 0 is the striker",
      .help = "which beads",
+     .example = "[0, 40]",
      .read = bead_output_read_beads},
 };
 static const struct bead_option every_row[] = {
@@ -81,14 +83,16 @@ static const struct bead_option every_row[] = {
      .low = 1e-12,
      .high = 1e3,
      .word = "auto",
-     .help = "time between samples; auto: as close as the output needs"},
+     .help = "time between samples; auto: as short as the output needs",
+     .example = "1 us"},
 };
 static const struct bead_option trust_row[] = {
     {.key = "trust",
      .type = BEAD_OPTION_FLAG,
      .offset = OUTPUT(shown.trust),
      .initial = "false",
-     .help = "compute twice, to different accuracy, and mark from when on the two differ by more than 1 % of the picture's range"},
+     .help = "compute twice, to different accuracy, and mark when the two start to differ by more than 1 % of the range of the "
+             "picture"},
 };
 
 /* ---- shared: how it looks ---- */
@@ -100,18 +104,20 @@ static const struct bead_option page_rows[] = {
      .initial = "auto",
      .choices = styles,
      .help = "preset; paper: 8 pt STIX, 86 mm wide (178 mm for several chains); slide: large type for a projector; movie: type and "
-             "colours of movies; auto: paper for sizes that are lengths, else screen"},
+             "colours of movies; auto: paper where the size is a length, else screen"},
     {.key = "dpi",
      .offset = OUTPUT(paper.dpi),
      .initial = "600",
      .low = 10,
      .high = 4800,
-     .help = "pixels per inch, of sizes that are lengths and of the raster in vector files"},
+     .help = "pixels per inch, where the size is a length, and for the raster in vector files",
+     .example = "300"},
     {.key = "size",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "auto",
      .shape = "[width, height], both in pixels (1 to 32768) or both lengths such as 86 mm; or auto",
-     .help = "size of the picture; auto: that of the style, else [1920, 1080], in vector files (.pdf, .svg) [178 mm, 120 mm]",
+     .help = "size of the picture; auto: that of the style, else [1920, 1080], or [178 mm, 120 mm] in vector files (.pdf, .svg)",
+     .example = "[178 mm, 75 mm]",
      .read = bead_output_read_size},
 };
 static const struct bead_option theme_row[] = {
@@ -120,20 +126,22 @@ static const struct bead_option theme_row[] = {
      .offset = OUTPUT(paper.theme),
      .initial = "auto",
      .choices = themes,
-     .help = "colours of paper and ink; auto: dark for movies, light for the rest"},
+     .help = "colours of background and text; auto: dark for movies, else light"},
 };
 static const struct bead_option caption_row[] = {
     {.key = "caption",
      .type = BEAD_OPTION_TEXT,
      .offset = OUTPUT(still.caption),
-     .help = "text below the picture; _x and ^{xy} set lower and higher, *x* in italics"},
+     .help = "text below the picture; _x sets a subscript, ^{xy} a superscript, *x* italics",
+     .example = "\"Peak force *F*_m of each contact\""},
 };
 static const struct bead_option colormap_row[] = {
     {.key = "colormap",
      .type = BEAD_OPTION_TEXT,
      .offset = OUTPUT(colours.colormap),
      .initial = "auto",
-     .help = "colour map: see --list colormaps; auto is viridis (of dark sheets inferno), and vik for velocity and displacement"},
+     .help = "colour map, one of --list colormaps; auto: vik for velocity and displacement, inferno for dark sheets, else viridis",
+     .example = "batlow"},
 };
 static const struct bead_option square_root_row[] = {
     {.key = "scale",
@@ -141,7 +149,7 @@ static const struct bead_option square_root_row[] = {
      .offset = OUTPUT(colours.scale),
      .initial = "sqrt",
      .choices = scales,
-     .help = "from values to colours"},
+     .help = "scale from values to colours"},
 };
 static const struct bead_option range_row[] = {
     {.key = "range",
@@ -151,7 +159,8 @@ static const struct bead_option range_row[] = {
      .shape = "auto, or [low, high] in the unit of the field",
      .word = "auto",
      .word_value = NAN,
-     .help = "values at the ends of the colour bar; auto: what occurs",
+     .help = "values at the ends of the colour bar; auto: the range of the data",
+     .example = "[0, 45 N]",
      .read = bead_output_read_colour_range},
 };
 static const struct bead_option magnify_row[] = {
@@ -162,7 +171,8 @@ static const struct bead_option magnify_row[] = {
      .high = 1e9,
      .open = BEAD_OPEN_LOW,
      .word = "auto",
-     .help = "factor on displacements in the view of the beads"},
+     .help = "factor by which the view beads enlarges displacements",
+     .example = "1000"},
 };
 static const struct bead_option axes_row[] = {
     {.key = "axes",
@@ -176,8 +186,9 @@ static const struct bead_option panels_rows[] = {
     {.key = "panels",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "a list of rows, each a list of panels such as [{field: force, chain: clean}, {show: peaks}]",
-     .help = "several panels in one picture; a panel takes the keys of an image, with `show` those of a plot, and `chain` and "
-             "`title`; panels of one field share its range and bar",
+     .help = "several panels in one picture; a panel takes the keys of an image, or with `show` those of a plot, and `chain` and "
+             "`title`; panels of one field share range and colour bar",
+     .example = "[[{field: force, chain: clean}, {show: peaks}], [{field: velocity}]]",
      .read = bead_output_read_panels},
     {.key = "letters",
      .type = BEAD_OPTION_FLAG,
@@ -191,12 +202,14 @@ static const struct bead_option panel_rows[] = {
      .offset = OUTPUT(panel.chain),
      .initial = "all",
      .shape = "all, or the name of a chain",
-     .help = "of panels: whose waves are shown",
+     .help = "in panels: the chain whose waves are shown",
+     .example = "clean",
      .read = bead_output_read_chain},
     {.key = "title",
      .type = BEAD_OPTION_TEXT,
      .offset = OUTPUT(panel.title),
-     .help = "of panels: what stands above instead of the chain's name; set like `caption`"},
+     .help = "in panels: heading, instead of the name of the chain; set like `caption`",
+     .example = "Peak forces"},
 };
 
 /* ---- images and movies ---- */
@@ -208,19 +221,20 @@ static const struct bead_option image_rows[] = {
      .offset = OUTPUT(colours.scale),
      .initial = "linear",
      .choices = scales,
-     .help = "from values to colours"},
+     .help = "scale from values to colours"},
     {.key = "sample",
      .type = BEAD_OPTION_CHOICE,
      .offset = OUTPUT(image.sampling),
      .initial = "area",
      .choices = samplings,
-     .help = "what a pixel of spacetime shows of the samples in it; area: their mean; max: the one furthest from 0, so that thin "
-             "pulses keep their height"},
+     .help = "what a pixel of spacetime shows; area: the mean of its samples; max: the sample furthest from 0, so that thin pulses "
+             "keep their height"},
     {.key = "views",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "[spacetime]",
      .shape = VIEWS "in a list",
-     .help = "what to draw, from top to bottom",
+     .help = "the views, from top to bottom",
+     .example = "[beads, spacetime]",
      .read = bead_output_read_views},
     {.key = "at",
      .offset = OUTPUT(image.at),
@@ -231,10 +245,11 @@ static const struct bead_option image_rows[] = {
      .high = 1e6,
      .word = "auto",
      .word_value = NAN,
-     .help = "time of a still, of views other than spacetime; auto: the end"},
+     .help = "the time that views other than spacetime show; auto: the end",
+     .example = "0.8 ms"},
 };
 static const struct bead_option image_file[] = {
-    FILE_ROW("image", "FILE.png, .pdf or .svg"),
+    FILE_ROW("image", "FILE.png, .pdf or .svg", "force.png"),
 };
 static const struct bead_option_rows image_shared[] = {
     {BEAD_OPTIONS(field_row)},   {BEAD_OPTIONS(time_row)},     {BEAD_OPTIONS(beads_row)},
@@ -242,7 +257,7 @@ static const struct bead_option_rows image_shared[] = {
     {BEAD_OPTIONS(range_row)},   {BEAD_OPTIONS(magnify_row)},  {BEAD_OPTIONS(trust_row)},
     {BEAD_OPTIONS(page_rows)},   {BEAD_OPTIONS(theme_row)},    {BEAD_OPTIONS(axes_row)},
     {BEAD_OPTIONS(caption_row)}, {BEAD_OPTIONS(panels_rows)},  {NULL, 0}};
-const struct bead_options bead_image_options = {"image", "a picture of a field in space and time, or a still",
+const struct bead_options bead_image_options = {"image", "a field over the chain and time, or a still of other views",
                                                 BEAD_OPTIONS(image_file), image_shared, &bead_output_family};
 
 static const struct bead_option_rows image_panel_shared[] = {{BEAD_OPTIONS(field_row)},    {BEAD_OPTIONS(time_row)},
@@ -254,23 +269,26 @@ const struct bead_options bead_image_panel_options = {NULL, "a panel that is an 
                                                       image_panel_shared, &bead_output_family};
 
 static const struct bead_option movie_rows[] = {
-    FILE_ROW("movie", "FILE.mp4, .mkv, .webm, .gif, .png or .apng"),
+    FILE_ROW("movie", "FILE.mp4, .mkv, .webm, .gif, .png or .apng", "waves.mp4"),
     {.key = "size",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "[1920, 1080]",
      .shape = "[width, height] in pixels, 1 to 32768",
      .help = "size of the frame",
+     .example = "[1280, 720]",
      .read = bead_output_read_frame_size},
     {.key = "colormap",
      .type = BEAD_OPTION_TEXT,
      .offset = OUTPUT(colours.colormap),
      .initial = "auto",
-     .help = "colour map: see --list colormaps; auto is inferno, and vik for velocity and displacement"},
+     .help = "colour map, one of --list colormaps; auto: vik for velocity and displacement, else inferno",
+     .example = "batlow"},
     {.key = "views",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "[beads, profile, spacetime]",
      .shape = VIEWS "in a list",
-     .help = "what to draw, from top to bottom",
+     .help = "the views, from top to bottom",
+     .example = "[beads, spacetime]",
      .read = bead_output_read_views},
     {.key = "modes",
      .type = BEAD_OPTION_COUNT,
@@ -278,46 +296,57 @@ static const struct bead_option movie_rows[] = {
      .initial = "5",
      .low = 1,
      .high = BEAD_MODES,
-     .help = "how many modes the view `modes` shows"},
-    {.key = "fps", .offset = OUTPUT(movie.fps), .initial = "60", .low = 1, .high = 240, .help = "frames per second"},
+     .help = "how many modes the view `modes` shows",
+     .example = "4"},
+    {.key = "fps",
+     .offset = OUTPUT(movie.fps),
+     .initial = "60",
+     .low = 1,
+     .high = 240,
+     .help = "frames per second",
+     .example = "30"},
     {.key = "duration",
      .offset = OUTPUT(movie.duration),
      .unit = "s",
      .initial = "10 s",
      .low = 0.01,
      .high = 36000,
-     .help = "how long the motion is shown, whatever time it took; a card comes on top"},
+     .help = "how long the movie shows the motion; a title card adds to it",
+     .example = "15 s"},
     {.key = "captions",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "a list such as [{at: 0.2 ms, text: The front has left the striker}]",
      .help = "texts below the picture: see outputs.captions",
+     .example = "[{at: 0.2 ms, text: The front has left the striker}]",
      .read = bead_output_read_captions},
     {.key = "card",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "false",
      .shape = "true, false, a time such as 3 s, or a map",
-     .help = "before the motion, title, chains and scale of time; true: for 3 s. See outputs.card",
+     .help = "title card before the motion; true: for 3 s. See outputs.card",
+     .example = "true",
      .read = bead_output_read_card},
     {.key = "follow",
      .type = BEAD_OPTION_CHOICE,
      .offset = OUTPUT(movie.follow),
      .initial = "all",
      .choices = follows,
-     .help =
-         "what beads and profile show: all beads, or a window of them that moves with the front, each chain its own; "
-         "spacetime marks the window at the present. Give long chains long films: nobody can follow more than half a bead a frame"},
+     .help = "what beads and profile show: all beads, or a window that moves with the front of each chain; spacetime marks the "
+             "window. Give long chains long movies: nobody can follow more than half a bead per frame"},
     {.key = "window",
      .type = BEAD_OPTION_COUNT,
      .offset = OUTPUT(movie.window),
      .initial = "40",
      .low = 4,
      .high = 1000,
-     .help = "how many beads `follow: front` shows at most"},
+     .help = "most beads that `follow: front` shows",
+     .example = "30"},
     {.key = "poster",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "none",
      .shape = "none or FILE.png",
      .help = "one frame as a picture; in mp4 files also the cover",
+     .example = "poster.png",
      .read = bead_output_read_poster},
     {.key = "poster-at",
      .offset = OUTPUT(movie.poster_at),
@@ -328,21 +357,22 @@ static const struct bead_option movie_rows[] = {
      .high = 1e6,
      .word = "auto",
      .word_value = NAN,
-     .help = "time of the motion that the poster shows; auto: where there is most to see"},
+     .help = "time of the motion that the poster shows; auto: when there is most to see",
+     .example = "0.8 ms"},
     {.key = "quality",
      .type = BEAD_OPTION_CHOICE,
      .offset = OUTPUT(movie.quality),
      .initial = "standard",
      .choices = qualities,
-     .help = "quality of the encoding; a draft has at most 30 pictures a second, each shown for some frames"},
+     .help = "quality of the encoding; a draft has at most 30 pictures per second, each shown for several frames"},
 };
 static const struct bead_option_rows movie_shared[] = {{BEAD_OPTIONS(field_row)}, {BEAD_OPTIONS(time_row)},
                                                        {BEAD_OPTIONS(beads_row)}, {BEAD_OPTIONS(square_root_row)},
                                                        {BEAD_OPTIONS(range_row)}, {BEAD_OPTIONS(magnify_row)},
                                                        {BEAD_OPTIONS(trust_row)}, {BEAD_OPTIONS(theme_row)},
                                                        {BEAD_OPTIONS(axes_row)},  {NULL, 0}};
-const struct bead_options bead_movie_options = {"movie", "a movie; a .png is an animated one", BEAD_OPTIONS(movie_rows),
-                                                movie_shared, &bead_output_family};
+const struct bead_options bead_movie_options = {"movie", "a movie; .png is an animated PNG", BEAD_OPTIONS(movie_rows), movie_shared,
+                                                &bead_output_family};
 
 /* ---- plots and tables ---- */
 
@@ -354,13 +384,14 @@ static const struct bead_option curves_rows[] = {
      .initial = "5",
      .low = 1,
      .high = BEAD_MODES,
-     .help = "how many modes `show: modes` shows"},
+     .help = "how many modes `show: modes` shows",
+     .example = "4"},
     {.key = "field",
      .type = BEAD_OPTION_CHOICE,
      .offset = OUTPUT(shown.field),
      .initial = "force",
      .choices = fields,
-     .help = "what `show: profiles` shows"},
+     .help = "the field that `show: profiles` shows"},
     {.key = "at",
      .type = BEAD_OPTION_CUSTOM,
      .unit = "s",
@@ -368,7 +399,8 @@ static const struct bead_option curves_rows[] = {
      .low = 0,
      .high = 1e6,
      .shape = "a list of times",
-     .help = "when `show: profiles` shows the chain; one curve each, 12 at most",
+     .help = "the times at which `show: profiles` shows the chain; one curve each, at most 12",
+     .example = "[0.2 ms, 0.4 ms]",
      .read = bead_output_read_profile_times},
 };
 /* Of a plot, be it a panel or not. */
@@ -379,24 +411,22 @@ static const struct bead_option plot_rows[] = {
      .initial = "sensors",
      .choices = plot_shows,
      .values = plot_values,
-     .help = "what to plot: the force at every sensor against time; the peak force of every contact, chains in one plot; energies "
-             "of modes against time; profiles, a field along the chain at several times; or a schematic drawing: of the "
-             "experiment, of a "
-             "contact, of the cells"},
+     .help = "what to plot: the force at each sensor against time; the peak force of each contact, all chains in one plot; the "
+             "energies of modes against time; profiles, a field along the chain at several times; or a schematic drawing of the "
+             "experiment, of a contact or of the cells"},
     {.key = "scale",
      .type = BEAD_OPTION_CHOICE,
      .offset = OUTPUT(plot.scale),
      .initial = "linear",
      .choices = scales,
-     .help = "axis of the peaks"},
+     .help = "scale of the axis of peaks"},
     {.key = "normalise",
      .type = BEAD_OPTION_CHOICE,
      .offset = OUTPUT(plot.normalise),
      .initial = "none",
      .choices = normalisings,
-     .help =
-         "what the forces of sensors are divided by; first: the largest force at the first sensor of the same chain; max: each by "
-         "its own largest"},
+     .help = "what the forces at sensors are divided by; first: the largest force at the first sensor of the same chain; max: the "
+             "largest force at the same sensor"},
     {.key = "range",
      .type = BEAD_OPTION_CUSTOM,
      .offset = OUTPUT(plot.range),
@@ -404,11 +434,12 @@ static const struct bead_option plot_rows[] = {
      .shape = "auto, or [low, high] in N (plain numbers where forces are normalised)",
      .word = "auto",
      .word_value = NAN,
-     .help = "ends of the axis of forces; auto: what occurs",
+     .help = "ends of the axis of forces; auto: the range of the data",
+     .example = "[0, 45 N]",
      .read = bead_output_read_plot_range},
 };
 static const struct bead_option plot_file[] = {
-    FILE_ROW("plot", "FILE.png, .pdf or .svg"),
+    FILE_ROW("plot", "FILE.png, .pdf or .svg", "[figure.pdf, figure.png]"),
     {.key = "contact",
      .type = BEAD_OPTION_COUNT,
      .offset = OUTPUT(plot.contact),
@@ -417,57 +448,63 @@ static const struct bead_option plot_file[] = {
      .high = BEAD_SCENE_BEADS,
      .word = "auto",
      .word_value = BEAD_CONTACT_AUTO,
-     .help = "the contact of the first chain that `show: contact` draws; contact j is between beads j and j + 1, 0 is the striker"},
+     .help = "the contact of the first chain that `show: contact` draws; contact j is between beads j and j + 1, and bead 0 is the "
+             "striker",
+     .example = "3"},
     {.key = "compression",
      .offset = OUTPUT(plot.compression),
      .initial = "0.2",
      .low = 0,
      .high = 0.6,
      .open = BEAD_OPEN_LOW,
-     .help = "of `show: contact`: what the smaller bead is flattened by, as a part of its radius"},
+     .help = "with `show: contact`: how far the smaller bead is flattened, as a fraction of its radius",
+     .example = "0.1"},
 };
 static const struct bead_option_rows plot_shared[] = {{BEAD_OPTIONS(curves_rows)}, {BEAD_OPTIONS(plot_rows)},
                                                       {BEAD_OPTIONS(time_row)},    {BEAD_OPTIONS(every_row)},
                                                       {BEAD_OPTIONS(trust_row)},   {BEAD_OPTIONS(page_rows)},
                                                       {BEAD_OPTIONS(theme_row)},   {BEAD_OPTIONS(caption_row)},
                                                       {BEAD_OPTIONS(panels_rows)}, {NULL, 0}};
-const struct bead_options bead_plot_options = {"plot",
-                                               "curves of sensors against time or of peaks along the chain; or a schematic drawing",
-                                               BEAD_OPTIONS(plot_file), plot_shared, &bead_output_family};
+const struct bead_options bead_plot_options = {
+    "plot", "curves of sensors against time, or of peaks along the chain; or a schematic drawing", BEAD_OPTIONS(plot_file),
+    plot_shared, &bead_output_family};
 
 static const struct bead_option_rows plot_panel_shared[] = {{BEAD_OPTIONS(curves_rows)}, {BEAD_OPTIONS(plot_rows)},
                                                             {BEAD_OPTIONS(time_row)},    {BEAD_OPTIONS(every_row)},
                                                             {BEAD_OPTIONS(trust_row)},   {NULL, 0}};
 const struct bead_options bead_plot_panel_options = {NULL, "a panel that is a plot", BEAD_OPTIONS(panel_rows), plot_panel_shared,
                                                      &bead_output_family};
-const struct bead_options bead_panel_options = {
-    "outputs.panels", "a panel takes keys of an image, or with `show` those of a plot, and", BEAD_OPTIONS(panel_rows), NULL, NULL};
+const struct bead_options bead_panel_options = {"outputs.panels",
+                                                "a panel takes the keys of an image, or with `show` those of a plot, and these",
+                                                BEAD_OPTIONS(panel_rows), NULL, NULL};
 
 static const struct bead_option table_rows[] = {
-    FILE_ROW("table", "FILE.csv"),
+    FILE_ROW("table", "FILE.csv", "peaks.csv"),
     {.key = "show",
      .type = BEAD_OPTION_CHOICE,
      .offset = OUTPUT(curves.show),
      .initial = "peaks",
      .choices = table_shows,
      .values = table_values,
-     .help = "what to list: the force at every sensor, the peak of every contact or of every bead, measures of the run (--list "
-             "measures), the energies of modes, profiles, a field along the chain at several times, or the beads and contacts of "
-             "the chain"},
+     .help =
+         "what to list: the force at each sensor; the peak of each contact or of each bead; measures of the run (--list measures); "
+         "the energies of modes; profiles, a field along the chain at several times; or the beads and contacts of the chain"},
 };
 static const struct bead_option_rows table_shared[] = {
     {BEAD_OPTIONS(curves_rows)}, {BEAD_OPTIONS(time_row)}, {BEAD_OPTIONS(every_row)}, {NULL, 0}};
-const struct bead_options bead_table_options = {"table", "numbers", BEAD_OPTIONS(table_rows), table_shared, &bead_output_family};
+const struct bead_options bead_table_options = {"table", "numbers, as CSV", BEAD_OPTIONS(table_rows), table_shared,
+                                                &bead_output_family};
 
 /* ---- trajectories ---- */
 
 static const struct bead_option trajectory_rows[] = {
-    FILE_ROW("trajectory", "FILE.h5"),
+    FILE_ROW("trajectory", "FILE.h5", "run.h5"),
     {.key = "fields",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "[displacement, velocity, force]",
      .shape = "a list of " FIELDS "or all",
-     .help = "what to store; strain is a field of equations",
+     .help = "the fields to store; strain is a field of equations",
+     .example = "[displacement, force]",
      .read = bead_output_read_fields},
 };
 static const struct bead_option_rows trajectory_shared[] = {
@@ -478,13 +515,13 @@ const struct bead_options bead_trajectory_options = {"trajectory", "samples of f
 /* ---- of scenes with sweeps ---- */
 
 static const struct bead_option sweep_rows[] = {
-    FILE_ROW("sweep", "FILE.h5"),
+    FILE_ROW("sweep", "FILE.h5", "sweep.h5"),
 };
-const struct bead_options bead_sweep_file_options = {"sweep", "spins and results of every configuration of a sweep",
+const struct bead_options bead_sweep_file_options = {"sweep", "spins and results of each configuration of a sweep",
                                                      BEAD_OPTIONS(sweep_rows), NULL, &bead_output_family};
 
 static const struct bead_option sheet_rows[] = {
-    FILE_ROW("sheet", "FILE.png, .pdf or .svg"),
+    FILE_ROW("sheet", "FILE.png, .pdf or .svg", "sheet.png"),
     {.key = "configurations",
      .type = BEAD_OPTION_COUNT,
      .offset = OUTPUT(sheet.configurations),
@@ -493,12 +530,14 @@ static const struct bead_option sheet_rows[] = {
      .high = 64,
      .word = "auto",
      .word_value = 0,
-     .help = "pictures in a row; auto: as many as have room"},
+     .help = "pictures in a row; auto: as many as fit",
+     .example = "6"},
     {.key = "magnetism",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "auto",
      .shape = "auto, a number, or a list of numbers from 0 to 1",
-     .help = "which rows; auto: as many of the sweep's as have room",
+     .help = "magnetisms of the rows; auto: as many of the sweep's as fit",
+     .example = "[1, 0.9, 0.5, 0]",
      .read = bead_output_read_magnetism},
 };
 static const struct bead_option_rows sheet_shared[] = {{BEAD_OPTIONS(field_row)},
@@ -509,8 +548,7 @@ static const struct bead_option_rows sheet_shared[] = {{BEAD_OPTIONS(field_row)}
                                                        {BEAD_OPTIONS(theme_row)},
                                                        {NULL, 0}};
 const struct bead_options bead_sheet_options = {
-    "sheet",
-    "contact sheet of a sweep: small pictures in space and time of many configurations, rows by magnetism; only those are run",
+    "sheet", "contact sheet of a sweep: small space-time images of many configurations, in rows by magnetism; only these run",
     BEAD_OPTIONS(sheet_rows), sheet_shared, &bead_output_family};
 
 static const struct bead_option threshold_row[] = {
@@ -518,11 +556,12 @@ static const struct bead_option threshold_row[] = {
      .type = BEAD_OPTION_CUSTOM,
      .initial = "law",
      .shape = "a name of --list thresholds",
-     .help = "how the magnetism of the threshold is found",
+     .help = "how the threshold in magnetism is found",
+     .example = "half",
      .read = bead_output_read_threshold},
 };
 static const struct bead_option sweep_plot_rows[] = {
-    FILE_ROW("plot", "FILE.png, .pdf or .svg"),
+    FILE_ROW("plot", "FILE.png, .pdf or .svg", "[figure.pdf, figure.png]"),
     {.key = "show",
      .type = BEAD_OPTION_CHOICE,
      .offset = OUTPUT(sweep_curves.show),
@@ -536,7 +575,8 @@ static const struct bead_option sweep_plot_rows[] = {
      .shape = "auto, or [low, high] in units of the clean chain's peak",
      .word = "auto",
      .word_value = NAN,
-     .help = "ends of the axis of forces (`show: decay`: and energies); auto: what occurs",
+     .help = "ends of the axis of forces, and with `show: decay` of energies; auto: the range of the data",
+     .example = "[0, 1.2]",
      .read = bead_output_read_sweep_range},
 };
 static const struct bead_option_rows sweep_plot_shared[] = {
@@ -545,15 +585,15 @@ const struct bead_options bead_sweep_plot_options = {"plot of a sweep", "force a
                                                      BEAD_OPTIONS(sweep_plot_rows), sweep_plot_shared, &bead_output_family};
 
 static const struct bead_option sweep_table_rows[] = {
-    FILE_ROW("table", "FILE.csv"),
+    FILE_ROW("table", "FILE.csv", "peaks.csv"),
     {.key = "show",
      .type = BEAD_OPTION_CHOICE,
      .offset = OUTPUT(sweep_curves.show),
      .initial = "magnetism",
      .choices = sweep_table_shows,
      .values = sweep_table_values,
-     .help = "statistics of every magnetism, results of every configuration, or mean peaks along the chain"},
+     .help = "statistics of each magnetism, results of each configuration, or mean peaks along the chain"},
 };
 static const struct bead_option_rows sweep_table_shared[] = {{BEAD_OPTIONS(threshold_row)}, {NULL, 0}};
-const struct bead_options bead_sweep_table_options = {"table of a sweep", "numbers of it", BEAD_OPTIONS(sweep_table_rows),
-                                                      sweep_table_shared, &bead_output_family};
+const struct bead_options bead_sweep_table_options = {"table of a sweep", "numbers of a sweep, as CSV",
+                                                      BEAD_OPTIONS(sweep_table_rows), sweep_table_shared, &bead_output_family};

@@ -25,42 +25,54 @@ static const struct bead_option rows[] = {
      .type = BEAD_OPTION_TEXT,
      .offset = offsetof(struct bead_scene, title),
      .initial = "",
-     .help = "title of the scene"},
+     .help = "title of the scene",
+     .example = "My first wave"},
     {.key = "materials",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "a map of materials",
      .help = "adds to the ready materials: see materials.NAME",
+     .example = "{carbide: {density: 14900 kg/m3, modulus: 668 GPa, poisson: 0.24, radius: 4.76 mm}}",
      .read = bead_scene_read_materials},
-    {.key = "chain", .type = BEAD_OPTION_CUSTOM, .shape = "a map", .help = "the chain: see chain", .read = read_chain},
+    {.key = "chain",
+     .type = BEAD_OPTION_CUSTOM,
+     .shape = "a map",
+     .help = "the chain: see chain",
+     .example = "{beads: [{bead: brass, count: 50}]}",
+     .read = read_chain},
     {.key = "chains",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "a list of chains, each with a name",
      .help = "several chains, instead of `chain`",
+     .example = "[{name: steel, beads: [{bead: large-steel, count: 50}]}, {name: brass, beads: [{bead: brass, count: 50}]}]",
      .read = read_chains},
     {.key = "sweep",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "a map",
      .help = "many chains with random spins, instead of one: see sweep",
+     .example = "{cells: 64, magnetism: all}",
      .read = bead_scene_read_sweep},
     {.key = "sweeps",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "a list of sweeps, each with a name",
      .help = "several sweeps, instead of `sweep`",
+     .example = "[{name: short, cells: 16}, {name: long, cells: 64}]",
      .read = bead_scene_read_sweeps},
     {.key = "simulate",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "{}",
      .shape = "a map",
      .help = "see simulate",
+     .example = "{until: 2 ms, accuracy: 1e-8}",
      .read = read_simulate},
     {.key = "outputs",
      .type = BEAD_OPTION_CUSTOM,
      .required = true,
      .shape = "a list such as [{image: force.png}]",
-     .help = "the files wanted, a list with at least one: see outputs",
+     .help = "the files to make, at least one: see outputs",
+     .example = "[{image: force.png}, {table: peaks.csv}]",
      .read = read_outputs},
 };
-const struct bead_options bead_scene_options = {"scene", "the keys at the top of the file", BEAD_OPTIONS(rows), NULL, NULL};
+const struct bead_options bead_scene_options = {"scene", "keys at the top of the file", BEAD_OPTIONS(rows), NULL, NULL};
 
 static enum bead_error make_chains(const struct bead_reader *reader, size_t count)
 {
@@ -132,8 +144,7 @@ static enum bead_error read_chains(struct bead_reader *reader, const struct bead
             err = check_kind(reader, &element, i);
         beads += err ? 0 : bead_scene_count_beads(&scene->chains[i]);
         if (!err && beads > BEAD_SCENE_BEADS)
-            err = bead_wrong(reader, &element, "makes more than %d beads in all, which is the most that is allowed",
-                             BEAD_SCENE_BEADS);
+            err = bead_wrong(reader, &element, "makes more than %d beads in all, the most that is allowed", BEAD_SCENE_BEADS);
     }
     return err;
 }

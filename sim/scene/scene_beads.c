@@ -16,43 +16,50 @@ static const struct bead_option rows[] = {
      .type = BEAD_OPTION_CUSTOM,
      .shape = "the name of a material",
      .help = "beads of one material",
+     .example = "large-steel",
      .read = read_bead},
     {.key = "cell",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "[MATERIAL, MATERIAL, ...]",
-     .help = "beads that repeat as a group: two for dimers, three for trimers, any number",
+     .help = "beads that repeat as a group: two for dimers, three for trimers, or more",
+     .example = "[large-steel, aluminium]",
      .read = read_cell},
     {.key = "count",
      .type = BEAD_OPTION_COUNT,
      .offset = offsetof(struct bead_segment, count),
      .low = 1,
      .high = BEAD_SCENE_BEADS,
-     .help = "how many beads or cells; 1, or the number of digits of `spins`"},
+     .help = "how many beads or cells; without it 1, or the number of digits of `spins`",
+     .example = "64"},
     {.key = "spins",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "up",
-     .shape = "up, down, random, or one digit a cell such as \"1101\"",
-     .help = "which way round every cell stands: up (1) as written, down (0) reversed",
+     .shape = "up, down, random, or one digit per cell such as \"1101\"",
+     .help = "which way round each cell stands: up (1) as written, down (0) reversed",
+     .example = "random",
      .read = read_spins},
     {.key = "magnetism",
      .offset = offsetof(struct bead_segment, magnetism),
      .initial = "0",
      .low = 0,
      .high = 1,
-     .help = "of random spins: (up - down) / all, exactly, as far as the count allows"},
+     .help = "magnetism of random spins, (up - down) / all, as exactly as the count allows",
+     .example = "0.5"},
     {.key = "seed",
      .type = BEAD_OPTION_SEED,
      .offset = offsetof(struct bead_segment, seed),
      .initial = "0",
-     .help = "of random spins: the same seed gives the same spins anywhere"},
+     .help = "seed of random spins; the same seed gives the same spins on every machine",
+     .example = "7"},
     {.key = "sensor",
      .type = BEAD_OPTION_TEXT,
      .offset = offsetof(struct bead_segment, sensor),
-     .help = "name of the sensor on this single bead, which records its bead force"},
+     .help = "name of a sensor in this single bead, which records its bead force",
+     .example = "first"},
 };
 
-const struct bead_options bead_segment_options = {"chain.beads", "entries of the list, left to right", BEAD_OPTIONS(rows), NULL,
-                                                  NULL};
+const struct bead_options bead_segment_options = {"chain.beads", "entries of the list, from left to right", BEAD_OPTIONS(rows),
+                                                  NULL, NULL};
 
 static enum bead_error read_bead(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
                                  void *settings)
@@ -123,7 +130,7 @@ static enum bead_error check_spins(const struct bead_reader *reader, const struc
     struct bead_at where = bead_at_key(at, "spins");
     segment->spins_given = where.node != at->node;
     if (where.node != at->node && segment->cell_beads < 2)
-        return bead_wrong(reader, &where, "needs a `cell` of at least two beads: a single one has no way round");
+        return bead_wrong(reader, &where, "needs a `cell` of at least two beads: a single bead cannot be turned around");
     for (size_t i = 0; i < 2 && segment->spins != BEAD_SPINS_RANDOM; i++) {
         where = bead_at_key(at, of_random[i]);
         if (where.node != at->node)
@@ -139,9 +146,10 @@ static enum bead_error check_count(const struct bead_reader *reader, const struc
     if (count.node == at->node)
         segment->count = digits;
     else if (segment->digits && digits != segment->count)
-        return bead_wrong(reader, &spins, "has %zu digits, but `count` is %zu; must have one digit a cell", digits, segment->count);
+        return bead_wrong(reader, &spins, "has %zu digits, but `count` is %zu; must have one digit per cell", digits,
+                          segment->count);
     if (segment->count > BEAD_SCENE_BEADS / segment->cell_beads)
-        return bead_wrong(reader, &count, "gives more than %d beads, which is the most that is allowed", BEAD_SCENE_BEADS);
+        return bead_wrong(reader, &count, "gives more than %d beads, the most that is allowed", BEAD_SCENE_BEADS);
     if (segment->sensor && segment->count * segment->cell_beads != 1)
         return bead_wrong(reader, &sensor, "must be on a single bead: without `cell` and `count`");
     if (segment->sensor && !*segment->sensor)
@@ -212,8 +220,7 @@ enum bead_error bead_scene_read_segments(struct bead_reader *reader, const struc
         err = read_segment(reader, &element, &chain->segments[i]);
         beads += err ? 0 : chain->segments[i].cell_beads * chain->segments[i].count;
         if (!err && beads > BEAD_SCENE_BEADS)
-            err = bead_wrong(reader, &element, "makes the chain longer than %d beads, which is the most that is allowed",
-                             BEAD_SCENE_BEADS);
+            err = bead_wrong(reader, &element, "makes the chain longer than %d beads, the most that is allowed", BEAD_SCENE_BEADS);
     }
     return err ? err : check_sensors(reader, at, chain);
 }

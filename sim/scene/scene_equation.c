@@ -19,14 +19,15 @@ static const char *const variables[] = {
 
 /* ---- start ---- */
 
-#define NUMBER(name, member, from, to, says)                                                             \
-    {                                                                                                    \
-        .key = name, .offset = EQUATION(member), .required = true, .low = from, .high = to, .help = says \
+#define NUMBER(name, member, from, to, says, sample)                                                                        \
+    {                                                                                                                       \
+        .key = name, .offset = EQUATION(member), .required = true, .low = from, .high = to, .help = says, .example = sample \
     }
-#define AMPLITUDE(says) NUMBER("amplitude", amplitude, -1e6, 1e6, says)
-#define WAVES(name, says)                                                                                                       \
-    {                                                                                                                           \
-        .key = name, .type = BEAD_OPTION_COUNT, .offset = EQUATION(mode), .required = true, .low = 1, .high = 1e6, .help = says \
+#define AMPLITUDE(says) NUMBER("amplitude", amplitude, -1e6, 1e6, says, "1")
+#define WAVES(name, says)                                                                                                        \
+    {                                                                                                                            \
+        .key = name, .type = BEAD_OPTION_COUNT, .offset = EQUATION(mode), .required = true, .low = 1, .high = 1e6, .help = says, \
+        .example = "1"                                                                                                           \
     }
 
 static const struct bead_option mode_rows[] = {
@@ -36,43 +37,45 @@ static const struct bead_option mode_rows[] = {
      .initial = "1",
      .low = -1e6,
      .high = 1e6,
-     .help = "its largest displacement"},
+     .help = "largest displacement",
+     .example = "0.5"},
 };
-const struct bead_options bead_start_mode_options = {"chain.start (mode)", "at rest, displaced as in a mode of the linear string",
+const struct bead_options bead_start_mode_options = {"chain.start (mode)", "at rest, displaced like a mode of the linear string",
                                                      BEAD_OPTIONS(mode_rows), NULL, NULL};
 
 static const struct bead_option pulse_rows[] = {
-    NUMBER("pulse", amplitude, -1e6, 1e6, "its height: of the strain in strings, else of the unknown"),
+    NUMBER("pulse", amplitude, -1e6, 1e6, "height: of the strain in strings, else of the unknown", "0.1"),
     {.key = "width",
      .offset = EQUATION(width),
      .required = true,
      .low = 0,
      .high = 1e6,
      .open = BEAD_OPEN_LOW,
-     .help = "w in height sech^2((x - at) / w)"},
-    NUMBER("at", at, -1e9, 1e9, "place of its centre"),
+     .help = "w in height sech^2((x - at) / w)",
+     .example = "5"},
+    NUMBER("at", at, -1e9, 1e9, "place of the centre", "50"),
     {.key = "moving",
      .type = BEAD_OPTION_CHOICE,
      .offset = EQUATION(moving),
      .initial = "rest",
      .choices = ways,
-     .help = "rest: it parts into two; right, left: it goes one way (strings and shocks)"},
+     .help = "rest: the pulse parts into two; right, left: it goes one way (strings and shocks)"},
 };
 const struct bead_options bead_start_pulse_options = {"chain.start (pulse)", "one hump", BEAD_OPTIONS(pulse_rows), NULL, NULL};
 
 static const struct bead_option cosine_rows[] = {
     WAVES("cosine", "number of waves in the domain"),
-    AMPLITUDE("of the cosine"),
+    AMPLITUDE("amplitude of the cosine"),
 };
 const struct bead_options bead_start_cosine_options = {"chain.start (cosine)", "amplitude cos(2 pi n (x - low) / length)",
                                                        BEAD_OPTIONS(cosine_rows), NULL, NULL};
 
 static const struct bead_option wave_rows[] = {
     WAVES("simple-wave", "number of waves in the domain"),
-    AMPLITUDE("of the strain"),
+    AMPLITUDE("amplitude of the strain"),
 };
 const struct bead_options bead_start_wave_options = {"chain.start (simple-wave)",
-                                                     "strain amplitude sin(2 pi n (x - low) / length), all of it going right",
+                                                     "strain amplitude sin(2 pi n (x - low) / length), moving right",
                                                      BEAD_OPTIONS(wave_rows), NULL, NULL};
 
 static const struct bead_option soliton_rows[] = {
@@ -82,13 +85,15 @@ static const struct bead_option soliton_rows[] = {
      .low = 0,
      .high = 1e6,
      .open = BEAD_OPEN_LOW,
-     .help = "its speed (less the drift)"},
+     .help = "speed of the soliton, less the drift",
+     .example = "16"},
     {.key = "at",
      .offset = offsetof(struct bead_soliton, at),
      .required = true,
      .low = -1e9,
      .high = 1e9,
-     .help = "place of its centre at time 0"},
+     .help = "place of the centre at time 0",
+     .example = "-8"},
 };
 const struct bead_options bead_soliton_options = {"chain.start.solitons", "entries of the list", BEAD_OPTIONS(soliton_rows), NULL,
                                                   NULL};
@@ -117,9 +122,10 @@ static const struct bead_option solitons_rows[] = {
      .required = true,
      .shape = "a list such as [{speed: 16, at: -8}, {speed: 4, at: 0}]",
      .help = "see chain.start.solitons",
+     .example = "[{speed: 16, at: -8}, {speed: 4, at: 0}]",
      .read = read_solitons},
 };
-const struct bead_options bead_start_solitons_options = {"chain.start (solitons)", "solitary waves of the equation added up",
+const struct bead_options bead_start_solitons_options = {"chain.start (solitons)", "a sum of solitary waves of the equation",
                                                          BEAD_OPTIONS(solitons_rows), NULL, NULL};
 
 static const struct start {
@@ -209,14 +215,21 @@ static const struct bead_option equation_rows[] = {
      .type = BEAD_OPTION_CUSTOM,
      .required = true,
      .shape = "fput, kdv or shock",
-     .help = "what moves instead of beads; its numbers are without units",
+     .help = "the equation, instead of beads; its numbers have no units",
+     .example = "fput",
      .read = read_name},
     {.key = "name",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "a text",
-     .help = "name of the chain; needed under `chains`",
+     .help = "name of the chain; required under `chains`",
+     .example = "disordered",
      .read = pass_over},
-    {.key = "label", .type = BEAD_OPTION_CUSTOM, .shape = "a text", .help = "a line about it, for pictures", .read = pass_over},
+    {.key = "label",
+     .type = BEAD_OPTION_CUSTOM,
+     .shape = "a text",
+     .help = "a line about the chain, for pictures",
+     .example = "half of the dimers reversed at random",
+     .read = pass_over},
 };
 static const struct bead_option low_row[] = {
     {.key = "low",
@@ -224,7 +237,8 @@ static const struct bead_option low_row[] = {
      .initial = "0",
      .low = -1e9,
      .high = 1e9,
-     .help = "left end of the domain; of a ring of masses the place of the first"},
+     .help = "left end of the domain; in a ring of masses, the place of the first",
+     .example = "-12"},
 };
 static const struct bead_option start_row[] = {
     {.key = "start",
@@ -233,6 +247,7 @@ static const struct bead_option start_row[] = {
      .shape = "a map: {mode: 1, amplitude: 1}, {pulse: 0.1, width: 5, at: 50}, {solitons: [...]}, {cosine: 1, amplitude: 1} or "
               "{simple-wave: 1, amplitude: 1}",
      .help = "the state at time 0: see chain.start",
+     .example = "{pulse: 0.1, width: 5, at: 50}",
      .read = read_start},
 };
 /* Of those on a grid. */
@@ -244,14 +259,16 @@ static const struct bead_option grid_rows[] = {
      .low = 8,
      .high = 1 << 20,
      .word = "auto",
-     .help = "points of the grid; auto: as many as the accuracy asks"},
+     .help = "points of the grid; auto: as many as the accuracy needs",
+     .example = "800"},
     {.key = "length",
      .offset = EQUATION(length),
      .required = true,
      .low = 0,
      .high = 1e9,
      .open = BEAD_OPEN_LOW,
-     .help = "length of the domain, which is periodic"},
+     .help = "length of the domain, which is periodic",
+     .example = "34"},
 };
 static const struct bead_option fput_points[] = {
     {.key = "points",
@@ -260,7 +277,8 @@ static const struct bead_option fput_points[] = {
      .required = true,
      .low = 1,
      .high = 1e6,
-     .help = "number of moving masses"},
+     .help = "number of moving masses",
+     .example = "31"},
 };
 static const struct bead_option fput_rows[] = {
     {.key = "ends",
@@ -274,8 +292,15 @@ static const struct bead_option fput_rows[] = {
      .initial = "0.25",
      .low = -1e6,
      .high = 1e6,
-     .help = "in the tension r + alpha r^2 + beta r^3 of a spring stretched by r"},
-    {.key = "beta", .offset = EQUATION(beta), .initial = "0", .low = -1e6, .high = 1e6, .help = "in the same tension"},
+     .help = "alpha in the tension r + alpha r^2 + beta r^3 of a spring stretched by r",
+     .example = "0.5"},
+    {.key = "beta",
+     .offset = EQUATION(beta),
+     .initial = "0",
+     .low = -1e6,
+     .high = 1e6,
+     .help = "beta in the same tension",
+     .example = "0.1"},
 };
 static const struct bead_option kdv_rows[] = {
     {.key = "drift",
@@ -283,20 +308,28 @@ static const struct bead_option kdv_rows[] = {
      .initial = "0",
      .low = -1e6,
      .high = 1e6,
-     .help = "d in u_t + d u_x + a u u_x + b u_xxx = 0"},
+     .help = "d in u_t + d u_x + a u u_x + b u_xxx = 0",
+     .example = "1"},
     {.key = "nonlinearity",
      .offset = EQUATION(nonlinearity),
      .initial = "6",
      .low = -1e6,
      .high = 1e6,
-     .help = "a in that equation"},
-    {.key = "dispersion", .offset = EQUATION(dispersion), .initial = "1", .low = -1e6, .high = 1e6, .help = "b in that equation"},
+     .help = "a in that equation",
+     .example = "1"},
+    {.key = "dispersion",
+     .offset = EQUATION(dispersion),
+     .initial = "1",
+     .low = -1e6,
+     .high = 1e6,
+     .help = "b in that equation",
+     .example = "4.84e-4"},
     {.key = "variable",
      .type = BEAD_OPTION_CHOICE,
      .offset = EQUATION(variable),
      .initial = "displacement",
      .choices = variables,
-     .help = "field that the unknown is shown as"},
+     .help = "the field as which the unknown is shown"},
 };
 static const struct bead_option shock_rows[] = {
     {.key = "speed",
@@ -305,8 +338,15 @@ static const struct bead_option shock_rows[] = {
      .low = 0,
      .high = 1e6,
      .open = BEAD_OPEN_LOW,
-     .help = "c in u_tt = c^2 u_xx (1 + e u_x)"},
-    {.key = "epsilon", .offset = EQUATION(epsilon), .required = true, .low = -1e6, .high = 1e6, .help = "e in that equation"},
+     .help = "c in u_tt = c^2 u_xx (1 + e u_x)",
+     .example = "2"},
+    {.key = "epsilon",
+     .offset = EQUATION(epsilon),
+     .required = true,
+     .low = -1e6,
+     .high = 1e6,
+     .help = "e in that equation",
+     .example = "0.5"},
 };
 
 static const struct bead_option_rows

@@ -23,39 +23,45 @@ static const struct bead_option rows[] = {
      .required = true,
      .low = 1,
      .high = 1e15,
-     .help = "Young's modulus"},
+     .help = "Young's modulus",
+     .example = "193 GPa"},
     {.key = "poisson",
      .offset = offsetof(struct written, poisson),
      .required = true,
      .low = -1,
      .high = 0.5,
      .open = BEAD_OPEN_LOW,
-     .help = "Poisson's ratio"},
+     .help = "Poisson's ratio",
+     .example = "0.3"},
     {.key = "radius",
      .offset = offsetof(struct written, radius),
      .unit = "m",
      .low = 1e-9,
      .high = 1e3,
-     .help = "radius of a bead; not needed of walls"},
+     .help = "radius of a bead; walls need none",
+     .example = "4.76 mm"},
     {.key = "mass",
      .offset = offsetof(struct written, mass),
      .unit = "kg",
      .low = 0,
      .high = 1e9,
      .open = BEAD_OPEN_LOW,
-     .help = "mass of a bead; this or density, not needed of walls"},
+     .help = "mass of a bead; give this or density; walls need neither",
+     .example = "3.63 g"},
     {.key = "density",
      .offset = offsetof(struct written, density),
      .unit = "kg/m3",
      .low = 0,
      .high = 1e6,
      .open = BEAD_OPEN_LOW,
-     .help = "density, from which the mass follows with the radius"},
+     .help = "density, which gives the mass with the radius",
+     .example = "7800 kg/m3"},
     {.key = "colour",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "#9aa4b2",
      .shape = "\"#rrggbb\"",
      .help = "colour in pictures",
+     .example = "\"#c08040\"",
      .read = read_colour},
 };
 
@@ -72,7 +78,7 @@ static enum bead_error read_colour(struct bead_reader *reader, const struct bead
     if (err)
         return err;
     if (text[0] != '#' || strspn(text + 1, "0123456789abcdefABCDEF") != 6 || text[7])
-        return bead_wrong(reader, at, "is %s; must be %s, with two hexadecimal digits each of red, green and blue",
+        return bead_wrong(reader, at, "is %s; must be %s, with two hexadecimal digits each for red, green and blue",
                           bead_node_show(at->node, shown, sizeof shown), option->shape);
     unsigned long rgb = strtoul(text + 1, NULL, 16);
     for (int i = 0; i < 3; i++)
@@ -90,9 +96,9 @@ static enum bead_error check_mass(const struct bead_reader *reader, const struct
         return bead_wrong(reader, &where, "is given beside `mass`; give one of them");
     }
     if (!radius && (mass || density))
-        return bead_wrong(reader, &where, "needs `radius` beside it");
+        return bead_wrong(reader, &where, "needs `radius`, too");
     if (radius && !mass && !density)
-        return bead_wrong(reader, &where, "needs `mass` or `density` beside it");
+        return bead_wrong(reader, &where, "needs `mass` or `density`, too");
     if (!radius)
         w->mass = w->radius = NAN;
     else if (density)
@@ -121,7 +127,7 @@ static enum bead_error read_one(struct bead_reader *reader, const struct bead_at
 {
     struct written written = {0};
     if (!*at->key || strcmp(at->key, "none") == 0 || strcmp(at->key, "rigid") == 0 || strchr(at->key, '\n'))
-        return bead_wrong(reader, at, "is not a name for a material; must be another word than `none` and `rigid`");
+        return bead_wrong(reader, at, "cannot be the name of a material; must not be `none` or `rigid`");
     enum bead_error err = bead_options_read(reader, at, &bead_material_options, &written);
     if (!err)
         err = check_mass(reader, at, &written);
@@ -202,7 +208,7 @@ enum bead_error bead_scene_find_material(const struct bead_reader *reader, const
     if (i == scene->material_count)
         return no_material(reader, at, name);
     if (bead && !isfinite(scene->materials[i].radius))
-        return bead_wrong(reader, at, "`%s` has no radius and no mass: it serves for walls only; give it both under `materials`",
+        return bead_wrong(reader, at, "`%s` has no radius and no mass, so it is for walls only; give it both under `materials`",
                           bead_text_show(name, shown, sizeof shown));
     *index = i;
     return BEAD_OK;

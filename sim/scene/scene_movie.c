@@ -18,13 +18,15 @@ static const struct bead_option caption_rows[] = {
      .required = true,
      .low = 0,
      .high = 1e6,
-     .help = "time of the motion at which it appears"},
+     .help = "time of the motion at which the caption appears",
+     .example = "0.2 ms"},
     {.key = "text",
      .type = BEAD_OPTION_TEXT,
      .offset = CAPTION(text),
      .required = true,
-     .help = "what it says; *x* is in italics, _0 or _{max} lowered, ^2 or ^{3/2} raised; a backslash takes the next character as "
-             "it is"},
+     .help = "the text; *x* is set in italics, _0 or _{max} as subscript, ^2 or ^{3/2} as superscript; a backslash takes the next "
+             "character as it is",
+     .example = "The front leaves the striker"},
     {.key = "until",
      .offset = CAPTION(until),
      .unit = "s",
@@ -34,7 +36,9 @@ static const struct bead_option caption_rows[] = {
      .high = 1e6,
      .word = "auto",
      .word_value = NAN,
-     .help = "time of the motion at which it disappears; auto: when the next one appears, the last one when it can have been read"},
+     .help = "time of the motion at which the caption disappears; auto: when the next one appears, and the last one after time "
+             "enough to read it",
+     .example = "0.6 ms"},
     {.key = "for",
      .offset = CAPTION(lasting),
      .unit = "s",
@@ -43,9 +47,10 @@ static const struct bead_option caption_rows[] = {
      .high = 36000,
      .word = "auto",
      .word_value = NAN,
-     .help = "how long it stays, as time of the film; instead of `until`"},
+     .help = "how long the caption stays, in seconds of the movie; instead of `until`",
+     .example = "4 s"},
 };
-const struct bead_options bead_caption_options = {"outputs.captions", "a list, by rising times; a caption ends the one before",
+const struct bead_options bead_caption_options = {"outputs.captions", "a list in order of time; a caption ends the previous one",
                                                   BEAD_OPTIONS(caption_rows), NULL, NULL};
 
 #define CARD(member) offsetof(struct bead_card, member)
@@ -56,10 +61,16 @@ static const struct bead_option card_rows[] = {
      .initial = "3 s",
      .low = 0.1,
      .high = 60,
-     .help = "how long it is shown, as time of the film"},
-    {.key = "text", .type = BEAD_OPTION_TEXT, .offset = CARD(text), .initial = "", .help = "a line below the title"},
+     .help = "how long the card stays, in seconds of the movie",
+     .example = "5 s"},
+    {.key = "text",
+     .type = BEAD_OPTION_TEXT,
+     .offset = CARD(text),
+     .initial = "",
+     .help = "a line below the title",
+     .example = "A steel bead strikes a row of beads at rest"},
 };
-const struct bead_options bead_card_options = {"outputs.card", "a title card: title, chains, scale of time",
+const struct bead_options bead_card_options = {"outputs.card", "a title card with title, chains and scale of time",
                                                BEAD_OPTIONS(card_rows), NULL, NULL};
 
 /* Behind times of the motion in messages. */
@@ -73,7 +84,7 @@ static enum bead_error read_caption(struct bead_reader *reader, const struct bea
     enum bead_error err = bead_options_read(reader, at, &bead_caption_options, caption);
     struct bead_at where = bead_at_key(at, "text");
     if (!err && !caption->text[0])
-        return bead_wrong(reader, &where, "is empty; a caption has something to say");
+        return bead_wrong(reader, &where, "is empty; a caption needs a text");
     where = bead_at_key(at, "until");
     if (!err && !isnan(caption->until) && !isnan(caption->lasting))
         return bead_wrong(reader, &where, "is given beside `for`; give one of them");
@@ -106,7 +117,7 @@ BEAD_OUTPUT_READER(bead_output_read_captions)
         struct bead_at where = bead_at_key(&element, "at");
         output->movie.captions[i].place = where.node->place;
         if (!err && i > 0 && output->movie.captions[i].at <= output->movie.captions[i - 1].at)
-            err = bead_wrong(reader, &where, "is %g%s; must be later than that of the caption before, %g%s",
+            err = bead_wrong(reader, &where, "is %g%s; must be later than that of the previous caption, %g%s",
                              output->movie.captions[i].at, unit_of(reader), output->movie.captions[i - 1].at, unit_of(reader));
     }
     return err;
@@ -176,7 +187,7 @@ BEAD_OUTPUT_CHECK(bead_output_check_movie)
     struct bead_at where = bead_at_key(at, "follow");
     bool moves = bead_views_any(output->views.kinds, output->views.count, BEAD_FOLLOWS_FRONT);
     if (bead_scene_plain(reader->scene) && output->movie.follow == BEAD_FOLLOW_FRONT)
-        return bead_wrong(reader, &where, "is set, but there is no front of a wave in a chain at rest that could be followed");
+        return bead_wrong(reader, &where, "is set, but there is no front to follow: only beads at rest have one");
     where = bead_at_key(at, "window");
     if (output->movie.follow != BEAD_FOLLOW_FRONT && where.node != at->node)
         return bead_wrong(reader, &where, "belongs to `follow: front`");

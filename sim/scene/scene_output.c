@@ -36,7 +36,7 @@ static enum bead_error find_kind(const struct bead_reader *reader, const struct 
         if (where.node == at->node)
             continue;
         if (found++ > 0)
-            return bead_wrong(reader, &where, "is a second kind beside `%s`; give every file an entry of its own",
+            return bead_wrong(reader, &where, "is a second kind beside `%s`; give each file an entry of its own",
                               bead_output_key(output->kind));
         output->kind = kind;
     }
@@ -164,7 +164,7 @@ BEAD_OUTPUT_CHECK(bead_output_check_views)
     const struct bead_views_asked *views = &output->views;
     bool modes = bead_views_any(views->kinds, views->count, BEAD_SHOWS_MODES);
     if (bead_views_any(views->kinds, views->count, BEAD_SHOWS_BEADS) && !has_beads(reader->scene))
-        return bead_wrong(reader, &where, "beads are not there to be seen: the equation has none; must be profile or spacetime");
+        return bead_wrong(reader, &where, "the equation has no beads to show; must be profile or spacetime");
     return modes ? bead_output_need_modes(reader, &where) : BEAD_OK;
 }
 
@@ -263,8 +263,7 @@ BEAD_OUTPUT_CHECK(bead_output_check_trust)
         return BEAD_OK;
     if (show && output->curves.show != BEAD_SHOW_SENSORS)
         return bead_wrong(reader, &where,
-                          "is set, but peaks of the first passage do not tell times apart; it belongs to "
-                          "`show: sensors`");
+                          "is set, but peaks of the first passage have no axis of time; it belongs to `show: sensors`");
     if (!show && !output->views.axes)
         return bead_wrong(reader, &where, "is set, but `axes: false` leaves pixels bare and no room for its line of text");
     return shows ? BEAD_OK : bead_wrong(reader, &where, "is set, but no view shows all times: add spacetime or sensors to `views`");

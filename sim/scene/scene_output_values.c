@@ -19,7 +19,7 @@ BEAD_OUTPUT_READER(bead_output_read_path)
     char shown[64];
     return bead_output_ends_like(endings, output->path)
                ? BEAD_OK
-               : bead_wrong(reader, at, "`%s` does not end like a file of this kind; must be a name with %s",
+               : bead_wrong(reader, at, "`%s` lacks the extension of files of this kind; must be a name with %s",
                             bead_text_show(output->path, shown, sizeof shown), endings);
 }
 
@@ -117,7 +117,7 @@ BEAD_OUTPUT_READER(bead_output_read_beads)
     if (!err)
         err = read_bead(reader, &last, &output->shown.beads.last);
     if (!err && output->shown.beads.first > output->shown.beads.last)
-        err = bead_wrong(reader, at, "is [%zu, %zu]; the first must not be behind the last", output->shown.beads.first,
+        err = bead_wrong(reader, at, "is [%zu, %zu]; the first must not be greater than the last", output->shown.beads.first,
                          output->shown.beads.last);
     return err;
 }

@@ -70,7 +70,7 @@ static enum bead_error read_panel(struct bead_reader *reader, const struct bead_
     struct bead_at show = bead_at_key(at, "show");
     if (!err && plot && bead_output_show(panel)->drawing)
         return bead_wrong(reader, &show,
-                          "panels show sensors, peaks, modes or profiles; this has a picture of its own: {plot: FILE, show: %s}",
+                          "panels show sensors, peaks, modes or profiles; this needs a picture of its own: {plot: FILE, show: %s}",
                           show.node->text);
     bool sensors =
         plot ? panel->curves.show == BEAD_SHOW_SENSORS : bead_views_any(panel->views.kinds, panel->views.count, BEAD_SHOWS_SENSORS);
@@ -135,5 +135,5 @@ BEAD_OUTPUT_CHECK(bead_output_check_panels)
     const char *key = panel_key(at, &bead_image_panel_options);
     key = key ? key : panel_key(at, &bead_plot_panel_options);
     where = bead_at_key(at, key ? key : "");
-    return key ? bead_wrong(reader, &where, "is a key of single panels; it belongs into the maps of `panels`") : BEAD_OK;
+    return key ? bead_wrong(reader, &where, "is a key of a single panel; it belongs in the maps of `panels`") : BEAD_OK;
 }

@@ -6,7 +6,7 @@
 enum { PLOT = 1 << BEAD_OUTPUT_PLOT, TABLE = 1 << BEAD_OUTPUT_TABLE };
 
 static const char no_contacts[] = "peaks are those of contacts between beads, which equations do not have",
-                  whole_passage[] = "peaks are those of the whole first passage";
+                  whole_passage[] = "peaks are those of the first passage";
 
 #define KEYS(...)         \
     (const char *const[]) \
@@ -14,12 +14,13 @@ static const char no_contacts[] = "peaks are those of contacts between beads, wh
         __VA_ARGS__, NULL \
     }
 static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
-    [BEAD_SHOW_SENSORS] = {KEYS("every", "time", "normalise"), "the axis of sensors is linear", .ends = PLOT | TABLE},
+    [BEAD_SHOW_SENSORS] = {KEYS("every", "time", "normalise"), "sensors have forces against time, on a linear axis",
+                           .ends = PLOT | TABLE},
     [BEAD_SHOW_PEAKS] = {KEYS("scale"), whole_passage, no_contacts, .ends = PLOT},
     [BEAD_SHOW_BEAD_PEAKS] = {KEYS("scale"), whole_passage, no_contacts},
-    [BEAD_SHOW_MEASURES] = {KEYS("every"), "measures are those of the whole run", .ends = TABLE, .own_times = true},
+    [BEAD_SHOW_MEASURES] = {KEYS("every"), "measures describe the whole run", .ends = TABLE, .own_times = true},
     [BEAD_SHOW_MODES] = {KEYS("every", "time", "modes", "scale"), "modes have energies over time", .modes = true},
-    [BEAD_SHOW_PROFILES] = {KEYS("field", "at"), "profiles are those of the times `at`", .ends = PLOT | TABLE, .of_field = true},
+    [BEAD_SHOW_PROFILES] = {KEYS("field", "at"), "profiles have the times `at`", .ends = PLOT | TABLE, .of_field = true},
     [BEAD_SHOW_CHAIN] = {KEYS(NULL), "a chain at rest has no times", "lists beads and contacts, which equations do not have"},
     [BEAD_SHOW_SETUP] = {.drawing = true},
     [BEAD_SHOW_CONTACT] = {.drawing = true},

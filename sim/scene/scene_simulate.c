@@ -48,18 +48,21 @@ static const struct bead_option rows[] = {
      .word = "auto",
      .word_value = NAN,
      .of_motion = true,
-     .help = "end of the run; auto: until the front reaches the end of the chain"},
+     .help = "end of the run; auto: when the front reaches the end of the chain",
+     .example = "2.8 ms"},
     {.key = "accuracy",
      .offset = SIMULATE(accuracy),
      .initial = "1e-6",
      .low = 1e-14,
      .high = 0.1,
-     .help = "relative error wanted in first-passage peak forces; picks the step"},
+     .help = "requested relative error of first-passage peak forces; the step follows from it",
+     .example = "1e-8"},
     {.key = "method",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "auto",
      .shape = "auto or a method of --list methods",
      .help = "integrator",
+     .example = "rk4",
      .read = read_method},
     {.key = "step",
      .offset = SIMULATE(step),
@@ -69,9 +72,11 @@ static const struct bead_option rows[] = {
      .low = 1e-15,
      .high = 1e3,
      .word = "auto",
-     .help = "time step; auto: chosen from accuracy"},
+     .help = "time step; auto: follows from accuracy",
+     .example = "0.1 us"},
 };
-const struct bead_options bead_simulate_options = {"simulate", "until when and how well", BEAD_OPTIONS(rows), NULL, NULL};
+const struct bead_options bead_simulate_options = {"simulate", "how long and how exactly to compute", BEAD_OPTIONS(rows), NULL,
+                                                   NULL};
 
 /* Equations have methods of their own, and no front that ends a run. */
 static enum bead_error check_equations(const struct bead_reader *reader, const struct bead_at *at)

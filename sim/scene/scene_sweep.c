@@ -24,65 +24,71 @@ static const struct bead_option measure_rows[] = {
     {.key = "peak",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "force or none",
-     .help = "the largest force of the beads below, in the first passage: until the front reaches the end of the chain",
+     .help = "take the largest force of `beads` in the first passage, which ends when the front reaches the end of the chain",
+     .example = "force",
      .read = skip_key},
     {.key = "beads",
      .type = BEAD_OPTION_CUSTOM,
      .offset = MEASURE(beads),
      .initial = "[3, 5]",
      .shape = "[first, last], counted from the last random bead",
-     .help = "of which beads the largest force is taken",
+     .help = "the beads of which the largest force is taken",
+     .example = "[1, 8]",
      .read = read_places},
     {.key = "sensor",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "the name of a sensor, or a list of some",
-     .help = "take the peak force at these instead",
+     .help = "take the peak force at these sensors instead",
+     .example = "first",
      .read = read_sensors},
     {.key = "decay",
      .type = BEAD_OPTION_FLAG,
      .offset = MEASURE(decay),
      .initial = "false",
-     .help = "keep, of every bead, the peak force and the energy of the front then (that of the bead and the four on either side), "
-             "and force and energy at the end, too"},
+     .help = "also keep, for each bead, the peak force, the energy of the front at that time (of the bead and the four on either "
+             "side), and force and energy at the end"},
 };
-const struct bead_options bead_sweep_measure_options = {"sweep.measure", "what is measured of every chain",
+const struct bead_options bead_sweep_measure_options = {"sweep.measure", "what is measured of each chain",
                                                         BEAD_OPTIONS(measure_rows), NULL, NULL};
 
-#define OF_CHAIN(name, of)                                                                            \
-    {                                                                                                 \
-        .key = name, .type = BEAD_OPTION_CUSTOM, .shape = "as in chain", .help = of, .read = skip_key \
+#define OF_CHAIN(name, of, sample)                                                                                       \
+    {                                                                                                                    \
+        .key = name, .type = BEAD_OPTION_CUSTOM, .shape = "as in chain", .help = of, .example = sample, .read = skip_key \
     }
 static const struct bead_option rows[] = {
     {.key = "name",
      .type = BEAD_OPTION_TEXT,
      .offset = SWEEP(name),
      .initial = "",
-     .help = "name of the sweep; needed under `sweeps`"},
+     .help = "name of the sweep; required under `sweeps`",
+     .example = "long"},
     {.key = "cells",
      .type = BEAD_OPTION_COUNT,
      .offset = SWEEP(asked),
      .low = 1,
      .high = 1000000,
-     .help =
-         "number of cells whose spins are drawn; without it the random cells of `chain` are drawn anew for every configuration"},
+     .help = "number of cells with random spins; without it, the random cells of `chain` are drawn anew for each configuration",
+     .example = "64"},
     {.key = "fixed",
      .type = BEAD_OPTION_COUNT,
      .offset = SWEEP(fixed),
      .initial = BEAD_SWEEP_FIXED,
      .low = 0,
      .high = 1000000,
-     .help = "how many more cells follow, all up"},
+     .help = "how many cells follow, all up",
+     .example = "10"},
     {.key = "cell",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "[MATERIAL, MATERIAL, ...]",
-     .help = "the beads of a cell; [large-steel, aluminium] where it is not given",
+     .help = "the beads of a cell; without it [large-steel, aluminium]",
+     .example = "[large-steel, ptfe]",
      .read = skip_key},
     {.key = "magnetism",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "all, a number, or a list of numbers from 0 to 1",
-     .help = "M = (up - down) / all, the nearest that the number of cells allows; all: every one that the number of cells allows. "
-             "Without it, all with `cells`, and "
-             "what each segment of `chain` says without",
+     .help = "M = (up - down) / all, the nearest that the number of cells allows; all: each that it allows. Without it: all with "
+             "`cells`, else as each segment of `chain` has it",
+     .example = "[0, 0.5, 1]",
      .read = skip_key},
     {.key = "configurations",
      .type = BEAD_OPTION_COUNT,
@@ -90,28 +96,36 @@ static const struct bead_option rows[] = {
      .initial = "20",
      .low = 1,
      .high = 1000000,
-     .help = "how many chains of every magnetism; one where all spins are the same"},
-    {.key = "seed", .type = BEAD_OPTION_SEED, .offset = SWEEP(seed), .initial = "0", .help = "of all spins: the same anywhere"},
+     .help = "how many chains of each magnetism; one where all spins are the same",
+     .example = "100"},
+    {.key = "seed",
+     .type = BEAD_OPTION_SEED,
+     .offset = SWEEP(seed),
+     .initial = "0",
+     .help = "seed of all spins; the same seed gives the same spins on every machine",
+     .example = "2009"},
     {.key = "spins",
      .type = BEAD_OPTION_CUSTOM,
-     .shape = "a list such as [\"1101\", \"0110\"], one digit a random cell",
+     .shape = "a list such as [\"1101\", \"0110\"], one digit per random cell",
      .help = "the configurations, one by one, instead of magnetism",
+     .example = "[\"1101\", \"0110\"]",
      .read = skip_key},
     {.key = "measure",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "{}",
      .shape = "a map",
      .help = "see sweep.measure",
+     .example = "{sensor: first}",
      .read = read_measure},
-    OF_CHAIN("striker", "with `cells`: what strikes the chain; else as `chain` has it"),
-    OF_CHAIN("wall", "with `cells`: what stands behind the last bead"),
-    OF_CHAIN("law", "with `cells`: the force between two beads"),
-    OF_CHAIN("precompression", "with `cells`"),
-    OF_CHAIN("tilt", "with `cells`"),
-    OF_CHAIN("damping", "with `cells`"),
+    OF_CHAIN("striker", "with `cells`: what strikes the chain; else as in `chain`", "{velocity: 1 m/s}"),
+    OF_CHAIN("wall", "with `cells`: what stands behind the last bead", "brass"),
+    OF_CHAIN("law", "with `cells`: the force between two beads", "thesis-appendix"),
+    OF_CHAIN("precompression", "with `cells`: static force that presses the chain together", "10 N"),
+    OF_CHAIN("tilt", "with `cells`: slope of the chain, with its wall at the lower end", "3.5 deg"),
+    OF_CHAIN("damping", "with `cells`: forces against the relative motion of touching beads", "{coefficient: 10}"),
 };
 const struct bead_options bead_sweep_options = {
-    "sweep", "many chains with random spins; or `sweeps`, a list of these with a `name` each, shown together", BEAD_OPTIONS(rows),
+    "sweep", "many chains with random spins; `sweeps` is a list of sweeps with a `name` each, shown together", BEAD_OPTIONS(rows),
     NULL, NULL};
 
 READER(skip_key)
@@ -135,9 +149,10 @@ READER(read_places)
             return err;
         measures->beads[i] = (size_t)number;
     }
-    return measures->beads[0] <= measures->beads[1] ? BEAD_OK
-                                                    : bead_wrong(reader, at, "is [%zu, %zu]; the first must not be behind the last",
-                                                                 measures->beads[0], measures->beads[1]);
+    return measures->beads[0] <= measures->beads[1]
+               ? BEAD_OK
+               : bead_wrong(reader, at, "is [%zu, %zu]; the first must not be greater than the last", measures->beads[0],
+                            measures->beads[1]);
 }
 
 READER(read_sensors)
@@ -176,7 +191,7 @@ READER(read_measure)
         err = bead_read_choice(reader, &peak, peaks, &chosen);
     measures->peak = chosen == 0;
     if (!err && !measures->peak && !measures->decay)
-        err = bead_wrong(reader, &peak, "leaves nothing to measure; must be force, or with `decay: true`");
+        err = bead_wrong(reader, &peak, "leaves nothing to measure; must be force, or go with `decay: true`");
     if (!err && measures->sensor_count > 0 && beads.node != at->node)
         err = bead_wrong(reader, &beads, "is given beside `sensor`; give one of them");
     return err;
@@ -203,7 +218,7 @@ static enum bead_error check_measure(const struct bead_reader *reader, const str
     size_t count = bead_scene_count_beads(chain), total = 0;
     for (size_t i = 0; i < measures->sensor_count; i++) {
         if (!has_sensor(chain, measures->sensors[i]))
-            return bead_wrong(reader, &sensor, "`%s` is no sensor of the chain", measures->sensors[i]);
+            return bead_wrong(reader, &sensor, "`%s` is not a sensor of the chain", measures->sensors[i]);
     }
     if (measures->peak && measures->sensor_count == 0 && sweep->last + measures->beads[1] > count)
         return bead_wrong(reader, &beads, "reaches to bead %zu; the chain ends with bead %zu", sweep->last + measures->beads[1],

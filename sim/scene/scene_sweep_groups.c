@@ -82,11 +82,11 @@ static enum bead_error list_groups(const struct bead_reader *reader, const struc
         size_t total = bead_spins_up(all, magnetism);
         for (size_t k = 0; k < i && !err; k++) {
             if (sweep->groups[k].up + cells->up == total)
-                err = bead_wrong(reader, where, "is the same magnetism as another of the list, %.6g, with %zu cells",
+                err = bead_wrong(reader, where, "gives the same magnetism as another of the list, %.6g, with %zu cells",
                                  sweep->groups[k].magnetism, all);
         }
         if (!err && !add_group(sweep, cells, total))
-            err = bead_wrong(reader, where, "cannot be had: of %zu cells %zu are fixed, %zu of these up", all, cells->given,
+            err = bead_wrong(reader, where, "is out of reach: of %zu cells %zu are fixed, %zu of these up", all, cells->given,
                              cells->up);
     }
     if (!err)
@@ -107,7 +107,7 @@ static enum bead_error given_groups(const struct bead_reader *reader, const stru
     for (size_t i = 0; i < at->node->count; i++) {
         struct bead_at element = {at, NULL, i, at->node->items[i]};
         const char *digits = NULL;
-        err = bead_read_scalar(reader, &element, "one digit a random cell, 1 up and 0 down", &digits);
+        err = bead_read_scalar(reader, &element, "one digit per random cell, 1 up and 0 down", &digits);
         if (err)
             return err;
         if (strspn(digits, "01") != strlen(digits))
@@ -132,7 +132,7 @@ enum bead_error bead_scene_read_groups(const struct bead_reader *reader, const s
     bool has_magnetism = magnetism.node != at->node, has_spins = spins.node != at->node;
     sweep->cells = cells.random;
     if (cells.random == 0)
-        return bead_wrong(reader, at, "finds no `spins: random` in `chain` that could be drawn; give those, or `cells`");
+        return bead_wrong(reader, at, "finds no `spins: random` to draw in `chain`; give some, or `cells`");
     if (has_magnetism && has_spins)
         return bead_wrong(reader, &spins, "is given beside `magnetism`; give one of them");
     if (has_spins)

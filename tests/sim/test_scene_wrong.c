@@ -150,7 +150,7 @@ static void wrong_settings_name_their_place(void **state)
                  {"chain.beads.0.count=0", "--set:2:21: chain.beads.0.count: `0` is out of range"},
                  {"outputs.7.size=[1, 0]", "--set:2:9: outputs.7.size: there is no element 7"},
                  {"outputs.a.png.size=1", "--set:2:9: outputs.a.png.size: no element of the list has this name"},
-                 {"chain.wall.x=1", "--set:2:12: chain.wall.x: what stands before this key is a single value"},
+                 {"chain.wall.x=1", "--set:2:12: chain.wall.x: the key before it holds a single value"},
                  {"chain.=1", "--set:2:7: "},
                  {"=1", "--set:2:1: "},
                  {"chain", "--set:2:1: `chain` is not of the form key.path=value"},

@@ -1,0 +1,109 @@
+#!/bin/bash
+# The examples of beadreel-scene(5): every key has one, and every one is accepted where it belongs.
+source "$(dirname "$0")/../shell.bash"
+cd "$T" || exit 1
+
+# SECTION|KEY|VALUE of all examples; SECTION|KEY| of a key without one.
+"$beadreel" --help=man-keys | sed -e 's/\\-/-/g' -e "s/\\\\(aq/'/g" -e 's/\\e/\\/g' | awk '
+    /^\.SS / { section = substr($0, 5) }
+    /^\.B / { key = substr($0, 4) }
+    /^Value: / {
+        value = ""
+        if (match($0, /Example: \\fB/)) { value = substr($0, RSTART + RLENGTH); sub(/\\fR\.$/, "", value); sub(/^[^:]*: /, "", value) }
+        print section "|" key "|" value
+    }' >examples
+ok "there are examples" test "$(wc -l <examples)" -gt 100
+without_example() { ! grep '|$' examples; }
+ok "every key has one" without_example
+
+cat >chain.yaml <<'YAML'
+chain:
+  beads:
+    - {cell: [large-steel, aluminium], count: 64, spins: random}
+    - {bead: small-steel, sensor: first}
+    - {bead: brass, count: 50}
+  wall: brass
+outputs: [{table: t.csv}]
+YAML
+echo 'outputs: [{table: t.csv}]' >empty.yaml
+echo '{chains: [{name: clean, beads: [{bead: brass}]}, {name: other, beads: [{bead: brass}]}], outputs: [{plot: p.png, show: peaks}]}' >pair.yaml
+echo '{sweep: {cells: 16}, outputs: [{table: t.csv}]}' >sweep.yaml
+for equation in 'fput, points: 31, start: {mode: 1}' 'kdv, low: -12, length: 34, start: {solitons: [{speed: 4, at: 0}]}' \
+    'shock, length: 6.3, epsilon: 0.5, start: {simple-wave: 1, amplitude: 1}'; do
+    echo "{chain: {equation: $equation}, simulate: {until: 1}, outputs: [{table: t.csv, show: measures}]}" >"${equation%%,*}.yaml"
+done
+
+declare -A extension=([plot]=png [table]=csv)
+# base SECTION : into `scene`, `prefix` and `before`, where a section's keys belong, and what they need there.
+base() {
+    scene=chain before=()
+    kind=${1#outputs (}
+    kind=${kind%)}
+    case $1 in
+    scene) prefix= ;;
+    chain | chain.striker | chain.damping | simulate) prefix=$1. ;;
+    chain.beads) prefix=chain.beads.0. ;;
+    'chain.law (power)') prefix=chain.law. before=('chain.law={power: 1.5, coefficient: 1e9}') ;;
+    'chain.law (fpu-alpha)') prefix=chain.law. before=('chain.law={fpu-alpha: 1}') ;;
+    materials.NAME) prefix=materials.x. before=('materials={x: {modulus: 1 GPa, poisson: 0.3, radius: 1 mm, mass: 1 g}}') ;;
+    'chain (fput)' | 'chain (kdv)' | 'chain (shock)') scene=${1#* (} scene=${scene%)} prefix=chain. ;;
+    'chain (equation)') scene=fput prefix=chain. ;;
+    'chain.start (mode)') scene=fput prefix=chain.start. ;;
+    'chain.start (pulse)') scene=fput prefix=chain.start. before=('chain.start={pulse: 0.1, width: 5, at: 5}') ;;
+    'chain.start (cosine)') scene=kdv prefix=chain.start. before=('chain.start={cosine: 1, amplitude: 1}') ;;
+    'chain.start (simple-wave)') scene=shock prefix=chain.start. ;;
+    'chain.start (solitons)') scene=kdv prefix=chain.start. ;;
+    chain.start.solitons) scene=kdv prefix=chain.start.solitons.0. ;;
+    outputs.captions) prefix=outputs.0.captions.0. before=('outputs=[{movie: m.mp4, captions: [{at: 0, text: x}]}]') ;;
+    outputs.card) prefix=outputs.0.card. before=('outputs=[{movie: m.mp4, card: {text: x}}]') ;;
+    sweep) scene=sweep prefix=sweep. ;;
+    sweep.measure) scene=sweep prefix=sweep.measure. before=('sweep.measure={peak: force}') ;;
+    'outputs (plot of a sweep)') scene=sweep prefix=outputs.0. before=('outputs=[{plot: p.pdf}]') ;;
+    'outputs (table of a sweep)') scene=sweep prefix=outputs.0. ;;
+    'outputs (sweep)') scene=sweep prefix=outputs.0. before=('outputs=[{sweep: s.h5}]') ;;
+    'outputs (sheet)') scene=sweep prefix=outputs.0. before=('outputs=[{sheet: s.png}]') ;;
+    'outputs (trajectory)') prefix=outputs.0. before=('outputs=[{trajectory: r.h5}]') ;;
+    'outputs (movie)') prefix=outputs.0. before=('outputs=[{movie: m.mp4}]') ;;
+    'outputs (image)' | 'outputs (plot)') prefix=outputs.0. before=("outputs=[{$kind: i.png}]") ;;
+    'outputs (table)') prefix=outputs.0. ;;
+    outputs.panels) prefix=outputs.0.panels.0.0. ;;
+    *) prefix=? ;;
+    esac
+}
+# What a key needs besides, or instead.
+needs() { # SECTION KEY
+    case "$1: $2" in
+    'scene: chain' | 'scene: chains' | 'scene: sweep' | 'scene: sweeps') scene=empty ;;
+    'chain.beads: bead' | 'chain.beads: sensor') before=('chain.beads=[{bead: brass}]') ;;
+    'materials.NAME: density') before=('materials={x: {modulus: 1 GPa, poisson: 0.3, radius: 1 mm}}') ;;
+    'chain ('*': equation') scene=fput ;;
+    'chain (kdv): start') before=(chain.length=200 chain.points=1024) ;;
+    'sweep: spins') before=(sweep.cells=4) ;;
+    'sweep: measure' | 'sweep.measure: sensor') scene=chain before=('sweep={measure: {peak: force}}' 'outputs=[{table: t.csv}]') ;;
+    'sweep: tilt') before=(sweep.wall=brass) ;;
+    *': window') before+=(outputs.0.follow=front) ;;
+    *': poster-at') before+=(outputs.0.poster=p.png simulate.until=1ms) ;;
+    *': letters') before+=('outputs.0.panels=[[{show: peaks}]]') ;;
+    *': panels') scene=pair ;;
+    'outputs.panels: '*) scene=pair before=('outputs=[{image: i.png, panels: [[{show: peaks}]]}]') ;;
+    'outputs (image): at' | 'outputs (image): magnify') before+=('outputs.0.views=[beads]') ;;
+    'outputs (plot): scale') before+=(outputs.0.show=peaks) ;;
+    'outputs (plot): contact' | 'outputs (plot): compression') before+=(outputs.0.show=contact) ;;
+    'outputs (plot): modes' | 'outputs (table): modes') scene=fput before=("outputs=[{$kind: i.${extension[$kind]}, show: modes}]") ;;
+    'outputs (plot): field' | 'outputs (table): field') before=("outputs=[{$kind: i.${extension[$kind]}, show: profiles, at: [0]}]") ;;
+    'outputs (plot): at' | 'outputs (table): at') before=("outputs=[{$kind: i.${extension[$kind]}, show: profiles, at: [0]}]") ;;
+    'outputs (table): time' | 'outputs (table): every') before+=(outputs.0.show=sensors) ;;
+    esac
+}
+accepted() { # SECTION KEY VALUE
+    local settings=()
+    base "$1"
+    needs "$1" "$2"
+    [ "$prefix" != '?' ] || { echo "unknown section"; return 1; }
+    for setting in "${before[@]}" "$prefix$2=$3"; do settings+=(--set "$setting"); done
+    "$beadreel" --plan "$scene.yaml" "${settings[@]}" >/dev/null
+}
+while IFS='|' read -r section key value; do
+    [ -z "$value" ] || ok "$section: $key: $value" accepted "$section" "$key" "$value"
+done <examples
+finish
