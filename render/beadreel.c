@@ -5,6 +5,7 @@
 #include "beadreel/render.h"
 #include "beadreel/sweep.h"
 #include "beadreel/view_kind.h"
+#include "render/draw/libraries.h"
 #include "sim/cli/command_line.h"
 
 static enum bead_error list_colormaps(FILE *out, struct bead_message *msg)
@@ -31,6 +32,15 @@ static enum bead_error list_views(FILE *out, struct bead_message *msg)
     return BEAD_OK;
 }
 
+static enum bead_error list_libraries(FILE *out, struct bead_message *msg)
+{
+    (void)msg;
+    const struct bead_library_info *library;
+    for (size_t i = 0; (library = bead_library_info(i)); i++)
+        fprintf(out, "%-18s  %s\n", library->files[0], library->purpose);
+    return BEAD_OK;
+}
+
 static const struct command_list lists[] = {
     {"scenes", command_list_scenes},
     {"materials", command_list_materials},
@@ -41,6 +51,7 @@ static const struct command_list lists[] = {
     {"thresholds", command_list_thresholds},
     {"colormaps", list_colormaps},
     {"codecs", list_codecs},
+    {"libraries", list_libraries},
     {"keys", command_list_keys},
     {"views", list_views},
     {NULL, NULL},

@@ -2,12 +2,9 @@
 
 #include <string.h>
 
-#include "beadreel/library.h"
+#include "render/draw/libraries.h"
 
-#define TEXT(x)                TEXT_OF(x)
-#define TEXT_OF(x)             #x
-#define FILE_OF(name, version) "lib" name ".so." TEXT(version)
-#define NAME(function)         #function,
+#define NAME(function) #function,
 
 static const char *const names[] = {BEAD_AV_FUNCTIONS(NAME)};
 #define COUNT(function) +1
@@ -18,14 +15,13 @@ enum {
     FUNCTIONS = AVUTIL + AVCODEC + AVFORMAT
 };
 
-/* The structures' layout goes with the major version. */
 static const struct {
-    const char *files[2];
+    enum bead_opened_library library;
     size_t first, count;
 } libraries[] = {
-    {{FILE_OF("avutil", LIBAVUTIL_VERSION_MAJOR), NULL}, 0, AVUTIL},
-    {{FILE_OF("avcodec", LIBAVCODEC_VERSION_MAJOR), NULL}, AVUTIL, AVCODEC},
-    {{FILE_OF("avformat", LIBAVFORMAT_VERSION_MAJOR), NULL}, AVUTIL + AVCODEC, AVFORMAT},
+    {BEAD_LIBRARY_AVUTIL, 0, AVUTIL},
+    {BEAD_LIBRARY_AVCODEC, AVUTIL, AVCODEC},
+    {BEAD_LIBRARY_AVFORMAT, AVUTIL + AVCODEC, AVFORMAT},
 };
 
 enum bead_error bead_av_open(struct bead_av *av, struct bead_message *msg)
@@ -35,7 +31,8 @@ enum bead_error bead_av_open(struct bead_av *av, struct bead_message *msg)
     _Static_assert(sizeof loaded == sizeof *av, "nothing but functions");
     for (size_t i = 0; i < sizeof libraries / sizeof *libraries; i++) {
         size_t first = libraries[i].first;
-        if (bead_library_load(libraries[i].files, names + first, libraries[i].count, loaded + first, &why))
+        if (bead_library_load(bead_library_info(libraries[i].library)->files, names + first, libraries[i].count, loaded + first,
+                              &why))
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "movies need FFmpeg's libraries: %s", why.text);
     }
     memcpy(av, loaded, sizeof *av);

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/library.h"
+#include "render/draw/libraries.h"
 #include "render/paint/gl_context.h"
 
 #define EGL_FUNCTIONS(X)                                                              \
@@ -19,7 +19,6 @@
     X(const char *, QueryString, (EGLDisplay, EGLint))                                \
     X(__eglMustCastToProperFunctionPointerType, GetProcAddress, (const char *))
 
-static const char *const files[] = {"libEGL.so.1", "libEGL.so", NULL};
 static const char *const names[] = {
 #define EGL_NAME(result, name, arguments) "egl" #name,
     EGL_FUNCTIONS(EGL_NAME)
@@ -115,7 +114,7 @@ static enum bead_error egl_open(struct bead_context **context, struct bead_messa
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a graphics context");
     c->display = EGL_NO_DISPLAY;
     c->egl = EGL_NO_CONTEXT;
-    enum bead_error err = bead_library_load(files, names, FUNCTIONS, c->call.loaded, msg);
+    enum bead_error err = bead_library_load(bead_library_info(BEAD_LIBRARY_EGL)->files, names, FUNCTIONS, c->call.loaded, msg);
     const char *wrong = err ? NULL : open_context(c);
     if (wrong)
         err = bead_fail(msg, BEAD_ERROR_GRAPHICS, "EGL: %s: are Mesa's EGL and software renderer installed?", wrong);

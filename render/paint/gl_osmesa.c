@@ -2,7 +2,7 @@
 #include <GL/glcorearb.h>
 #include <stdlib.h>
 
-#include "beadreel/library.h"
+#include "render/draw/libraries.h"
 #include "render/paint/gl_context.h"
 
 /* The context needs a default framebuffer, which nobody draws into: a canvas has its own. */
@@ -27,7 +27,6 @@ typedef void (*OSMESAproc)(void);
     X(OSMesaContext, GetCurrentContext, (void))                                  \
     X(OSMESAproc, GetProcAddress, (const char *))
 
-static const char *const files[] = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so", NULL};
 static const char *const names[] = {
 #define OSMESA_NAME(result, name, arguments) "OSMesa" #name,
     OSMESA_FUNCTIONS(OSMESA_NAME)
@@ -77,7 +76,7 @@ static enum bead_error osmesa_open(struct bead_context **context, struct bead_me
     struct bead_context *c = calloc(1, sizeof *c);
     if (!c)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a graphics context");
-    enum bead_error err = bead_library_load(files, names, FUNCTIONS, c->call.loaded, msg);
+    enum bead_error err = bead_library_load(bead_library_info(BEAD_LIBRARY_OSMESA)->files, names, FUNCTIONS, c->call.loaded, msg);
     if (!err)
         c->mesa = c->call.CreateContextAttribs(attributes, NULL);
     if (!err && (!c->mesa || !osmesa_use(c)))

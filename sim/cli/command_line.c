@@ -260,6 +260,22 @@ static const char *row_help(const struct command_program *program, const struct 
     return text;
 }
 
+/* Behind an option, in lines that go on below each other. */
+static void print_wrapped(const char *text, FILE *out)
+{
+    enum { INDENT = 26, WIDTH = 132 - INDENT };
+    while (strlen(text) > WIDTH) {
+        int length = WIDTH;
+        while (length > 0 && text[length] != ' ')
+            length--;
+        if (length == 0)
+            break;
+        fprintf(out, "%.*s\n%*s", length, text, INDENT, "");
+        text += length + 1;
+    }
+    fprintf(out, "%s\n", text);
+}
+
 static void print_help(const struct command_program *program, FILE *out)
 {
     char text[256], left[64];
@@ -272,7 +288,8 @@ static void print_help(const struct command_program *program, FILE *out)
         if (row->letter)
             snprintf(letter, sizeof letter, "-%c, ", row->letter);
         snprintf(left, sizeof left, "%s--%s%s%s", letter, row->name, row->argument ? " " : "", row->argument ? row->argument : "");
-        fprintf(out, "  %-22s  %s\n", left, row_help(program, row, text, sizeof text));
+        fprintf(out, "  %-22s  ", left);
+        print_wrapped(row_help(program, row, text, sizeof text), out);
     }
     fprintf(
         out,

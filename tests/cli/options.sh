@@ -19,7 +19,7 @@ for program in beadreel beadsim; do
     ok "$program stdout closed" fails 1 bash -c "'$p' --help >/dev/full"
 done
 
-for what in scenes materials methods laws equations keys colormaps codecs views; do
+for what in scenes materials methods laws equations keys colormaps codecs libraries views; do
     ok "--list $what" exits 0 "$beadreel" --list $what
     ok "--list $what has lines" test -s "$T/out"
     ok "--list $what is quiet on stderr" test ! -s "$T/err"
@@ -31,6 +31,15 @@ ok "laws: thesis-appendix" bash -c "'$beadreel' --list laws | grep -q '^thesis-a
 ok "colormaps: viridis" bash -c "'$beadreel' --list colormaps | grep -q '^viridis'"
 ok "codecs: mp4" bash -c "'$beadreel' --list codecs | grep -q '^mp4'"
 ok "beadsim lists no codecs" fails 2 "$beadsim" --list codecs
+# listed : every library that a movie with beads opens is in the list, and some are opened.
+listed() {
+    local opened
+    opened=$(LD_DEBUG=files "$beadreel" clean-vs-delocalised --only waves.mp4 --set outputs.0.duration='0.05 s' -o "$T/movie" 2>&1 >/dev/null |
+        sed -n 's/.*file=\(lib[^ ]*\) .*dynamically loaded by .*beadreel .*/\1/p')
+    [ "$(echo "$opened" | grep -c libav)" -eq 3 ] || { echo "opened: $opened"; return 1; }
+    echo "$opened" | while read -r library; do "$beadreel" --list libraries | grep -q "^${library%.so*}.so" || { echo "$library"; return 1; }; done
+}
+ok "libraries: those that a movie opens" listed
 
 # near_miss EXPECTED ARGUMENT... : exit 2, one line that suggests.
 near_miss() {
