@@ -1,3 +1,4 @@
+/* Changed rectangles of a frame into the pixel format of an encoder: YUV 4:2:0 or kinds of RGB. */
 #include "render/encode/convert.h"
 
 #include <stddef.h>

@@ -1,3 +1,4 @@
+/* Movies: checks, and the steps from open to close. The way of a format (encoder.c, hashes.c) does the rest. */
 #include "beadreel/movie.h"
 
 #include <math.h>
@@ -6,7 +7,7 @@
 #include <string.h>
 
 #include "beadreel/file.h"
-#include "render/encode/movie_av.h"
+#include "render/encode/libav.h"
 #include "render/encode/movie_private.h"
 
 enum { MOST_PIXELS = 16384 };

@@ -1,3 +1,4 @@
+/* OpenGL functions by name, shaders from the assets, framebuffers. paint_gl.c draws with them. */
 #include "render/paint/gl.h"
 
 #include <stdio.h>

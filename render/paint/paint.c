@@ -1,3 +1,4 @@
+/* Painting: arguments are checked here; the back end of the canvas paints (paint_gl.c, paint_plain.c). */
 #include "render/paint/paint.h"
 
 #include <stdbool.h>

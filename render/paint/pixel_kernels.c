@@ -1,3 +1,4 @@
+/* Which instruction set paints, converts and draws curves: the best that this processor has, or the one asked for. */
 #include "render/paint/pixel_kernels.h"
 
 #include <stdbool.h>

@@ -2,7 +2,7 @@
 #include "movies.h"
 
 #include "decode.h"
-#include "render/encode/movie_av.h"
+#include "render/encode/libav.h"
 
 enum { BLOCK = 16, SIDE_X = 20 * BLOCK - 6, SIDE_Y = 15 * BLOCK - 10, FRAMES = 60 };
 

@@ -1,6 +1,6 @@
 /* Pictures as an encoder wants them, changed in place as frames change. */
-#ifndef BEADREEL_RENDER_ENCODE_MOVIE_PICTURES_H
-#define BEADREEL_RENDER_ENCODE_MOVIE_PICTURES_H
+#ifndef BEADREEL_RENDER_ENCODE_PICTURES_H
+#define BEADREEL_RENDER_ENCODE_PICTURES_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -8,7 +8,7 @@
 #include "beadreel/frame.h"
 #include "render/draw/palette.h"
 #include "render/encode/convert.h"
-#include "render/encode/movie_av.h"
+#include "render/encode/libav.h"
 
 /* What encoders are told of their pictures. */
 struct bead_picture_format {

@@ -1,6 +1,6 @@
 /* FFmpeg's libraries, opened when a movie is made: they pull in a hundred others, which pictures need not wait for. */
-#ifndef BEADREEL_RENDER_ENCODE_MOVIE_AV_H
-#define BEADREEL_RENDER_ENCODE_MOVIE_AV_H
+#ifndef BEADREEL_RENDER_ENCODE_LIBAV_H
+#define BEADREEL_RENDER_ENCODE_LIBAV_H
 
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>

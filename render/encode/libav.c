@@ -1,4 +1,5 @@
-#include "render/encode/movie_av.h"
+/* FFmpeg's libraries: opened once a movie needs them, each function looked up by its name; hints for encoders. */
+#include "render/encode/libav.h"
 
 #include <string.h>
 

@@ -1,3 +1,4 @@
+/* The table of codecs: for every movie format its container, and for every quality its encoder and options. */
 #include "render/encode/movie_private.h"
 
 #include <string.h>

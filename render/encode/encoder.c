@@ -1,14 +1,14 @@
 /* Frames into a file through libavcodec and libavformat: one video stream, times in frames, pictures kept and changed in place.
- * The sink's encoding thread calls these functions; movie_pictures.c converts the pixels before. */
+ * The sink's encoding thread calls these functions; pictures.c converts the pixels before. */
 #include <errno.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "beadreel/file.h"
-#include "render/encode/movie_av.h"
-#include "render/encode/movie_pictures.h"
+#include "render/encode/libav.h"
 #include "render/encode/movie_private.h"
+#include "render/encode/pictures.h"
 
 enum { KEY_INTERVAL = 300 /* encoded frames from one that players can jump to, to the next */ };
 

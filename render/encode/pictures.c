@@ -1,4 +1,5 @@
-#include "render/encode/movie_pictures.h"
+/* Pictures of libav, brought up to date with what changed in the frames, and made writable where an encoder kept one. */
+#include "render/encode/pictures.h"
 
 #include <stdlib.h>
 
