@@ -19,7 +19,7 @@
 #include "render/movie/movie_times.h"
 
 /* Frames between drawing and encoding; bytes of samples between the run and drawing. */
-enum { FRAME_SLOTS = 4, LEAST_SAMPLES = 2, MOST_SAMPLES = 256 };
+enum { FRAME_SLOTS = 4, LEAST_SAMPLES = 2, MOST_SAMPLES = 1024 };
 static const size_t sample_bytes = 32u << 20;
 
 /* A sample on its way to the drawing thread; its numbers follow behind it, field by field. */
@@ -449,6 +449,7 @@ const struct bead_sink_type bead_movie_sink = {
     .help = "beads, profile, space-time image and sensors in motion",
     .kind = BEAD_OUTPUT_MOVIE,
     .extensions = NULL,
+    .background = true,
     .create = movie_create,
     .needs = movie_needs,
     .begin = movie_begin,

@@ -109,13 +109,35 @@ static enum bead_error finish(struct bead_session *s, struct bead_made *m, struc
     m->ended = !err;
     if (err)
         return err;
-    add_result(s, m, m->path);
     bead_session_release_output(m);
+    return BEAD_OK;
+}
+
+static void add_results(struct bead_session *s, const struct bead_made *m)
+{
     uint64_t bytes = 0;
+    add_result(s, m, m->path);
     const char *beside = m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
     if (beside && bytes > 0)
         s->results[s->result_count++] = (struct bead_result){.path = beside, .bytes = bytes, .items = 1};
-    return BEAD_OK;
+}
+
+/* What works in the background comes last; results are listed in the order of the scene. */
+static enum bead_error finish_all(struct bead_session *s, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (int background = 0; background < 2; background++) {
+        for (size_t i = 0; !err && i < s->made_count; i++) {
+            struct bead_made *m = &s->made[i];
+            if (m->sink && m->type->background == background)
+                err = finish(s, m, msg);
+        }
+    }
+    for (size_t i = 0; i < s->made_count; i++) {
+        if (s->made[i].sink && s->made[i].ended)
+            add_results(s, &s->made[i]);
+    }
+    return err;
 }
 
 static enum bead_error end(struct bead_session *s, bool stopped, struct bead_message *msg)
@@ -124,9 +146,11 @@ static enum bead_error end(struct bead_session *s, bool stopped, struct bead_mes
     s->results = calloc(2 * s->made_count + 1, sizeof *s->results); /* each with a second file, at most */
     if (!err && !s->results)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for results");
+    if (!err && !stopped)
+        return finish_all(s, msg);
     for (size_t i = 0; !err && i < s->made_count; i++) {
         if (s->made[i].sink)
-            err = (stopped ? stop : finish)(s, &s->made[i], msg);
+            err = stop(s, &s->made[i], msg);
     }
     return err;
 }

@@ -40,6 +40,10 @@ ok "... with their sizes" test "$(grep -c '^posters/[mp].* [1-9][0-9.]* kB\(  pa
 ok "... and the movie's encoder" grep -q '^posters/m.mp4 .* kB  .*encoded by libavcodec (libx264)$' out
 ok "... as planned" bash -c "'$beadreel' scene.yaml --plan -o posters \"\$@\" | grep -q '^  beside it: posters/p.png$'" - "${poster[@]}"
 
+both=(--set 'outputs=[{movie: m.mp4, size: [320, 180], duration: 1 s, fps: 10}, {image: i.png, size: [320, 200]}]')
+ok "a movie before a picture" exits 0 "$beadreel" scene.yaml -o both "${both[@]}"
+ok "... is listed before it, though ended after it" test "$(sed -n 's/^both\/\([^ ]*\) .*/\1/p' out | tr '\n' ' ')" = "m.mp4 i.png "
+
 ok "--only" exits 0 "$beadreel" scene.yaml -o only --only peaks.csv
 ok "... makes one file" test "$(ls -A only)" = peaks.csv
 ok "... with the same numbers" cmp all/peaks.csv only/peaks.csv
