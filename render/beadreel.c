@@ -19,7 +19,8 @@ static enum bead_error list_colormaps(FILE *out, struct bead_message *msg)
 static enum bead_error list_codecs(FILE *out, struct bead_message *msg)
 {
     (void)msg;
-    for (const struct bead_codec_info *codec = bead_movie_codecs(); codec->extension; codec++)
+    const struct bead_codec_info *codec;
+    for (size_t i = 0; (codec = bead_movie_codec(i)); i++)
         fprintf(out, "%-14s  %s\n", codec->extension, codec->description);
     return BEAD_OK;
 }

@@ -31,11 +31,11 @@ struct bead_movie_settings {
 
 struct bead_movie;
 
-/* File extensions that can be written, with a description of the codec; the list ends with extension NULL. */
+/* File extensions that can be written, with a description of the codec: row `index`, NULL behind the last. */
 struct bead_codec_info {
     const char *extension, *description;
 };
-BEAD_API const struct bead_codec_info *bead_movie_codecs(void);
+BEAD_API const struct bead_codec_info *bead_movie_codec(size_t index);
 
 /* Can such a movie be made? Touches no file. Errors: SCENE (extension, size, rate), UNSUPPORTED (libav was built without the
  * encoder). */

@@ -94,7 +94,7 @@ struct bead_sink_type {
     const char *help; /* one line */
     enum bead_output_kind kind;
     const char *const *extensions; /* NULL-terminated, without the dot; NULL: any */
-    bool background; /* works in threads of its own: ended after the others, which work meanwhile */
+    bool background;               /* works in threads of its own: ended after the others, which work meanwhile */
     enum bead_error (*create)(const struct bead_output *output, const struct bead_run_context *context, struct bead_sink **sink,
                               struct bead_message *msg);
     void (*needs)(const struct bead_sink *sink, struct bead_needs *needs);

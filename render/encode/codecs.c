@@ -4,18 +4,6 @@
 #include <string.h>
 #include <strings.h>
 
-enum { MP4, MKV, WEBM, GIF, APNG, PNG, HASH, CODECS };
-
-static const struct bead_codec_info infos[CODECS + 1] = {
-    [MP4] = {"mp4", "H.264, plays everywhere (lossless: RGB, not in all players)"},
-    [MKV] = {"mkv", "H.264 in Matroska; lossless: FFV1"},
-    [WEBM] = {"webm", "VP9, plays in browsers (lossless: RGB)"},
-    [GIF] = {"gif", "animated GIF, 255 colours, at most 50 frames a second"},
-    [APNG] = {"apng", "animated PNG, lossless"},
-    [PNG] = {"png", "animated PNG, lossless"},
-    [HASH] = {"hash", "a line per frame with the hash of its pixels, to compare runs"},
-};
-
 /* Most of a bead movie never changes, and there the search for a better encoding is the cost, not the picture:
  * constant QP, no lookahead and no B-frames take a third of the time of the presets they start from. Small intra blocks buy more
  * than a better search for motion, and QP 26 with them is as far from the picture as the usual rate factor 18.
@@ -54,26 +42,35 @@ static const struct bead_preset gif[] = {{"gif", AV_PIX_FMT_PAL8, 1, false, ""},
                                          {"gif", AV_PIX_FMT_PAL8, 1, false, ""},
                                          {"gif", AV_PIX_FMT_PAL8, 1, false, ""}};
 
-static const struct bead_codec codecs[CODECS] = {
-    [MP4] = {&bead_movie_libav, "mp4", "movflags=+faststart", h264, 0, true, 0},
-    [MKV] = {&bead_movie_libav, "matroska", "", h264_or_ffv1, 0, false, 0},
-    [WEBM] = {&bead_movie_libav, "webm", "", vp9, 0, false, 0},
-    [GIF] = {&bead_movie_libav, "gif", "loop=0", gif, 100, false, 50},
-    [APNG] = {&bead_movie_libav, "apng", "plays=0", apng, 1, false, 0},
-    [PNG] = {&bead_movie_libav, "apng", "plays=0", apng, 1, false, 0},
-    [HASH] = {&bead_movie_hashes, NULL, NULL, NULL, 0, false, 0},
+static const struct bead_codec codecs[] = {
+    {{"mp4", "H.264, plays everywhere (lossless: RGB, not in all players)"},
+     &bead_movie_libav,
+     "mp4",
+     "movflags=+faststart",
+     h264,
+     0,
+     true,
+     0},
+    {{"mkv", "H.264 in Matroska; lossless: FFV1"}, &bead_movie_libav, "matroska", "", h264_or_ffv1, 0, false, 0},
+    {{"webm", "VP9, plays in browsers (lossless: RGB)"}, &bead_movie_libav, "webm", "", vp9, 0, false, 0},
+    {{"gif", "animated GIF, 255 colours, at most 50 frames a second"}, &bead_movie_libav, "gif", "loop=0", gif, 100, false, 50},
+    {{"apng", "animated PNG, lossless"}, &bead_movie_libav, "apng", "plays=0", apng, 1, false, 0},
+    {{"png", "animated PNG, lossless"}, &bead_movie_libav, "apng", "plays=0", apng, 1, false, 0},
+    {{"hash", "one line a frame: hash of its pixels, to compare runs"}, &bead_movie_hashes, NULL, NULL, NULL, 0, false, 0},
 };
 
-const struct bead_codec_info *bead_movie_codecs(void)
+enum { CODECS = sizeof codecs / sizeof *codecs };
+
+const struct bead_codec_info *bead_movie_codec(size_t index)
 {
-    return infos;
+    return index < CODECS ? &codecs[index].info : NULL;
 }
 
 const struct bead_codec *bead_codec_find(const char *path)
 {
     const char *dot = strrchr(path, '.');
     for (int i = 0; dot && i < CODECS; i++) {
-        if (strcasecmp(dot + 1, infos[i].extension) == 0)
+        if (strcasecmp(dot + 1, codecs[i].info.extension) == 0)
             return &codecs[i];
     }
     return NULL;

@@ -16,7 +16,8 @@ static enum bead_error unknown_extension(const char *path, struct bead_message *
 {
     char list[256] = "";
     size_t used = 0;
-    for (const struct bead_codec_info *info = bead_movie_codecs(); info->extension; info++) {
+    const struct bead_codec_info *info;
+    for (size_t i = 0; (info = bead_movie_codec(i)); i++) {
         int length = snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "", info->extension);
         if (length < 0 || (size_t)length >= sizeof list - used)
             break;

@@ -41,6 +41,7 @@ struct bead_preset {
 };
 
 struct bead_codec {
+    struct bead_codec_info info;
     const struct bead_movie_way *way;
     const char *muxer;                 /* libav's name; NULL, like all behind it, where the way has no codec */
     const char *muxer_options;         /* "key=value key=value" */

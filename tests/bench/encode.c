@@ -117,7 +117,8 @@ int main(int argc, char **argv)
         return 1;
     printf("%d frames of %d x %d\n%-6s %-9s %9s %9s\n", FRAMES, WIDTH, HEIGHT, "codec", "quality", "ms/frame", "kB/frame");
     int status = 0;
-    for (const struct bead_codec_info *info = bead_movie_codecs(); info->extension; info++) {
+    const struct bead_codec_info *info;
+    for (size_t i = 0; (info = bead_movie_codec(i)); i++) {
         for (int q = 0; q < 4; q++) {
             if ((argc > 2 && strcmp(argv[2], info->extension) != 0) || (argc > 3 && strcmp(argv[3], qualities[q]) != 0))
                 continue;

@@ -1,6 +1,9 @@
 /* Movies that cannot be made: refused in time, told in one line, and nothing is left of them. */
 #include "movies.h"
 
+#include "render/encode/movie_private.h"
+#include "sim/scene/output_kinds.h"
+
 #include <math.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -44,6 +47,25 @@ static void wrong_settings_are_refused(void **state)
     static const char *const fine[] = {"a.mp4", "a.mkv", "a.webm", "a.gif", "a.png", "a.hash"};
     for (size_t i = 0; i < sizeof fine / sizeof *fine; i++)
         assert_int_equal(bead_movie_check(fine[i], &odd, NULL), BEAD_OK);
+}
+
+/* What scenes may name as a movie has a codec, and no codec is of anything else but hashes, which only programs ask for. */
+static void scenes_and_codecs_agree(void **state)
+{
+    (void)state;
+    const char *endings = bead_output_endings(BEAD_OUTPUT_MOVIE);
+    const struct bead_codec_info *codec;
+    size_t known = 0, named = 0;
+    for (const char *dot = endings; dot; dot = strchr(dot + 1, '.'))
+        known++;
+    for (size_t i = 0; (codec = bead_movie_codec(i)); i++) {
+        char path[16];
+        snprintf(path, sizeof path, "a.%s", codec->extension);
+        assert_string_equal(bead_codec_find(path)->info.extension, codec->extension);
+        named += bead_output_ends_like(endings, path);
+        assert_true(bead_output_ends_like(endings, path) || strcmp(codec->extension, "hash") == 0);
+    }
+    assert_int_equal(named, known);
 }
 
 static void unwritable_places_are_told(void **state)
@@ -146,9 +168,9 @@ static void misuse_is_an_error(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(wrong_settings_are_refused), cmocka_unit_test(unwritable_places_are_told),
-        cmocka_unit_test(full_disk_is_told),          cmocka_unit_test(abort_removes_only_the_unfinished),
-        cmocka_unit_test(misuse_is_an_error),
+        cmocka_unit_test(wrong_settings_are_refused),        cmocka_unit_test(scenes_and_codecs_agree),
+        cmocka_unit_test(unwritable_places_are_told),        cmocka_unit_test(full_disk_is_told),
+        cmocka_unit_test(abort_removes_only_the_unfinished), cmocka_unit_test(misuse_is_an_error),
     };
     return cmocka_run_group_tests_name("movie errors", tests, make_directory, remove_directory);
 }
