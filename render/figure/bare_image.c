@@ -123,13 +123,13 @@ static enum bead_error fill_indices(const struct bead_still *b, uint8_t *indices
     bead_colour_table_make(&colours, &table);
     for (size_t c = 0; c < b->context.chain_count; c++) {
         struct bead_area_image image = {indices + (size_t)b->tops[c] * (size_t)b->page.width, 1, b->page.width};
-        for (int x = 0, done; !err && x < b->page.width; x = done + 1) /* past a column that no sample touched */
+        for (int x = 0, done; !err && x < b->page.width; x = done + 1) /* skips a column that no sample has touched */
             err = bead_area_colour(b->areas[c], &table, x, b->page.width, &image, &done, msg);
     }
     return err;
 }
 
-/* What draw_pixels puts into a vector file. */
+/* The pixels that draw_pixels embeds in a vector file. */
 struct pixels {
     const struct bead_page *page;
     const uint8_t *indices;

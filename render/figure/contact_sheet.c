@@ -1,4 +1,5 @@
-/* Life of a contact sheet: configurations are chosen, run until their fronts arrive, run again into their pictures, and drawn. */
+/* The life of a contact sheet, a sink of sweeps: choose configurations, run them until their fronts arrive, run them again into
+ * their pictures, and draw. */
 #include "render/figure/contact_sheet.h"
 
 #include <math.h>
@@ -6,7 +7,7 @@
 
 #include "beadreel/render.h"
 
-/* Samples for each row of pixels: between them values are linear in time. */
+/* Samples per row of pixels; values are linear in time between samples. */
 enum { SAMPLES_A_PIXEL = 4 };
 
 static void sheet_destroy(struct contact_sheet *s)
@@ -21,7 +22,7 @@ static void sheet_destroy(struct contact_sheet *s)
     free(s->means);
 }
 
-/* Which beads belong to cells that are up, or reversed; and where the chain begins to be a picture. */
+/* Finds which beads belong to cells that are up or reversed, and where the part of the chain shown begins. */
 static enum bead_error sheet_read_chain(struct contact_sheet *s, struct contact_image *image, struct bead_message *msg)
 {
     struct bead_sweep_chain *made = NULL;
@@ -53,7 +54,7 @@ static enum bead_error sheet_read_chain(struct contact_sheet *s, struct contact_
     return err;
 }
 
-/* The field as a number, behind the pictures' own pointers. */
+/* What a run needs to feed its samples into its picture. */
 struct taking {
     struct contact_image *image;
     enum bead_field field;
@@ -67,7 +68,7 @@ static enum bead_error take(void *context, const struct bead_sample *sample, str
     return BEAD_OK;
 }
 
-/* All fronts, and what the runs are like; the last arrival is the end of all pictures, where the scene gives none. */
+/* Finds when all pictures end: at `until` if the scene gives it; else all configurations run, and the last arrival counts. */
 static enum bead_error sheet_measure(struct contact_sheet *s, const struct bead_sweep_settings *settings, struct bead_message *msg)
 {
     const double until = bead_sweep_scene(s->sweep)->simulate.until;
@@ -76,7 +77,7 @@ static enum bead_error sheet_measure(struct contact_sheet *s, const struct bead_
             (struct bead_sweep_watch){.panel = s->images[i].panel, .index = s->images[i].index, .end = isnan(until) ? 0 : until};
     s->end = isnan(until) ? 0 : until;
     if (!isnan(until))
-        return BEAD_OK; /* the run with samples is all that is needed */
+        return BEAD_OK; /* only the run with samples is needed */
     enum bead_error err = bead_sweep_watch(s->sweep, s->watches, s->image_count, settings, msg);
     for (size_t i = 0; i < s->image_count; i++)
         s->end = fmax(s->end, s->watches[i].arrival);

@@ -1,5 +1,5 @@
 /* Contact sheets of sweeps: small space-time images of many configurations, rows by magnetism, with one range of colours.
- * contact_sheet.c (life), contact_sheet_layout.c (which and where), contact_sheet_words.c, contact_sheet_draw.c. */
+ * contact_sheet.c (life), contact_sheet_layout.c (which pictures, and where), contact_sheet_words.c, contact_sheet_draw.c. */
 #ifndef BEADREEL_RENDER_FIGURE_CONTACT_SHEET_H
 #define BEADREEL_RENDER_FIGURE_CONTACT_SHEET_H
 
@@ -12,7 +12,7 @@
 #include "render/draw/page.h"
 #include "render/view/area.h"
 
-/* Pictures that stand beside each other; of one magnetism where the panel has several. */
+/* A row of pictures; all of one magnetism if the sweep has several. */
 struct contact_row {
     size_t panel, first, count; /* configurations first .. first + count - 1 */
     double magnetism;           /* NaN: they differ */
@@ -43,7 +43,7 @@ struct contact_sheet {
     double label_width;          /* of the rows */
     bool several;                /* sweeps */
     double end;                  /* s */
-    bool of_contacts, behind;    /* values of contacts; forces are those behind the random cells */
+    bool of_contacts, behind;    /* values belong to contacts; forces are measured behind the random cells */
     double *means;               /* [page.width]: a row of pixels */
     struct bead_colormap map;
     struct bead_colours colours;
@@ -54,7 +54,7 @@ struct contact_sheet {
 BEAD_CHECK enum bead_error contact_sheet_arrange(struct contact_sheet *sheet, struct bead_message *msg);
 /* A bead_draw. */
 BEAD_CHECK enum bead_error contact_sheet_draw(void *sheet, cairo_t *cr, struct bead_message *msg);
-/* Title and how to read the sheet into sheet->intro; returns the height, px; cr NULL: measures only. */
+/* Draws the title and how to read the sheet into sheet->intro and returns the height, px. cr NULL: only measures. */
 double contact_sheet_intro(const struct contact_sheet *sheet, cairo_t *cr, double width);
 /* Name of a row: markup. */
 void contact_sheet_row_name(const struct contact_sheet *sheet, const struct contact_row *row, char *text, size_t size);

@@ -1,4 +1,4 @@
-/* Contact sheets: pictures, spins, numbers and what explains them. */
+/* Draws a contact sheet: pictures, spins, numbers, and the bar of colours. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -25,7 +25,7 @@ static void draw_row_names(const struct contact_sheet *s, cairo_t *cr)
     }
 }
 
-/* Left and right of a line where both fit, else only left. */
+/* Texts at the left and right end of a line if both fit, else only the left one. */
 static void draw_pair(const struct contact_sheet *s, cairo_t *cr, const struct bead_rect *box, double y, bool strong,
                       const char *left, const char *right)
 {

@@ -6,8 +6,8 @@
 
 #include "render/figure/contact_sheet.h"
 
-/* In units of the numbers' type: pictures that are wanted where there is room for them, those that are too small, what stands above
- * and below of one. */
+/* In units of the numbers' font size: the preferred and the smallest size of a picture, and the heights of what stands above and
+ * below it. */
 static const double wanted_width = 11.5, wanted_height = 5.8, least_width = 6, least_height = 2.5;
 static const double spins_height = 0.55, spins_gap = 0.22, words_height = 3.3, between = 1.1;
 
@@ -46,7 +46,7 @@ static void add_row(struct contact_sheet *s, size_t panel, size_t first, size_t 
     s->image_count += shown;
 }
 
-/* Configurations one after the other, in as many rows as they take and have room. */
+/* Configurations one after the other, in as many rows as they need and as fit. */
 static void add_wrapped(struct contact_sheet *s, size_t panel, size_t room)
 {
     size_t all = bead_sweep_panel(s->sweep, panel)->configurations;
@@ -54,12 +54,12 @@ static void add_wrapped(struct contact_sheet *s, size_t panel, size_t room)
         add_row(s, panel, row * s->columns, all - row * s->columns, NAN);
 }
 
-/* From the cleanest on. Forces fall with 1 - M^2: rows are evenly spaced in that, closer to each other where waves are clean. */
+/* From the cleanest on. Forces fall with 1 - M^2, so rows are evenly spaced in 1 - M^2: closer in M where waves are clean. */
 static void add_spaced(struct contact_sheet *s, size_t panel, size_t room)
 {
     const struct bead_sweep_spec *spec = bead_sweep_panel(s->sweep, panel)->spec;
     const double low = spec->groups[0].magnetism, high = spec->groups[spec->group_count - 1].magnetism;
-    size_t above = spec->group_count; /* rows before are of higher magnetism */
+    size_t above = spec->group_count; /* earlier rows have higher magnetism */
     for (size_t row = 0; row < room && above > 0; row++) {
         double part = room > 1 ? pow((double)row / (double)(room - 1), 1.5) : 0;
         size_t group = spec->group_count <= room ? spec->group_count - 1 - row
@@ -80,7 +80,7 @@ static bool shown(const struct contact_sheet *s, size_t panel, size_t first)
     return false;
 }
 
-/* Those asked for, in the order asked; a sweep without the magnetism has no such row. */
+/* The requested rows, in the order of the scene; a sweep without that magnetism has no such row. */
 static void add_asked(struct contact_sheet *s, size_t panel)
 {
     static const double near = 0.05;
@@ -128,7 +128,7 @@ static double find_label_width(const struct contact_sheet *s)
     return most > 0 ? most + s->look.gap : 0;
 }
 
-/* What the bar, its ticks and title take at the right. */
+/* Width of the bar with its ticks and title. */
 static double find_bar_width(const struct contact_sheet *s)
 {
     const struct bead_rect bar = {0, 0, (int)round(0.8 * s->look.label), s->page.height / 2};
@@ -175,7 +175,7 @@ static enum bead_error sheet_no_room(const struct contact_sheet *s, struct bead_
                      s->columns == 1 ? "" : "s");
 }
 
-/* Most configurations of one magnetism. */
+/* The largest number of configurations of one magnetism. */
 static size_t sheet_most_configurations(const struct contact_sheet *s)
 {
     size_t most = 1;
@@ -206,7 +206,7 @@ enum bead_error contact_sheet_arrange(struct contact_sheet *s, struct bead_messa
     width = (width - s->label_width + gap) / (double)s->columns - gap;
     const double left = margin + s->label_width;
     double top = margin;
-    /* Beside the only picture of the first row there is room for the words; else they stand above. */
+    /* If the first row has a single picture, the words fit beside it; else they stand above. */
     bool beside = s->rows[0].count == 1 && s->columns >= 3 && s->row_count > 1;
     double words = beside ? left + width + 2 * gap : margin, across = left + (double)s->columns * (width + gap) - gap - words;
     double words_high = contact_sheet_intro(s, NULL, across);

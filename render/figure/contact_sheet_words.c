@@ -5,9 +5,9 @@
 #include "render/draw/markup.h"
 #include "render/figure/contact_sheet.h"
 
-/* Curves' colours that tell the spins apart: up is quiet, reversed stands out. */
+/* Colours of the spins, from those of curves: up is pale, reversed stands out. */
 enum { REVERSED = 1 };
-static const double up_part = 0.45; /* of ink in the colour of cells that are up */
+static const double up_part = 0.45; /* share of ink in the colour of cells that are up */
 
 struct bead_rgb contact_sheet_mix(struct bead_rgb a, struct bead_rgb b, double part)
 {

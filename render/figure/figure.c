@@ -45,7 +45,7 @@ static enum bead_error figure_find_span(const struct bead_figure *f, size_t chai
     return BEAD_OK;
 }
 
-/* Chains of a plot of sensors are those that have some. */
+/* A picture of sensors alone shows only chains that have some. */
 static bool is_shown(const struct bead_figure *f, size_t chain, const enum bead_view_kind *views, size_t view_count)
 {
     size_t sensors;
@@ -126,7 +126,7 @@ enum bead_error bead_figure_views(struct bead_figure *f, bool collecting, struct
     return err;
 }
 
-/* Pixels of the time axis of the figure's space-time images; 2000 where curves are all there is. */
+/* Pixels along time of the figure's space-time image; 2000 if it has only curves. */
 static double time_pixels(const struct bead_figure *f)
 {
     for (size_t v = 0; v < f->view_count; v++) {
@@ -171,7 +171,7 @@ static enum bead_error figure_prepare(struct bead_figure *f, const enum bead_vie
         err = bead_colour_range_map(output, f->context.chains[0], "viridis", &f->map, msg);
     if (err)
         return err;
-    /* as wide as labels get; found at the end */
+    /* as wide as labels can get; the real range is known at the end */
     f->range = bead_colour_range_find(&output->colours, is_signed, is_signed ? -888 : 0, 888);
     f->colours = (struct bead_colours){&f->map, output->colours.scale, f->range.low, f->range.high};
     return make_cells(f, views, msg);
@@ -245,7 +245,7 @@ static unsigned figure_fields_of(const struct bead_figure *f, bool collecting)
     return fields;
 }
 
-/* Beads that are shown, and those with sensors. */
+/* The beads shown and those with sensors. */
 static struct bead_span all_beads(const struct bead_figure *f)
 {
     struct bead_span all = {SIZE_MAX, 0};
@@ -265,7 +265,7 @@ static struct bead_span all_beads(const struct bead_figure *f)
             }
         }
     }
-    /* Drawn beads take a contact's value from both sides, and stand where their displacement says. */
+    /* A drawn bead takes the values of the contacts on both sides. */
     if (f->stills && bead_field_info(f->output->shown.field)->of_contacts)
         all.last++;
     return all;
@@ -281,7 +281,7 @@ void bead_figure_needs(const struct bead_figure *f, struct bead_needs *needs)
                                  .why = f->why};
 }
 
-/* Keep a copy of the samples about the moment: the last one before it and the first one behind. */
+/* Keeps copies of the last sample before the moment and the first one after it. */
 static enum bead_error keep_moment(struct bead_figure *f, struct bead_cell *cell, const struct bead_sample *sample,
                                    struct bead_message *msg)
 {

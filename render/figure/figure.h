@@ -20,9 +20,9 @@ struct bead_figure;
 struct bead_part_settings {
     size_t chain;               /* the only one; SIZE_MAX: all */
     char letter[16];            /* "(a)"; "": none */
-    const char *title;          /* instead of the chain's name; NULL */
+    const char *title;          /* shown instead of the chain's name; NULL: none */
     bool no_bar;                /* another part has it */
-    bool no_across, no_upwards; /* no labels at the level (the upright) axis at the outer side: another part has them */
+    bool no_across, no_upwards; /* no labels on the horizontal or vertical outer axis: a neighbouring panel has them */
 };
 
 /* `settings`: of a panel; NULL: the figure has the page for itself. Errors: SCENE (with the output's place), MEMORY, IO and FORMAT
@@ -32,33 +32,33 @@ BEAD_CHECK enum bead_error bead_figure_create(const struct bead_output *output, 
                                               const struct bead_part_settings *settings, struct bead_figure **figure,
                                               struct bead_message *msg);
 void bead_figure_change(struct bead_figure *figure, const struct bead_part_settings *settings);
-/* Lay out in an area, plots at least `least` away from its borders; *insets: how far they are. Errors: SCENE (too small), MEMORY.
- */
+/* Lays out in an area, with plots at least `least` away from its borders; *insets returns the distances. Errors: SCENE (too small),
+ * MEMORY. */
 BEAD_CHECK enum bead_error bead_figure_put(struct bead_figure *figure, struct bead_rect area, const struct bead_insets *least,
                                            struct bead_insets *insets, struct bead_message *msg);
 /* Ready for samples. */
 BEAD_CHECK enum bead_error bead_figure_start(struct bead_figure *figure, struct bead_message *msg);
 void bead_figure_needs(const struct bead_figure *figure, struct bead_needs *needs);
 BEAD_CHECK enum bead_error bead_figure_feed(struct bead_figure *figure, const struct bead_sample *sample, struct bead_message *msg);
-/* The grid that samples really come on. */
+/* Sets the grid on which samples will really arrive. */
 void bead_figure_regrid(struct bead_figure *figure, const struct bead_grid *grid);
-/* Widens the ranges of what is shown in colours and by sensors. */
+/* Widens the ranges of the colours and of the sensors' axis. */
 void bead_figure_extremes(const struct bead_figure *figure, double colours[2], double sensors[2]);
 void bead_figure_set_range(struct bead_figure *figure, const double colours[2], const double sensors[2]);
-/* The bar reaches down to this y, px. */
+/* Extends the bar down to this y, px. */
 void bead_figure_stretch_bar(struct bead_figure *figure, int bottom);
 bool bead_figure_needs_canvas(const struct bead_figure *figure);
 BEAD_CHECK enum bead_error bead_figure_finish(struct bead_figure *figure, struct bead_canvas *canvas, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_figure_decorate(struct bead_figure *figure, cairo_t *cr, struct bead_message *msg);
-/* What decorate has drawn is in `frame` and, where a view draws over it, in `background`. */
+/* `frame` holds what decorate has drawn; so does `background` if a view draws over it. */
 BEAD_CHECK enum bead_error bead_figure_draw(struct bead_figure *figure, struct bead_frame *frame,
                                             const struct bead_frame *background, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_figure_vector(struct bead_figure *figure, cairo_t *cr, struct bead_message *msg);
-/* Views that draw on the canvas go before it. */
+/* Destroys the views that draw on the canvas; call it before the canvas is destroyed. */
 void bead_figure_release_canvas(struct bead_figure *figure);
-/* What a part's level or upright axis shows, for sharing its labels. */
+/* What a panel's horizontal or vertical axis shows; panels with equal axes share labels. */
 struct bead_axis_kind {
-    const char *title; /* NULL: nothing that could be shared */
+    const char *title; /* NULL: cannot be shared */
     double low, high;
 };
 struct bead_axis_kind bead_figure_axis(const struct bead_figure *figure, bool upright);

@@ -1,4 +1,4 @@
-/* The parts of a figure that are not views: headings, title and time, the colour bar. */
+/* Draws what is not a view in a figure: headings, title and time, the colour bar. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -30,7 +30,7 @@ static void to_markup(const char *text, bool marked, char *markup, size_t size)
         bead_text_escape(text, markup, size);
 }
 
-/* Text that fits into `room`: cut with an ellipsis where it must be. False: nothing fits. */
+/* Text that fits into `room`, shortened with an ellipsis if need be. False: nothing fits. */
 static bool fit(cairo_t *cr, const struct bead_text_style *style, const char *text, bool marked, double room, char *markup,
                 size_t size)
 {
@@ -54,10 +54,10 @@ static bool fit(cairo_t *cr, const struct bead_text_style *style, const char *te
 struct words {
     char letter[128], magnetism[128], moment[160];
     const char *name, *label;
-    bool marked; /* the name is for bead_markup: a panel's title */
+    bool marked; /* the name is a panel's title, with markup */
 };
 
-/* No more digits than the time needs, five at most. */
+/* As many digits as the time needs, at most five. */
 static void figure_time_words(double time, const char *unit, char *text, size_t size)
 {
     int exponent = bead_prefix_exponent(time, unit), digits = 1;
@@ -71,7 +71,7 @@ static void figure_time_words(double time, const char *unit, char *text, size_t 
     bead_quantity(time, unit, digits, text, size);
 }
 
-/* A part says what the whole page says elsewhere: letter, title, and the moment. */
+/* A panel's heading has the letter, the title and the moment, which other figures show above everything. */
 static void part_words(const struct bead_figure *f, struct words *words)
 {
     char time[64];
@@ -101,8 +101,8 @@ static bool words_of(const struct bead_figure *f, const struct bead_cell *cell, 
     return f->output->views.axes && (*words->letter || *words->name || *words->magnetism || *words->moment);
 }
 
-/* How much is said, from all to a shortened name; the same in all cells, as far as the longest has room. Several chains keep
- * their names, be they cut: else nobody knows which is which. */
+/* How much a heading says, from everything to a shortened name: the same for all chains, chosen so that the longest fits. Several
+ * chains always keep their names, cut if need be, to tell them apart. */
 enum terseness { NAME_M_LABEL, NAME_M, NAME, CUT_NAME_M, M, CUT_NAME };
 
 static const double shortest_cut = 3; /* of a name beside M, in units of its font size */
@@ -127,7 +127,7 @@ static void make_heading(const struct bead_figure *f, const struct bead_cell *ce
         h->words.label = h->words.moment;
 }
 
-/* What a cell says of its words at this terseness. */
+/* Removes the words that are left out at this terseness. */
 static void shorten(struct words *words, enum terseness terse)
 {
     bool name = *words->name, magnetism = *words->magnetism;
@@ -139,7 +139,7 @@ static void shorten(struct words *words, enum terseness terse)
         words->name = "";
 }
 
-/* Width of the heading, its name no longer than `longest`; draws it where cr is there and `draw` says so. */
+/* Returns the width of the heading with a name no longer than `longest`; draws it if `draw` is set. */
 static double put_heading(cairo_t *cr, const struct heading *h, double x, double y, double room, double longest, bool draw)
 {
     char name[4096], label[1024], letters[2048];
@@ -201,7 +201,7 @@ bool bead_figure_heading(const struct bead_figure *f, const struct bead_cell *ce
     return true;
 }
 
-/* "t = 1.64 ms, displacements x 60": what beads and profiles are drawn with. */
+/* "t = 1.64 ms, displacements x 60": for figures with beads or profiles. */
 static void moment_words(const struct bead_figure *f, char *markup, size_t size)
 {
     char time[64], magnify[64];
@@ -224,7 +224,7 @@ static void moment_words(const struct bead_figure *f, char *markup, size_t size)
 bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
 {
     const struct bead_look *look = &f->look;
-    const int least = 240; /* px of height where a title is worth its room */
+    const int least = 240; /* px: lower pictures have no title */
     const char *title = !f->page.paper && f->page.height >= least ? f->context.scene->title : "";
     if (f->part || !f->output->views.axes || (!*title && !f->stills))
         return false;
@@ -244,7 +244,7 @@ bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
     return true;
 }
 
-/* Up to when the two runs of a cell's chain agree. */
+/* The line that says until when the two runs of the chain agree. */
 static void draw_trust(const struct bead_figure *f, const struct bead_cell *cell, cairo_t *cr)
 {
     struct bead_trust trust = bead_trust_make(f->context.chains[0], f->context.tolerance_factor);
@@ -264,7 +264,7 @@ void bead_figure_bar_title(const struct bead_figure *f, char *title, size_t size
     snprintf(title, size, largest ? "largest %s" : "%s", name);
 }
 
-/* The bar gives up what its points take, so that it ends where the images do. */
+/* The bar is shortened by its pointed ends, so that these end where the images end. */
 static void figure_draw_bar(const struct bead_figure *f, cairo_t *cr)
 {
     struct bead_rect bar = f->bar;

@@ -1,4 +1,4 @@
-/* Where things go in a figure. Axes and headings are measured by drawing them onto nothing, plots get what is left. */
+/* The layout of a figure. Axes are measured by drawing them onto a recording surface; plots get the remaining room. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 /* Lengths in units of the label's font size. */
 static const double between_columns = 1.3, between_rows = 0.9, between_views = 0.55;
 static const double bar_width = 1.05, bar_gap = 0.9, heading_gap = 0.45, line_gap = 0.7, trust_line = 2.1;
-/* Of the line of trust: the rest keeps it off the plot. */
+/* Part of the line of trust that holds text; the rest is the gap to the plot. */
 static const double trust_share = 0.75;
 static const int smallest_plot = 12; /* px */
 enum { FAR = 8192 };                 /* px */
@@ -28,7 +28,7 @@ static struct reach largest(struct reach a, struct reach b)
     return (struct reach){larger(a.left, b.left), larger(a.top, b.top), larger(a.right, b.right), larger(a.bottom, b.bottom)};
 }
 
-/* A view of its own draws its axes around a plot of this size, far from any border, onto a surface that only remembers extents. */
+/* A temporary view draws its axes around a plot of this size, far from any border, onto a surface that only records extents. */
 static enum bead_error draw_axes(const struct bead_tile *panel, const struct bead_view_setup *setup, cairo_t *cr, int width,
                                  int height, struct bead_message *msg)
 {
@@ -42,7 +42,7 @@ static enum bead_error draw_axes(const struct bead_tile *panel, const struct bea
     return err;
 }
 
-/* Ranges that are found only at the end: round and less round, as wide as labels get. */
+/* Stand-ins for ranges that are known only at the end, with labels as wide as they can get. */
 static const double ranges[] = {888, 630, 310};
 
 static enum bead_error figure_measure(const struct bead_figure *f, const struct bead_tile *panel, int width, int height,
@@ -80,11 +80,11 @@ static bool has_bar(const struct bead_figure *f)
     return f->coloured && f->output->views.axes && !f->set.no_bar;
 }
 
-/* All lengths of a layout; plots follow from them. */
+/* All lengths of a layout, from which the plots follow. */
 struct plan {
-    double margin, trust;           /* trust: of what headings include */
+    double margin, trust;           /* trust: part of the heading's height */
     double *left, *right;           /* [columns] */
-    struct bead_stack_reach *reach; /* [rows * views]: of each line of plots */
+    struct bead_stack_reach *reach; /* [rows * views]: largest in each line of plots */
     double bar_room;                /* bar, gap and labels */
     struct bead_insets least;       /* of all plots together */
     int width;                      /* of plots */
@@ -122,7 +122,7 @@ static enum bead_error make_plan(const struct bead_figure *f, const struct bead_
     return BEAD_OK;
 }
 
-/* Widest that labels of the bar can become: digits of any range, unless it is given. */
+/* The greatest width of the bar's labels, for any range unless the scene gives it. */
 static double bar_labels(const struct bead_figure *f, int height)
 {
     struct bead_rect bar = {0, 0, (int)(bar_width * f->look.label), height};
@@ -168,7 +168,7 @@ static enum bead_error too_small(const struct bead_figure *f, struct bead_messag
                      f->cell_count * f->view_count);
 }
 
-/* What a view can make use of, px. */
+/* The greatest height that a view can use, px. */
 static double figure_most_height(const struct bead_figure *f, const struct plan *plan, size_t view)
 {
     double most = 0;
@@ -180,7 +180,7 @@ static double figure_most_height(const struct bead_figure *f, const struct plan 
     return most;
 }
 
-/* Sizes of plots from what everything else takes. Rows of beads leave what they cannot use to the other views. */
+/* Divides the remaining room among the plots. Rows of beads leave what they cannot use to the other views. */
 static enum bead_error figure_divide(const struct bead_figure *f, struct plan *plan, struct bead_message *msg)
 {
     plan->width = (int)floor((f->area.width - fixed_width(f, plan)) / (double)f->columns);
@@ -303,7 +303,7 @@ static int bar_height(struct bead_figure *f, const struct plan *plan)
     return f->bar.height;
 }
 
-/* Twice: what axes take depends on the size of plots, and that on what axes take. */
+/* Two passes: the room for axes depends on the size of plots, and the reverse. */
 static enum bead_error figure_settle(struct bead_figure *f, struct plan *plan, struct bead_message *msg)
 {
     double em = f->look.label;
@@ -322,7 +322,7 @@ static enum bead_error figure_settle(struct bead_figure *f, struct plan *plan, s
     return err;
 }
 
-/* Columns and rows of chains whose plots have the best shape. */
+/* Arranges chains in columns and rows so that plots get the best shape. */
 static void figure_choose_columns(struct bead_figure *f)
 {
     double em = f->look.label, best = INFINITY, wanted = f->view_count > 1 ? 1.9 : f->cells[0].panel[0].type->info->shape;
@@ -362,7 +362,7 @@ static enum bead_view_across across(const struct bead_tile *panel)
     return time ? BEAD_ACROSS_TIME : panel->type->info->across;
 }
 
-/* An axis is labelled where nothing below (or to the left) labels the same. */
+/* An axis is labelled unless the plot below, or to the left, labels the same axis. */
 static void share_axes(struct bead_figure *f)
 {
     bool same = same_beads(f);

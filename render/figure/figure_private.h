@@ -1,5 +1,5 @@
-/* What the parts of a figure share: figure.c (life), figure_layout.c (where things go), figure_draw.c (headings,
- * bar), figure_write.c (the end). */
+/* What the files of a figure share: figure.c (made and fed), figure_layout.c (where things go), figure_draw.c (headings, bar),
+ * figure_write.c (the end), figure_still.c (a page of its own). */
 #ifndef BEADREEL_RENDER_FIGURE_FIGURE_PRIVATE_H
 #define BEADREEL_RENDER_FIGURE_FIGURE_PRIVATE_H
 
@@ -28,7 +28,7 @@ struct bead_cell {
     struct bead_rect heading;     /* height 0: none */
     struct bead_rect trust;       /* line of text about the horizon; height 0: none */
     double horizon;               /* s; INFINITY: none */
-    struct bead_sample moment[2]; /* samples about the time of the still, the later one last; their arrays are the cell's */
+    struct bead_sample moment[2]; /* samples before and after the time of the still; the cell owns their arrays */
     size_t moments;
 };
 
@@ -38,8 +38,8 @@ struct bead_figure {
     struct bead_page page;
     struct bead_look look;
     bool part;                     /* one of several panels: the still has title and caption */
-    struct bead_part_settings set; /* of a part; else nothing but `chain` */
-    struct bead_rect area;         /* of plots, axes, headings and bar; the page where it is no part */
+    struct bead_part_settings set; /* of a panel; else only `chain` is set */
+    struct bead_rect area;         /* of plots, axes, headings and bar; the whole page unless it is a panel */
     double margin;                 /* px, within the area */
     double time[2], at;            /* s */
     struct bead_grid grid;
@@ -58,18 +58,18 @@ struct bead_figure {
 
 /* True for views that show all times (spacetime, sensors); the others show one moment. */
 bool bead_tile_collects(const struct bead_tile *panel);
-/* Create and place the views that collect (at once), or the others (when their moment has come). */
+/* Creates and places the views that show all times (at the start), or the others (at the end). */
 BEAD_CHECK enum bead_error bead_figure_views(struct bead_figure *figure, bool collecting, struct bead_canvas *canvas,
                                              struct bead_message *msg);
-/* Sets every tile's plot, headings, the bar, and which axes are labelled; plots keep `least` away from the area's borders. Errors:
- * SCENE (too small), MEMORY. */
+/* Sets the rectangles of plots, headings and bar, and which axes are labelled; plots stay at least `least` away from the area's
+ * borders. Errors: SCENE (too small), MEMORY. */
 BEAD_CHECK enum bead_error bead_figure_arrange(struct bead_figure *figure, const struct bead_insets *least,
                                                struct bead_message *msg);
 /* Title of the colour bar: the field, and whether colours show the largest values of pixels instead of means. */
 void bead_figure_bar_title(const struct bead_figure *figure, char *title, size_t size);
-/* The heading of a cell, from the left of `box`; shortened to fit. cr NULL: whether there is anything to say. */
+/* Draws the heading of a cell, shortened to fit. Returns whether there is one; cr NULL: draws nothing. */
 bool bead_figure_heading(const struct bead_figure *figure, const struct bead_cell *cell, cairo_t *cr);
-/* Title and time above all; cr NULL: whether there is anything to say. */
+/* Draws title and time above everything. Returns whether there are any; cr NULL: draws nothing. */
 bool bead_figure_line(const struct bead_figure *figure, cairo_t *cr);
 
 #endif

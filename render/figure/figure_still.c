@@ -1,4 +1,4 @@
-/* A figure that has a page of its own: the kind of still that takes what no other wants. */
+/* A figure with a page of its own: the last kind of still, for images that no other kind wants. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -75,7 +75,7 @@ static enum bead_error figure_raster(void *context, struct bead_frame *frame, st
     struct bead_figure *f = context;
     struct bead_frame background = {0};
     enum bead_error err = bead_raster_draw(frame, figure_decorate, f, msg);
-    if (!err && f->stills) { /* only those views draw over what was there */
+    if (!err && f->stills) { /* only views of one moment draw over the background */
         err = bead_frame_create(frame->width, frame->height, &background, msg);
         if (!err)
             bead_frame_copy(&background, frame, (struct bead_rect){0, 0, frame->width, frame->height});

@@ -1,4 +1,4 @@
-/* The end of a figure: ranges are known now, views of one moment are made, everything is drawn. */
+/* The end of a figure: ranges are known, the views of one moment are created, and everything is drawn. */
 #include <math.h>
 
 #include "render/figure/figure_private.h"
@@ -9,7 +9,7 @@ static void figure_widen(double low, double high, double all[2])
     all[1] = fmax(all[1], high);
 }
 
-/* Values shown as colours: pixels of images where there are any, else the values of the moment. */
+/* Values shown as colours: the pixels of images if there are any, else the values of the moment. */
 void bead_figure_extremes(const struct bead_figure *f, double colours[2], double sensors[2])
 {
     double low, high, moment[2] = {INFINITY, -INFINITY};
@@ -80,7 +80,7 @@ static enum bead_error feed_moments(struct bead_figure *f, struct bead_message *
     return err;
 }
 
-/* The moment as far as there are samples: between the last two. */
+/* The moment, limited to the last two samples. */
 static double moment_of(const struct bead_figure *f, const struct bead_cell *cell)
 {
     if (cell->moments == 0)

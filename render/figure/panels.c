@@ -1,4 +1,4 @@
-/* Stills of several panels, and images with a caption: made, fed. The kind that still.c asks first. */
+/* Stills of several panels, and images with a caption: made and fed. The first kind of still that still.c asks. */
 #include "render/figure/panels_private.h"
 
 #include <math.h>
@@ -30,7 +30,7 @@ static void panels_destroy(struct bead_still *still)
 /* Title of screens, and caption. */
 static enum bead_error make_words(struct bead_still *s, struct bead_message *msg)
 {
-    const int least = 240; /* px of height where a title is worth its room */
+    const int least = 240; /* px: lower pictures have no title */
     const char *title = s->context.scene->title, *caption = s->output->still.caption;
     if (!s->page.paper && s->page.height >= least && *title) {
         size_t size = 6 * strlen(title) + 1;
@@ -59,7 +59,7 @@ static void make_letter(const struct bead_still *s, size_t index, char *letter, 
 static enum bead_error panels_make_panel(struct bead_still *s, size_t index, struct bead_message *msg)
 {
     struct still_panel *panel = &s->panels[index];
-    bool own = s->output->still.panel_count == 0; /* an image with a caption is its only panel */
+    bool own = s->output->still.panel_count == 0; /* an image with a caption is one panel */
     panel->output = own ? s->output : &s->output->still.panels[index];
     panel->row = own ? 0 : panel->output->panel.row;
     for (size_t p = 0; p < index; p++)
@@ -75,8 +75,8 @@ static enum bead_error panels_make_panel(struct bead_still *s, size_t index, str
     return bead_figure_create(panel->output, &s->context, &s->page, &s->look, &panel->set, &panel->figure, msg);
 }
 
-/* One grid for all: as close as the finest, from the first to the last time that anything shows. Profiles lie between its times, on
- * straight lines. */
+/* One sampling grid for all panels: as fine as the finest, over all times shown. Profiles are interpolated linearly between its
+ * times. */
 static void join_grids(struct bead_still *s)
 {
     struct bead_grid all = {INFINITY, INFINITY, -INFINITY};

@@ -1,5 +1,5 @@
-/* Where panels go: every panel says how far its axes reach out of its plots, then plots of a row get one width and
- * height, and those of a column one left border. */
+/* The layout of panels: every panel says how far its axes reach out of its plots; then the plots of a row get one width and height,
+ * and those of a column one left border. */
 #include <math.h>
 #include <string.h>
 
@@ -75,8 +75,8 @@ static bool one_group(const struct still_panel *a, const struct still_panel *b)
     return a && b && a->figure && b->figure && a->group == b->group;
 }
 
-/* A bar stands right of the last panel of its group in a row; where the row above has it in the same column, that one reaches down
- * to this one. */
+/* A bar stands to the right of the last panel of its group in a row. If the row above has the same bar in the same column, that bar
+ * extends down instead. */
 static bool has_own_bar(const struct bead_still *s, const struct still_panel *panel)
 {
     const struct still_panel *above = panel->row > 0 ? panels_at(s, panel->row - 1, panel->column) : NULL;
@@ -122,7 +122,7 @@ static void share(struct bead_still *s)
 
 /* ---- places ---- */
 
-/* Before a run the ends of axes are not known: numbers as wide as they get. */
+/* Before the run the ends of axes are unknown: assumes the widest numbers. */
 static enum bead_error put_plot(struct bead_still *s, struct still_panel *panel, const struct bead_insets *least,
                                 struct bead_message *msg)
 {
@@ -151,7 +151,7 @@ static enum bead_error put_plot(struct bead_still *s, struct still_panel *panel,
     return BEAD_OK;
 }
 
-/* Into their areas. `keep`: with the insets that they have, else these are measured. */
+/* Lays panels out in their areas. `keep`: with their present insets; else the insets are measured. */
 static enum bead_error panels_put(struct bead_still *s, bool keep, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
@@ -171,7 +171,8 @@ static double larger(double a, double b)
     return a > b ? a : b;
 }
 
-/* Panels of one row reach up and down alike; first and last ones, and all of a column where rows are alike, left and right. */
+/* Gives panels of one row equal insets above and below; the first and last panels, and columns of rows of equal length, equal
+ * insets left and right. */
 static void align(struct bead_still *s)
 {
     for (size_t p = 0; p < s->count; p++) {
@@ -199,7 +200,7 @@ static struct bead_rect panels_room_of(const struct bead_still *s)
                               (int)(s->page.height - 2 * margin - above - below)};
 }
 
-/* Heights of rows: plots want less than images, and several views more. */
+/* Heights of rows: plots take less than images, several views more. */
 static double panels_weight_of(const struct bead_still *s, size_t row)
 {
     double weight = 0;
@@ -211,7 +212,7 @@ static double panels_weight_of(const struct bead_still *s, size_t row)
     return weight;
 }
 
-/* What is left of the page for plots of a row, and the room that each panel takes. */
+/* Divides the page into rows and columns and sets each panel's area. */
 static enum bead_error panels_divide(struct bead_still *s, struct bead_message *msg)
 {
     static const int smallest = 24; /* px */
@@ -255,7 +256,7 @@ static void guess(struct bead_still *s)
         s->panels[p].insets = (struct bead_insets){round(3 * em), round(1.5 * em), round(em), round(2 * em)};
 }
 
-/* Bars that serve several rows reach down to the last of them. */
+/* A bar for several rows extends down to the last one. */
 static void stretch_bars(struct bead_still *s)
 {
     for (size_t p = 0; p < s->count; p++) {

@@ -1,4 +1,4 @@
-/* The end of a still of panels: ranges are known now, everything is drawn. */
+/* The end of a still of panels: ranges are known, everything is drawn. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

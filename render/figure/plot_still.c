@@ -1,4 +1,4 @@
-/* Plots and drawings of the scene that have a page of their own: two kinds of still. */
+/* Two kinds of still: a plot and a schematic drawing, each with a page of its own. */
 #include <stdlib.h>
 
 #include "render/figure/still.h"
