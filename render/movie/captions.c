@@ -1,3 +1,4 @@
+/* Captions of movies: their timing, and how they are broken into lines and drawn. The composer shows one at a time. */
 #include "render/movie/captions.h"
 
 #include <math.h>
@@ -78,7 +79,7 @@ static double captions_width_of(cairo_t *cr, const struct bead_text_style *style
     return width;
 }
 
-/* The next place after `from` where a line may end: a space outside of braces and italics, or the end. */
+/* The next place after `from` where a line may break: a space outside braces and italics, or the end. */
 static size_t next_break(const char *text, size_t from)
 {
     int depth = 0;
@@ -104,7 +105,7 @@ struct lines {
     bool whole; /* all of it fits */
 };
 
-/* In one line where that has room, else in two of about the same length. */
+/* One line if it fits, else two of about the same length. */
 static struct lines wrap(cairo_t *cr, const struct bead_text_style *style, const char *text, double room, size_t most)
 {
     size_t all = strlen(text), best = 0, fullest = 0;
@@ -121,7 +122,7 @@ static struct lines wrap(cairo_t *cr, const struct bead_text_style *style, const
             best = at;
         }
     }
-    if (least > room) /* the end will be cut, and nothing in between */
+    if (least > room) /* only the end will be cut */
         best = fullest;
     if (best == 0)
         return one;

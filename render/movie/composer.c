@@ -1,3 +1,5 @@
+/* Composes the frames of a movie: lays out, creates the views, draws the static layer once, then lets views and overlay update the
+ * frame. */
 #include "render/draw/chain_axis.h"
 #include "render/movie/composer_private.h"
 
@@ -76,7 +78,7 @@ static double reach_along(const struct bead_composer *c, size_t chain, size_t la
     return bead_axis_draw(NULL, &c->look, &axis, plot, side, false, true, title);
 }
 
-/* Left of plots of this height: of beads, values and times. */
+/* How far the axes of beads, values and times reach to the left of plots of this height. */
 static double reach_left(const struct bead_composer *c, double length)
 {
     const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->shown.field);
@@ -89,8 +91,7 @@ static double reach_left(const struct bead_composer *c, double length)
     return most;
 }
 
-/* How far axes will reach out of plots of about the size they will have; titles of low plots are broken into lines, which reach
- * further. */
+/* Estimates how far axes reach out of plots. Titles beside low plots are broken into lines, which reach further. */
 static void measure_axes(struct bead_composer *c)
 {
     struct bead_movie_wants *w = &c->wants;
@@ -238,7 +239,7 @@ enum bead_error bead_composer_create(const struct bead_composer_setup *setup, st
     return err;
 }
 
-/* As large as the largest rectangle that is drawn with it. */
+/* A canvas as large as the largest rectangle painted on it. */
 static enum bead_error create_canvas(struct bead_composer *c, struct bead_message *msg)
 {
     int width = 0, height = 0;
@@ -338,13 +339,13 @@ enum bead_error bead_composer_open(struct bead_composer *c, struct bead_message 
     return bead_warnings_check(msg);
 }
 
-/* Are there values that the colours do not tell apart? */
+/* Notes whether values lie beyond the ends of the colour range. */
 static void look_beyond(struct bead_composer *c, const struct bead_sample *sample)
 {
     const double *value = sample->field[c->setup.output->shown.field];
     struct bead_span span = composer_span_of(c, sample->chain);
     double slack = 1e-9 * (c->colours.high - c->colours.low), high = c->colours.high + slack, low = c->colours.low - slack;
-    bool below = c->colours.scale != BEAD_SCALE_LOG; /* every logarithmic scale leaves out the smallest */
+    bool below = c->colours.scale != BEAD_SCALE_LOG; /* a logarithmic scale always leaves out the smallest values */
     for (size_t i = span.first; value && i <= span.last && i <= sample->active; i++) {
         c->over = c->over || value[i] > high;
         c->under = c->under || (below && value[i] < low);

@@ -23,15 +23,15 @@ struct bead_composer_setup {
     double time[2], step; /* s: first and last frame, and from one to the next */
     double range[2];      /* of the colours; not empty */
     const struct bead_scene *scene;
-    const char *canvas;      /* back end; NULL: the first that works */
+    const char *canvas;      /* canvas back end; NULL: the first that works */
     double tolerance_factor; /* of the comparison run of outputs with trust: see bead_run_context */
 };
 
-/* BEAD_FIELD_BITs that the views of an output need. */
+/* BEAD_FIELD_BITs that the views of an output need of samples. */
 unsigned bead_composer_fields(const struct bead_output *output, const struct bead_chain *chain);
-/* Those that it needs of the comparison run as well: 0 without trust. */
+/* Those that they also need of the comparison run; 0 without trust. */
 unsigned bead_composer_comparison(const struct bead_output *output, const struct bead_chain *chain);
-/* Does an output want samples closer than its frames? */
+/* Does an output need more samples than frames, because a view averages over time? */
 bool bead_composer_averages(const struct bead_output *output);
 
 /* Errors: SCENE (size, colour map), MEMORY, IO. On failure *composer is NULL. */
@@ -47,13 +47,13 @@ BEAD_CHECK enum bead_error bead_composer_card(struct bead_composer *composer, st
 /* Brings the frame to `time`; adds what changed (the first time: everything). */
 BEAD_CHECK enum bead_error bead_composer_draw(struct bead_composer *composer, double time, struct bead_changes *changes,
                                               struct bead_message *msg);
-/* How much there is to see as of the last samples, at `time`: how far beads are from rest along the colour bar, on average; more
- * where views of all times have filled. Only for outputs with a poster. */
+/* How much the frame at `time` shows: the mean distance of the beads' values from zero along the colour bar, weighted by how far
+ * views of all times have filled. Only for outputs with a poster. */
 double bead_composer_interest(const struct bead_composer *composer, double time);
 const struct bead_frame *bead_composer_frame(const struct bead_composer *composer);
 /* What paints the beads, as of bead_composer_open; "": nothing needs to be painted. */
 const char *bead_composer_painter(const struct bead_composer *composer);
-/* What belongs to the drawing thread goes. */
+/* Frees what belongs to the drawing thread. */
 void bead_composer_close(struct bead_composer *composer);
 void bead_composer_destroy(struct bead_composer *composer);
 

@@ -1,4 +1,4 @@
-/* Inside of composers: what views do not draw lies over them. */
+/* What the files of a composer share: composer.c, movie_camera.c, movie_overlay.c (what is drawn over the views). */
 #ifndef BEADREEL_RENDER_MOVIE_COMPOSER_PRIVATE_H
 #define BEADREEL_RENDER_MOVIE_COMPOSER_PRIVATE_H
 
@@ -29,18 +29,19 @@ struct bead_composer {
     bool carded, started; /* the card has been drawn; the static layer has been */
     bool trust_said;
     size_t caption;                        /* shown now; SIZE_MAX: none */
-    double *lit;                           /* of each chain: see bead_composer_interest; NULL: nobody asks */
+    double *lit;                           /* of each chain: see bead_composer_interest; NULL: no poster */
     double slowed;                         /* s of the film for one of the motion */
-    bool over, under, bar_over, bar_under; /* values beyond the colours' range: seen; as the bar shows it */
+    bool over, under, bar_over, bar_under; /* values beyond the colours' range: seen so far; shown by the bar */
 };
 
 /* Beads that are shown, also where the field is one of contacts. */
 struct bead_span bead_composer_beads(const struct bead_composer *composer, size_t chain);
-/* One for each chain; plots that go with the front become narrower where rows of beads need that. Errors: MEMORY. */
+/* Creates a camera for each chain; plots that follow the front become narrower if their rows of beads would be too high. Errors:
+ * MEMORY. */
 BEAD_CHECK enum bead_error bead_composer_cameras(struct bead_composer *composer, struct bead_message *msg);
 /* The colour bar, into the static layer. */
 void bead_overlay_draw_bar(struct bead_composer *composer, cairo_t *cr);
-/* Parts of the frame that change now and then, brought to `time`; they add what changed. */
+/* Update the parts of the frame that change now and then to `time`; each adds what changed. */
 void bead_overlay_time(struct bead_composer *composer, double time, struct bead_changes *changes);
 void bead_overlay_trust(struct bead_composer *composer, double time, struct bead_changes *changes);
 void bead_overlay_caption(struct bead_composer *composer, double time, struct bead_changes *changes);

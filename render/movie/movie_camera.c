@@ -1,4 +1,5 @@
-/* Cameras of a movie: windows of one length, and the plots that show them. */
+/* The cameras of a movie that follows the front: windows of one length, and the widths of the plots that show them. Part of
+ * creating a composer. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -14,7 +15,7 @@ struct bead_span bead_composer_beads(const struct bead_composer *c, size_t chain
     return span;
 }
 
-/* Px that windows of `width` m, with beads up to `largest` m, can have along the chain: rows of beads must hold their height. */
+/* The width, px, that windows of `width` m can have: beads with radii up to `largest` m must not be higher than their rows. */
 static double window_room(const struct bead_composer *c, double width, double largest)
 {
     double room = c->layout.chains[0].plot[0].width;
@@ -28,7 +29,7 @@ static double window_room(const struct bead_composer *c, double width, double la
     return room;
 }
 
-/* Views that go with the front, no wider than that. */
+/* Makes views that follow the front no wider than `room`. */
 static void narrow_moving(struct bead_composer *c, double room)
 {
     for (size_t i = 0; i < c->wants.chain_count * c->wants.view_count; i++) {
@@ -39,8 +40,8 @@ static void narrow_moving(struct bead_composer *c, double room)
     }
 }
 
-/* All windows are of one length, so that all beads are drawn to one scale. Where the beads asked for would be higher than their
- * rows, the windows take less of the frame's width. */
+/* All windows have one length, so that all beads are drawn to one scale. If the beads would be higher than their rows, the windows
+ * take less of the frame's width. */
 enum bead_error bead_composer_cameras(struct bead_composer *c, struct bead_message *msg)
 {
     size_t count = c->wants.chain_count;

@@ -1,9 +1,11 @@
+/* The layout of a movie's frame. Levels leave out words, headings and axes one after the other until the plots fit; composer.c asks
+ * for it once. */
 #include "render/movie/movie_layout.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* What is left out, one after the other, until the rest has room. */
+/* What is left out, in this order, until the rest fits. */
 enum level { EVERYTHING, NO_WORDS, FEW_LABELS, TIGHT, NO_HEADINGS, NO_AXES, VIEWS_ONLY, LEVELS };
 
 /* Lengths of one level, px. */
@@ -42,7 +44,7 @@ static struct measures layout_measure(const struct bead_movie_wants *w, enum lev
     const struct bead_look *look = w->look;
     struct measures m = {
         .level = level, .axes = w->axes && level < NO_AXES, .headings = w->axes && w->headings && level < NO_HEADINGS};
-    /* Half a label stands out at the ends of vertical axes; plots that are set tight have none. */
+    /* Labels at the ends of vertical axes reach out by half their height; tight plots have no labels. */
     m.view_gap = whole(level < FEW_LABELS ? 1.1 * look->tick : m.axes && level != TIGHT ? look->tick : 0.7 * look->gap);
     m.view_gap = level == VIEWS_ONLY ? 0 : m.view_gap;
     m.chain_gap = level == VIEWS_ONLY ? 0 : whole((level < FEW_LABELS ? 1.5 : 0.7) * look->gap);
@@ -66,7 +68,7 @@ static struct measures layout_measure(const struct bead_movie_wants *w, enum lev
         m.bar_width = whole(1.3 * look->gap);
         m.right += w->colourless ? 0 : m.bar_gap + m.bar_width + whole(w->bar);
     }
-    /* Captions are asked for: they stay to the last. */
+    /* The scene asks for captions: they are never left out. */
     m.caption = w->axes ? whole(w->caption_lines * w->caption_line) : 0;
     m.bottom = m.margin + m.caption + (m.caption > 0 ? whole(0.5 * look->gap) : 0);
     m.width = w->width - m.left - m.right;
@@ -88,7 +90,7 @@ static bool has_bead_axis(const struct bead_movie_wants *w, size_t view)
     return !moves(w, view) && !shows_beads(w, view) && w->views[view]->info->across == BEAD_ACROSS_CHAIN;
 }
 
-/* Of the views that move, the last has the numbers. */
+/* The last of the moving views has the numbers. */
 static bool labels_window(const struct bead_movie_wants *w, size_t view)
 {
     bool last = moves(w, view);
@@ -97,7 +99,7 @@ static bool labels_window(const struct bead_movie_wants *w, size_t view)
     return last;
 }
 
-/* The lowest view with a bead axis labels it for all above; beads alone number themselves. */
+/* The lowest view with a bead axis labels it for those above; without one, the row of beads has the numbers. */
 static bool labels_beads(const struct bead_movie_wants *w, size_t view)
 {
     size_t best = w->view_count;
@@ -132,7 +134,7 @@ static int below(const struct bead_movie_wants *w, const struct measures *m, siz
     return whole(w->views[view]->info->across == BEAD_ACROSS_TIME ? w->below_time : w->below_beads);
 }
 
-/* Rows that go with the front show large beads: as high as these ask, if there is room. */
+/* Rows that follow the front show large beads and get the height these need, if there is room. */
 static double layout_share_of(const struct bead_movie_wants *w, size_t view)
 {
     return (moves(w, view) && shows_beads(w, view) ? 1.5 : 1) * w->views[view]->info->movie_share;
@@ -146,7 +148,7 @@ static int layout_most_height(const struct bead_movie_wants *w, const struct mea
     return whole(w->views[view]->info->movie_most * m->width);
 }
 
-/* Of a view on average: labels go before plots become too low to be read. */
+/* The least average height of a view: labels are left out before plots become too low to read. */
 static int least_height(const struct bead_movie_wants *w, const struct measures *m)
 {
     int least = m->level == VIEWS_ONLY ? 1 : 12, readable = whole(1.6 * w->look->tick);
@@ -234,7 +236,7 @@ static void place_bar(const struct bead_movie_wants *w, const struct measures *m
         layout->bar = (struct bead_rect){m->left + m->width + m->bar_gap, from, m->bar_width, to - from};
 }
 
-/* With the least left out that gives the rest room. False: there is none. */
+/* Leaves out as little as possible. False: the frame is too small. */
 static bool layout_arrange(const struct bead_movie_wants *wants, struct bead_stack_reach *reach, struct bead_movie_layout *layout)
 {
     for (enum level level = wants->axes ? EVERYTHING : VIEWS_ONLY; level < LEVELS; level++) {

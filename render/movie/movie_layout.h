@@ -1,6 +1,6 @@
 /* Layout of a movie's frame: rectangles only. A heading and the views, stacked, for each chain; time and words above, a colour bar
- * at the right, captions at the bottom. Plots of all views have the same left and right edge. What has no room is left out: words
- * first, then headings, axes, and the time with captions. Rectangles never overlap and never leave the frame. */
+ * at the right, captions at the bottom. Plots of all views have the same left and right edge. What does not fit is left out: words
+ * first, then headings, axes, and last the time. Rectangles never overlap and never leave the frame. */
 #ifndef BEADREEL_RENDER_MOVIE_MOVIE_LAYOUT_H
 #define BEADREEL_RENDER_MOVIE_MOVIE_LAYOUT_H
 
@@ -22,11 +22,11 @@ struct bead_movie_wants {
     size_t view_count;
     bool axes; /* false: nothing but the views */
     bool title, headings;
-    bool trust;                                              /* a line about the horizon: is left out after the other words */
+    bool trust;                                              /* a line about the horizon, left out after the other words */
     int caption_lines;                                       /* reserved at the bottom */
     double caption_line;                                     /* height of one */
-    bool follow;                                             /* beads and profiles move: they have bead axes of their own */
-    bool sensors;                                            /* some bead has one, and a name to be shown */
+    bool follow;                                             /* beads and profiles follow the front, with bead axes of their own */
+    bool sensors;                                            /* some bead has a sensor, whose name is shown */
     double bead_height;                                      /* of the largest bead in a row that moves */
     bool colourless;                                         /* no view shows values as colours: no bar */
     bool same_beads;                                         /* all chains have the same bead axis: only the lowest is labelled */

@@ -1,4 +1,5 @@
-/* What lies around the views and changes now and then: time, line about the horizon, caption, ends of the colour bar. */
+/* What changes around the views: time, line about the horizon, caption, ends of the colour bar. The composer updates it after the
+ * views. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -14,7 +15,7 @@ void bead_overlay_draw_bar(struct bead_composer *c, cairo_t *cr)
         bead_colour_bar_draw(cr, &c->look, &c->colours, field->unit, field->title, c->layout.bar, c->bar_over, c->bar_under);
 }
 
-/* The bar gets its points when values beyond its ends have come. */
+/* The bar gets pointed ends once values beyond its range have appeared. */
 void bead_overlay_bar(struct bead_composer *c, struct bead_changes *changes)
 {
     const struct bead_rect *bar = &c->layout.bar;
@@ -37,7 +38,7 @@ void bead_overlay_bar(struct bead_composer *c, struct bead_changes *changes)
     bead_changes_add(changes, rect);
 }
 
-/* The time as text, where it reads differently now. */
+/* Redraws the time if its text has changed. */
 void bead_overlay_time(struct bead_composer *c, double time, struct bead_changes *changes)
 {
     char text[sizeof c->time_text];
@@ -59,7 +60,7 @@ void bead_overlay_time(struct bead_composer *c, double time, struct bead_changes
     bead_changes_add(changes, rect);
 }
 
-/* Whose horizon is the earliest, of what has been drawn. */
+/* Finds the earliest horizon drawn so far, and its chain. */
 static struct bead_trust find_trust(const struct bead_composer *c)
 {
     struct bead_trust trust = bead_trust_make(c->setup.chains[0], c->setup.tolerance_factor);
@@ -76,7 +77,7 @@ static struct bead_trust find_trust(const struct bead_composer *c)
     return trust;
 }
 
-/* The line about the horizon: from when it is reached, or at the end where it is not. */
+/* Shows the line about the horizon once the horizon is reached, or at the end if it never is. */
 void bead_overlay_trust(struct bead_composer *c, double time, struct bead_changes *changes)
 {
     struct bead_rect rect = c->layout.trust;

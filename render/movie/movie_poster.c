@@ -1,3 +1,4 @@
+/* Keeps the frame that becomes the poster while frames pass, and writes it. The sink offers it every frame drawn. */
 #include "render/movie/movie_poster.h"
 
 #include <math.h>
@@ -6,12 +7,12 @@
 
 #include "beadreel/picture.h"
 
-/* A frame must have this much more to see than the one kept: copying each that is a trifle better would be a waste. */
+/* A frame replaces the one kept only if it is better by this factor, to save copying. */
 static const double better = 1.02;
 
 struct bead_poster {
     const char *path, *title;
-    double at, slack; /* s; at NaN: where there is most to see */
+    double at, slack; /* s; at NaN: the frame that shows most */
     double interest;  /* of the frame kept */
     struct bead_frame frame;
     bool taken;

@@ -14,11 +14,11 @@ BEAD_CHECK enum bead_error bead_poster_create(const struct bead_output *output, 
                                               double step, struct bead_poster **poster, struct bead_message *msg);
 /* NULL is allowed. */
 void bead_poster_destroy(struct bead_poster *poster);
-/* After each draw: keeps the frame where it is the one asked for, or has more to see than any before. */
+/* Call after each draw: keeps the frame if it is the requested one, or shows more than all before. */
 BEAD_CHECK enum bead_error bead_poster_offer(struct bead_poster *poster, const struct bead_composer *composer, double time,
                                              struct bead_message *msg);
-/* Writes the file, where any frame was offered, and gives it to the movie as its cover. `bytes`: of the file, 0 where
- * none was. Errors: IO, MEMORY, CODEC. */
+/* Writes the file, if any frame was offered, and gives it to the movie as its cover. `bytes`: size of the file, 0 if there is none.
+ * Errors: IO, MEMORY, CODEC. */
 BEAD_CHECK enum bead_error bead_poster_write(const struct bead_poster *poster, struct bead_movie *movie, uint64_t *bytes,
                                              struct bead_message *msg);
 

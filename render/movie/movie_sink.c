@@ -1,5 +1,5 @@
-/* Movies as outputs of scenes. Three things go on at the same time: the run gives samples; a second thread draws frames from copies
- * of them; a third encodes the frames. Frames do not depend on who is faster. */
+/* Movies as outputs of scenes. Three threads work at the same time: the run delivers samples, a second thread draws frames from
+ * copies of them, a third encodes the frames. Frames do not depend on which is faster. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,11 +22,11 @@
 enum { FRAME_SLOTS = 4, LEAST_SAMPLES = 2, MOST_SAMPLES = 1024 };
 static const size_t sample_bytes = 32u << 20;
 
-/* A sample on its way to the drawing thread; its numbers follow behind it, field by field. */
+/* A sample on its way to the drawing thread; its numbers follow in memory, field by field. */
 struct snapshot {
     size_t chain, index, active, comparison_active;
     double time;
-    size_t filled; /* values from here on are those at rest; 0: never used */
+    size_t filled; /* values from here on are at rest; 0: never used */
     size_t owner;  /* chain of the numbers in here, + 1 */
 };
 
@@ -45,20 +45,20 @@ struct bead_sink {
     int width, height;
     struct bead_movie_times times;
     unsigned fields, comparison;
-    size_t last_bead; /* of the longest chain, as far as asked for */
+    size_t last_bead; /* the last bead needed of the longest chain */
 
     struct bead_composer *composer;
     struct bead_movie *movie;
     struct bead_poster *poster; /* NULL: none */
     struct bead_ring_buffer *drawing, *encoding;
-    bool ahead; /* frames go to the encoder as it wants them; else as they are, through buffers */
+    bool ahead; /* frames are converted into the encoder's own slots; else copied into buffers */
     struct bead_frame buffer[FRAME_SLOTS];
     struct bead_changes missing[FRAME_SLOTS]; /* what each of them lacks */
     uint64_t bytes;
 
     /* The drawing thread's. */
     size_t drawn;  /* frames */
-    size_t filled; /* buffers, with frames that differ from those before; each holds every fourth */
+    size_t filled; /* number of frames sent that differ from the one before; buffers take turns */
     double seen;   /* s: time that all chains have reached */
     bool seen_any;
 };
@@ -211,13 +211,13 @@ static enum bead_error movie_encode(void *context, void *slot, int last, struct 
                     : bead_movie_add(s->movie, &s->buffer[parcel->buffer], &parcel->changes, msg);
 }
 
-/* Drawing thread: bring a free buffer up to date and send it. */
+/* Drawing thread: brings a free buffer up to date and sends it. */
 static enum bead_error send_frame(struct bead_sink *s, const struct bead_changes *changes, struct bead_message *msg)
 {
     struct parcel *parcel = bead_ring_buffer_slot(s->encoding);
     const struct bead_frame *frame = bead_composer_frame(s->composer);
     enum bead_error err = BEAD_OK;
-    if (!parcel) /* the encoder tells why when it is finished */
+    if (!parcel) /* the encoder says why when it finishes */
         return bead_fail(msg, BEAD_ERROR_CODEC, "%s: encoding has failed", s->output->path);
     parcel->changes = *changes;
     if (changes->count == 0 && s->filled > 0) { /* what the encoder has already */
@@ -301,7 +301,7 @@ static enum bead_error movie_draw(void *context, void *slot, int last, struct be
         return take_snapshot(s, slot, msg);
     if (last == BEAD_PIPE_MORE)
         return bead_composer_open(s->composer, msg);
-    /* The last sample stands for what is left of the interval after it; a run that was stopped earlier ends the movie. */
+    /* The last sample stands for the rest of its interval; a stopped run ends the movie early. */
     enum bead_error err = BEAD_OK;
     if (last == BEAD_PIPE_DONE && s->seen_any)
         err = draw_frames(s, s->seen + s->times.grid.every, msg);
@@ -315,7 +315,7 @@ static enum bead_error create_pipes(struct bead_sink *s, struct bead_message *ms
     size_t bytes = sizeof(struct snapshot) + numbers_bytes, chains = s->context.chain_count;
     size_t slots = sample_bytes / bytes;
     slots = slots < LEAST_SAMPLES ? LEAST_SAMPLES : slots > MOST_SAMPLES ? MOST_SAMPLES : slots;
-    slots = (slots + chains - 1) / chains * chains; /* a slot meets the same chain again: less to copy */
+    slots = (slots + chains - 1) / chains * chains; /* a slot always holds the same chain: less to copy */
     enum bead_error err =
         bead_ring_buffer_create(FRAME_SLOTS, sizeof(struct parcel), s->context.threads, movie_encode, s, &s->encoding, msg);
     return err ? err : bead_ring_buffer_create(slots, bytes, s->context.threads, movie_draw, s, &s->drawing, msg);
@@ -348,11 +348,11 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
         err = bead_movie_reserve(s->movie, FRAME_SLOTS, &s->ahead, msg);
     for (int i = 0; !err && !s->ahead && i < FRAME_SLOTS; i++)
         err = bead_frame_create(s->width, s->height, &s->buffer[i], msg);
-    bead_canvas_prepare(s->context.canvas); /* while no thread of ours is running */
+    bead_canvas_prepare(s->context.canvas); /* before our threads start */
     return err ? err : create_pipes(s, msg);
 }
 
-/* Copy what moves, and once what rests. */
+/* Copies moving beads, and beads at rest only once. */
 static void movie_fill(const struct bead_sink *s, const struct bead_sample *sample, struct snapshot *snapshot)
 {
     size_t first = s->output->shown.beads.first, room = field_room(s);
@@ -383,7 +383,7 @@ static void movie_fill(const struct bead_sink *s, const struct bead_sample *samp
                                   .owner = sample->chain + 1};
 }
 
-/* What went wrong in the other threads. */
+/* Ends both threads and returns their error, if any. */
 static enum bead_error finish_pipes(struct bead_sink *s, struct bead_message *msg)
 {
     struct bead_message drawing = {""}, encoding = {""};

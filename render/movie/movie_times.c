@@ -1,3 +1,4 @@
+/* Chooses when frames and samples are. The sink counts frames by it. */
 #include "render/movie/movie_times.h"
 
 #include <math.h>
@@ -5,7 +6,7 @@
 #include "render/movie/composer.h"
 
 static const double most_frames = 1e7, most_samples = 1e9;
-/* 1/s: enough to judge a motion by. Half of a movie of 60 frames a second is half of its cost. */
+/* 1/s: enough to judge a motion. Drawing every second frame of 60 per second halves the cost. */
 static const double draft_pictures = 30;
 
 static enum bead_error wrong(const struct bead_output *o, const struct bead_run_context *context, const char *what,
@@ -31,8 +32,8 @@ static enum bead_error choose_frames(const struct bead_output *o, const struct b
     return BEAD_OK;
 }
 
-/* Samples at the frames, or k times as often where views average over time; or those that there are, and frames in between blend
- * two. */
+/* Samples at the frames, or k times as often if views average over time. Replayed trajectories keep their own times, and frames
+ * between two samples blend them. */
 static enum bead_error times_choose_grid(const struct bead_output *o, const struct bead_run_context *context,
                                          struct bead_movie_times *t, struct bead_message *msg)
 {

@@ -7,7 +7,7 @@
 struct bead_movie_times {
     double time[2], step;  /* s: first and last frame of the motion, and between frames */
     size_t card, frames;   /* those of the card; all */
-    size_t group;          /* so many frames show the same picture: drafts have fewer pictures than frames */
+    size_t group;          /* this many frames show the same picture: drafts have fewer pictures than frames */
     struct bead_grid grid; /* samples that they are made of */
 };
 
@@ -16,7 +16,7 @@ BEAD_CHECK enum bead_error bead_movie_times_choose(const struct bead_output *out
                                                    struct bead_movie_times *times, struct bead_message *msg);
 /* s: what frame `index` shows, or would without groups. */
 double bead_movie_time(const struct bead_movie_times *times, size_t index);
-/* Whether the frame has a picture of its own: the first of each group has, the card, and the last of all. */
+/* Whether the frame has a picture of its own: the card, the first frame of each group, and the last frame have. */
 bool bead_movie_draws(const struct bead_movie_times *times, size_t index);
 /* How many of the frames have. */
 size_t bead_movie_pictures(const struct bead_movie_times *times);

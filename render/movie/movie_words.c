@@ -124,7 +124,7 @@ static size_t words_gather(const struct bead_facts *facts, char text[MOST_FACTS]
     char number[64];
     size_t count = 0;
     bool slower = facts->slowed >= 1;
-    bool plain = !*bead_chain_time_unit(facts->chains[0]); /* times that are not seconds pass, but neither slower nor faster */
+    bool plain = !*bead_chain_time_unit(facts->chains[0]); /* times of equations have no unit: they are neither slower nor faster */
     bead_round_number(slower && !plain ? facts->slowed : 1 / facts->slowed, number, sizeof number);
     if (plain)
         snprintf(text[count++], 256, "a time of %s in 1 s", number);
@@ -165,7 +165,7 @@ void bead_facts_draw(cairo_t *cr, const struct bead_look *look, const struct bea
     }
 }
 
-/* Cut behind `length` bytes, never within a character. */
+/* Cuts after `length` bytes, never within a character. */
 static void cut(const char *plain, size_t length, char *out, size_t size)
 {
     while (length > 0 && ((unsigned char)plain[length] & 0xc0) == 0x80)
@@ -306,7 +306,7 @@ static size_t card_words(const struct bead_facts *facts, char words[MOST_WORDS][
     return count;
 }
 
-/* Chains with something to say about them, as many as have room. */
+/* Headings of chains that have one, as many as fit. */
 static void card_chains(struct card *c, const struct bead_facts *facts, double room)
 {
     const struct bead_look *look = c->look;
@@ -315,7 +315,7 @@ static void card_chains(struct card *c, const struct bead_facts *facts, double r
     for (size_t i = 0; i < facts->chain_count; i++)
         named += bead_heading_has(facts->chains[i]);
     for (size_t i = 0; i < facts->chain_count; i++) {
-        double left = named - shown > 1 ? 2 * step : step; /* the last line may have to say how many more there are */
+        double left = named - shown > 1 ? 2 * step : step; /* keeps room for a last line that counts the others */
         if (!bead_heading_has(facts->chains[i]))
             continue;
         if (c->y + left > bottom + 0.5) {

@@ -22,16 +22,16 @@ struct bead_clock bead_clock_make(double end, double step, const char *unit);
 void bead_clock_text(const struct bead_clock *clock, double time, const struct bead_look *look, char *out, size_t size);
 struct bead_text_style bead_clock_style(const struct bead_look *look);
 
-/* What there is to say about the whole picture. */
+/* Facts about the whole picture. */
 struct bead_facts {
     double slowed;  /* s of the film for one of the motion */
     double magnify; /* 0: displacements are not shown */
     const struct bead_chain *const *chains;
     size_t chain_count;
 };
-/* What all chains have in common: "large-steel:aluminium, striker 0.443 m/s"; "" where nothing. Text for bead_markup. */
+/* What all chains have in common: "large-steel:aluminium, striker 0.443 m/s"; "" if nothing. Text for bead_markup. */
 void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size);
-/* Right-aligned in `rect`; facts that have no room are left out from the end. */
+/* Right-aligned in `rect`; facts that do not fit are left out, the last ones first. */
 void bead_facts_draw(cairo_t *cr, const struct bead_look *look, const struct bead_facts *facts, struct bead_rect rect, bool left);
 /* A line of text, cut with an ellipsis. */
 void bead_line_draw(cairo_t *cr, struct bead_text_style style, const char *plain, struct bead_rect rect);
