@@ -1,11 +1,11 @@
-/* Curves, points and error bars of graphs. */
+/* Draws the curves, points and error bars of a panel; graph_draw.c calls it between axes and words. */
 #include <math.h>
 
 #include "render/plot/graph_private.h"
 
 /* In units of the label's font size. */
 static const double point_radius = 0.24, cap = 0.16;
-/* Points of curves that are closer than this, in line widths, are not drawn; more points than this become smaller. */
+/* Points on a curve that are closer than this, in line widths, are left out; with more points than this, points get smaller. */
 static const double least_spacing = 4, many_points = 150;
 static const double paleness = 0.55, faint_paleness = 0.35;
 static const double full_turn = 6.283185307179586;
@@ -27,7 +27,7 @@ static struct bead_rgb ground(const struct bead_look *look)
 
 /* ---- points ---- */
 
-/* Corners on a circle of radius 1, turned by `turn` of a full turn; circles are those with none. */
+/* Corners on a circle of radius 1, rotated by `turn` of a full turn; a shape without corners is a circle. */
 static const struct shape {
     int corners;
     double turn, size;
@@ -101,15 +101,15 @@ static int beyond(const struct bead_axis *axis, double value)
 
 /* ---- lines ---- */
 
-/* Cairo counts in fixed point: what lies far outside is cut off before. */
+/* Cairo uses fixed-point numbers: what lies far outside is cut off first. */
 struct pen {
     cairo_t *cr;
     double low[2], high[2]; /* px: what is kept */
     double last[2];
-    bool down, drawn; /* there is a last point; the path ends there */
+    bool down, drawn; /* there is a last point, where the path ends */
 };
 
-/* The part of a..b within the pen's box, as parts of the way. */
+/* The part of the segment a..b within the pen's box, as fractions of its length. */
 static bool cut(const struct pen *pen, const double a[2], const double b[2], double part[2])
 {
     part[0] = 0;
@@ -149,7 +149,7 @@ static void lift(struct pen *pen)
     pen->down = pen->drawn = false;
 }
 
-/* Of many points in one column of pixels, the first, the lowest, the highest and the last are the same picture. */
+/* Of many points in one column of pixels, the first, lowest, highest and last give the same picture. */
 struct column {
     struct px {
         double x, y;
@@ -293,7 +293,7 @@ static void draw_bars(cairo_t *cr, const struct bead_look *look, const struct gr
 
 /* ---- a series ---- */
 
-/* An arrow at the frame: the point lies beyond. */
+/* An arrow at the frame for a point that lies beyond it. */
 static void draw_arrow(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series,
                        double x, double size, bool up)
 {

@@ -1,8 +1,9 @@
-/* A graph onto a page: frames, bands, curves, rulers and words, and the styles of its words and lines. The layout is done. */
+/* A graph onto a page: frames, bands, curves, rulers and words, and the styles of its words and lines. The last step: the layout is
+ * known. */
 #include "render/plot/graph_private.h"
 
 static const double title_size = 1.2;                          /* of the look's */
-static const double band_share = 0.16, band_share_dark = 0.25; /* of the accent in the ground of bands */
+static const double band_share = 0.16, band_share_dark = 0.25; /* share of the accent colour in bands */
 
 struct bead_text_style graph_text(const struct bead_look *look)
 {

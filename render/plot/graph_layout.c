@@ -1,5 +1,5 @@
-/* Where the parts of a graph go. Axes and words are measured, plots get what is left; words and legends that find no free room
- * inside go outside, which makes plots smaller: then again, until everything has a place. */
+/* The layout of a graph. Axes and words are measured, plots get the remaining room. Words and legends that find no free room inside
+ * the panels go outside, which makes plots smaller; this repeats until everything has a place. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,11 +10,10 @@
 /* In units of the label's font size. */
 static const double title_gap = 0.7, caption_gap = 0.5, legend_gap = 0.7, head_gap = 0.35, between_columns = 1.0,
                     between_rows = 0.8;
-/* Legends beside the panels of pages that are wider than high by this take at most a part of the width, others where it is worth
- * it. */
+/* Pages wider than this ratio have legends beside the panels, at most this part of the width; others only if it is worth it. */
 static const double most_below = 0.5; /* of the height */
 static const double usual_legend = 0.3, widest_legend = 0.5, wide_page = 1.5;
-/* Panels are this much wider than high if they can. */
+/* Preferred ratio of a panel's width to its height. */
 static const double wanted_shape = 1.45;
 static const int smallest_plot = 24; /* px */
 
@@ -164,7 +163,7 @@ static bool in_earlier(const struct graph_layout *l, size_t cell, const struct g
     return false;
 }
 
-/* Every entry once: in the first panel that has it, or among those outside. */
+/* Every entry appears once: in the first panel that has it, or in the outer legend. */
 static void gather_legends(struct graph_layout *l)
 {
     l->legend.count = 0;
@@ -189,14 +188,14 @@ static void gather_legends(struct graph_layout *l)
     }
 }
 
-/* In one column beside the panels. False: that is too wide or too high. */
+/* Tries one column beside the panels. False: too wide or too high. */
 static bool fits_beside(struct graph_layout *l, double part, double height)
 {
     graph_legend_measure(&l->legend, l->look, part * (l->width - 2 * l->frame.margin), 1);
     return l->legend.wrap == 0 && l->legend.box.height < height;
 }
 
-/* Beside the panels of wide pages, else below them or where more is left to these. */
+/* Beside the panels on wide pages, else below them, or wherever more room is left for plots. */
 static void measure_outside(struct graph_layout *l)
 {
     double em = l->look->label, width = l->width - 2 * l->frame.margin, height = l->height - 2 * l->frame.margin - 4 * em;
@@ -346,7 +345,7 @@ static void put_outer_legend(struct graph_layout *l)
         return;
     }
     double bottom = l->height - margin - (l->caption ? ceil(l->caption_height + caption_gap * em) : 0);
-    double free = l->width - margin - first->plot.x - l->legend.box.width; /* from the plots' left border if it can */
+    double free = l->width - margin - first->plot.x - l->legend.box.width; /* from the plots' left border if it fits */
     l->legend.box.x = first->plot.x + fmin(0, free);
     l->legend.box.y = bottom - l->legend.box.height;
 }
@@ -361,8 +360,8 @@ static double reaches(const struct graph_layout *l)
     return sum;
 }
 
-/* Several times: what axes take depends on the size of plots, and that on what axes take. At first they may take less each time,
- * then only more, until all have what they need. */
+/* Several passes: the room for axes depends on the size of plots, and the reverse. First the room may shrink; later it only grows,
+ * until everything fits. */
 static enum bead_error graph_arrange(struct graph_layout *l, struct bead_message *msg)
 {
     enum { FREELY = 3 };
@@ -388,7 +387,7 @@ static enum bead_error graph_arrange(struct graph_layout *l, struct bead_message
     return err;
 }
 
-/* Room for the legend above the curves of all panels that share the axis. False: there is none to be made. */
+/* Raises the axis to make room for the legend above the curves of all panels that share it. False: impossible. */
 static bool raise_axes(struct graph_layout *l, struct graph_cell *cell)
 {
     double air = 4 * graph_air(l->look), free = cell->plot.height;
@@ -411,7 +410,7 @@ static bool raise_axes(struct graph_layout *l, struct graph_cell *cell)
     return true;
 }
 
-/* Words and legend into a panel. *moved: something has to go outside. */
+/* Places words and legend in a panel. *moved: something has to go outside. */
 static enum bead_error furnish(struct graph_layout *l, struct graph_cell *cell, bool *moved, struct bead_message *msg)
 {
     struct graph_mask mask;
@@ -460,7 +459,7 @@ enum bead_error graph_layout_make(const struct bead_graph *graph, const struct b
     enum bead_error err = graph_prepare(layout, msg);
     if (!err)
         err = graph_find_ranges(layout, msg);
-    for (bool moved = true; !err && moved;) { /* ends: every word and legend moves once at most */
+    for (bool moved = true; !err && moved;) { /* ends, because every word and legend moves at most once */
         moved = false;
         gather_legends(layout);
         measure_outside(layout);

@@ -1,4 +1,4 @@
-/* Legends of graphs: which curve is which, in a grid of entries. */
+/* Legends: a grid of entries that says which curve is which. Measured and placed by the layout, drawn by graph_draw.c. */
 #include <math.h>
 
 #include "render/plot/graph_private.h"
@@ -8,7 +8,7 @@ static const double sample_length = 1.8, sample_gap = 0.5, between_columns = 1.3
 /* Places tried inside a panel, across and down. */
 enum { ACROSS = 17, DOWN = 13 };
 
-/* Sizes of type to try where legends take too much. */
+/* Font sizes to try if a legend takes too much room. */
 static const double smaller[] = {1, 0.87, 0.75};
 enum { SIZES = sizeof smaller / sizeof *smaller };
 
@@ -47,7 +47,7 @@ static double measure_entries(struct graph_legend *legend, const struct bead_loo
     return ceil(highest);
 }
 
-/* Columns as wide as their entries; returns the width of all. */
+/* Columns as wide as their entries; returns the total width. */
 static double put_entries(struct graph_legend *legend, const struct bead_look *look, size_t columns, double row)
 {
     size_t rows = (legend->count + columns - 1) / columns;
@@ -75,7 +75,7 @@ void graph_legend_measure(struct graph_legend *legend, const struct bead_look *l
         most--;
 }
 
-/* In columns of equal width, words cut to them. */
+/* Columns of equal width, with words cut to fit. */
 static void cut_to_fit(struct graph_legend *legend, const struct bead_look *look, double width, double height)
 {
     double em = type_of(legend, look), row = ceil(least_row * em), gap = between_columns * em;
@@ -105,7 +105,7 @@ void graph_legend_fit(struct graph_legend *legend, const struct bead_look *look,
     }
 }
 
-/* Corners first, then along the borders, then the middle: less is better. */
+/* Preference of a place: corners first, then borders, then the middle; less is better. */
 static double oddness(double across, double down)
 {
     double x = fmin(across, 1 - across), y = fmin(down, 1 - down);
@@ -138,7 +138,7 @@ bool graph_legend_place(struct graph_legend *legend, const struct bead_look *loo
     double least = INFINITY, width = mask->width * mask->cell;
     for (size_t columns = 1; columns <= legend->count; columns++) {
         struct graph_legend tried = *legend;
-        double penalty = 0.1 * (double)(columns - 1); /* one below the other where that is as good */
+        double penalty = 0.1 * (double)(columns - 1); /* one column if that is as good */
         graph_legend_measure(&tried, look, 0.9 * width, columns);
         double limit = least - penalty;
         if (tried.wrap != 0 || tried.columns != columns || !try_columns(&tried, look, mask, &limit))

@@ -1,4 +1,4 @@
-/* What the parts of a graph share: graph.c (entry, files), graph_range.c (axes), graph_layout.c (where things go), graph_words.c
+/* What the files of a graph share: graph.c (entry, files), graph_range.c (axes), graph_layout.c (where things go), graph_words.c
  * (words at rulers), graph_legend.c, graph_draw.c (the page), graph_curve.c (curves and points). Lengths in px. */
 #ifndef BEADREEL_RENDER_PLOT_GRAPH_PRIVATE_H
 #define BEADREEL_RENDER_PLOT_GRAPH_PRIVATE_H
@@ -10,19 +10,19 @@ struct graph_box {
     double x, y, width, height;
 };
 
-/* What is covered in a panel, in square cells. */
+/* Which parts of a panel are covered, in square cells. */
 struct graph_mask {
     int width, height;
     double cell, x, y; /* x, y: of the plot's corner */
     unsigned *sums;    /* [(height + 1) * (width + 1)]: covered cells above and to the left */
 };
 
-/* One entry of a legend: a curve, or a ruler that has no room for its word. */
+/* One entry of a legend: a curve, or a ruler whose word does not fit beside it. */
 struct graph_entry {
     const struct bead_series *series; /* or */
     const struct bead_ruler *ruler;
     char *markup;               /* borrowed */
-    double width, height, x, y; /* x, y: of the sample's left and the row's middle in the legend */
+    double width, height, x, y; /* x, y: left end of the sample and middle of the row, within the legend */
 };
 
 struct graph_legend {
@@ -63,7 +63,7 @@ struct graph_frame {
     double margin;            /* around everything */
     struct bead_insets least; /* of plots from the borders */
     const char *letter;       /* of the first panel; "": none */
-    bool no_across;           /* no labels at the level axes: another part has them */
+    bool no_across;           /* no labels on the horizontal axes: another panel has them */
 };
 
 struct graph_layout {
@@ -71,7 +71,7 @@ struct graph_layout {
     struct graph_frame frame;
     const struct bead_look *look;
     double width, height;
-    bool part; /* one of several panels: its plots stay where they are, so legends stay inside if at all possible */
+    bool part; /* one of several panels: its plots cannot move, so legends stay inside if at all possible */
     size_t columns, rows;
     struct graph_cell *cells;                         /* [panel_count] */
     char *title, *caption;                            /* markup; NULL: none */
@@ -90,24 +90,25 @@ void graph_layout_free(struct graph_layout *layout);
 /* Ranges of all cells' axes. Errors: SCENE (a range that makes no sense). */
 BEAD_CHECK enum bead_error graph_find_ranges(struct graph_layout *layout, struct bead_message *msg);
 
-/* Nothing else may be drawn into a box that holds words, this far around it. */
+/* The clear distance around a box of words, px. */
 double graph_air(const struct bead_look *look);
 BEAD_CHECK enum bead_error graph_mask_make(const struct graph_cell *cell, const struct bead_look *look, struct graph_mask *mask,
                                            struct bead_message *msg);
 void graph_mask_free(struct graph_mask *mask);
-/* Covered cells in a box; a box that reaches out of the plot is covered. */
+/* The number of covered cells in a box; a box that reaches out of the plot counts as covered. */
 unsigned graph_mask_covered(const struct graph_mask *mask, struct graph_box box);
 /* Cover a box, too. */
 void graph_mask_cover(struct graph_mask *mask, struct graph_box box);
 
-/* Words of the cell's rulers into free room; where there is none they go into the legend. True: one newly does. */
+/* Places the words of the cell's rulers in free room; a word without room goes into the legend. True: a word has newly gone there.
+ */
 bool graph_words_place(struct graph_cell *cell, const struct bead_look *look, struct graph_mask *mask);
 
-/* Size the legend for a width, in this many columns; 0: as many as have room. */
+/* Sizes the legend for a width, in this many columns; 0: as many as fit. */
 void graph_legend_measure(struct graph_legend *legend, const struct bead_look *look, double width, size_t columns);
-/* The same for a width and, if at all possible, a height: in smaller type and with long words cut, if need be. */
+/* Sizes it for a width and, if possible, a height: with smaller type and long words cut, if need be. */
 void graph_legend_fit(struct graph_legend *legend, const struct bead_look *look, double width, double height);
-/* Into free room of a panel. False: there is none. */
+/* Places it in free room of a panel. False: there is none. */
 bool graph_legend_place(struct graph_legend *legend, const struct bead_look *look, struct graph_mask *mask);
 void graph_legend_draw(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr);
 
@@ -116,14 +117,14 @@ void graph_set_colour(cairo_t *cr, struct bead_rgb colour);
 struct bead_rgb graph_mix(struct bead_rgb a, struct bead_rgb b, double part);
 double graph_title_size(const struct bead_look *look);
 struct bead_text_style graph_text(const struct bead_look *look);
-/* Radius of points: where there is room, and as they are in a panel. */
+/* Radius of points: the full size, and the size in a panel. */
 double graph_full_point(const struct bead_look *look);
 double graph_point_size(const struct bead_series *series, const struct graph_cell *cell, const struct bead_look *look);
 void graph_draw_point(cairo_t *cr, const struct bead_look *look, const struct bead_series *series, double x, double y, double size);
 void graph_stroke_style(cairo_t *cr, const struct bead_look *look, const struct bead_series *series);
 void graph_draw_series(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series);
 void graph_ruler_style(cairo_t *cr, const struct bead_look *look);
-/* Curves, points and rulers, as they are drawn and as words avoid them. */
+/* Draws curves, points and rulers; the mask of covered cells is made with it as well. */
 void graph_draw_contents(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell);
 void graph_draw_all(cairo_t *cr, const struct graph_layout *layout);
 

@@ -1,16 +1,17 @@
-/* Ranges of the axes of graphs: as asked for, else from the data and rulers, widened so that nothing sticks to the frame. */
+/* Ranges of a graph's axes: as requested, else from data and rulers, widened so that nothing touches the frame. First step of the
+ * layout. */
 #include <math.h>
 #include <string.h>
 
 #include "render/plot/graph_private.h"
 
-/* Parts of the range that are added at both ends; lines alone fill the axis of x. */
+/* Parts of the range added at both ends; lines without points fill the x axis. */
 static const double widened_x = 0.03, widened_y = 0.06;
-/* Values that differ by less than this part of their size are one value. */
+/* Values whose relative difference is smaller count as equal. */
 static const double alike = 1e-9;
 static const double log_room = 1.3;
 static const double largest = 1e300; /* beyond, lengths of axes overflow */
-/* Logarithmic axes with a given upper end only reach down to this part of it. */
+/* A logarithmic axis with only its upper end given reaches down to this part of it. */
 static const double log_span = 1e-4;
 
 static void take(double value, enum bead_scale scale, double range[2])
@@ -21,7 +22,7 @@ static void take(double value, enum bead_scale scale, double range[2])
     range[1] = fmax(range[1], value);
 }
 
-/* Least and largest along x (`axis` 0) or y of what a panel shows. */
+/* Smallest and largest x (`axis` 0) or y of what a panel shows. */
 static void take_panel(const struct bead_panel *panel, int axis, double range[2])
 {
     enum bead_scale scale = (axis ? panel->y : panel->x).scale;
@@ -89,7 +90,7 @@ static void range_widen(const struct bead_graph_axis *axis, bool counts, double 
     range[1] += room;
 }
 
-/* What is asked for wins over what was found. */
+/* Requested ends replace those found. */
 static void apply(const struct bead_graph_axis *axis, double range[2])
 {
     bool low = !isnan(axis->low), high = !isnan(axis->high), logarithmic = axis->scale == BEAD_SCALE_LOG;
@@ -114,7 +115,7 @@ static enum bead_error range_check(const struct bead_graph_axis *axis, struct be
     return BEAD_OK;
 }
 
-/* From what was found in `range`. */
+/* Makes the final range from the one found. */
 static void range_settle(const struct bead_graph_axis *axis, double part, double range[2])
 {
     bool counts = strcmp(axis->unit, "1") == 0;

@@ -1,5 +1,5 @@
-/* Words of rulers: beside their line, where they hide nothing. A mask of what curves, points and rulers cover finds free room for
- * them, and for legends. */
+/* Places the words of rulers beside their lines, where they hide nothing. A mask of what curves, points and rulers cover finds free
+ * room for words and legends. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -25,7 +25,7 @@ static void sum(struct graph_mask *mask, const unsigned char *covered, size_t st
     }
 }
 
-/* The cell's contents drawn small: whatever leaves a trace covers. */
+/* Draws the cell's contents small; every pixel touched is covered. */
 enum bead_error graph_mask_make(const struct graph_cell *cell, const struct bead_look *look, struct graph_mask *mask,
                                 struct bead_message *msg)
 {
@@ -90,7 +90,7 @@ void graph_mask_cover(struct graph_mask *mask, struct graph_box box)
     for (int y = from[1]; y < mask->height; y++) {
         for (int x = from[0]; x < mask->width; x++) {
             int rows = (y < to[1] ? y + 1 : to[1]) - from[1], columns = (x < to[0] ? x + 1 : to[0]) - from[0];
-            if (rows > 0 && columns > 0) /* counts cells that were covered already twice: covered is covered */
+            if (rows > 0 && columns > 0) /* may count a cell twice, which does no harm */
                 mask->sums[((size_t)y + 1) * across + (size_t)x + 1] += (unsigned)(rows * columns);
         }
     }
@@ -104,8 +104,7 @@ static double place_of(const struct graph_cell *cell, const struct bead_ruler *r
     return bead_axis_place(&cell->axis[ruler->vertical ? 0 : 1], ruler->value);
 }
 
-/* A box beside the ruler: `side` 0 or 1, a part of the way along it (of a vertical one from the top, of a level one from the
- * right). */
+/* A box beside the ruler, on `side` 0 or 1, at the fraction `way` along it (from the top, or from the right). */
 static struct graph_box beside(const struct graph_cell *cell, const struct bead_look *look, const struct bead_ruler *ruler,
                                double width, double height, int side, double way)
 {
@@ -120,7 +119,7 @@ static struct graph_box beside(const struct graph_cell *cell, const struct bead_
     return (struct graph_box){x - way * (plot->width - width - 2 * inset), side ? y + gap : y - gap - height, width, height};
 }
 
-/* Letters sit in boxes with room above and below: only half of the air is kept there. */
+/* Boxes of text have room above and below the letters, so only part of the clear distance is kept there. */
 static struct graph_box with_air(struct graph_box box, double air)
 {
     return (struct graph_box){box.x - 0.8 * air, box.y - 0.3 * air, box.width + 1.6 * air, box.height + 0.6 * air};
@@ -139,7 +138,7 @@ static bool try_word(struct graph_word *word, const struct graph_cell *cell, con
     return false;
 }
 
-/* Along vertical rulers words are turned where they do not fit level. */
+/* Words along vertical rulers are rotated if they do not fit horizontally. */
 static bool place_word(struct graph_word *word, const struct graph_cell *cell, const struct bead_look *look,
                        const struct bead_ruler *ruler, const struct graph_mask *mask)
 {

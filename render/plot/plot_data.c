@@ -1,3 +1,5 @@
+/* Plots: collects what a plot shows from samples, by the functions of its kind, and makes panels of graphs from it. Stills and
+ * panels use it. */
 #include "render/plot/plot_data.h"
 
 #include <stdio.h>
@@ -7,7 +9,7 @@
 #include "render/draw/markup.h"
 #include "render/plot/plot_private.h"
 
-/* The first where an output shows none of them. */
+/* The first is the default. */
 static const struct plot_kind *const kinds[] = {&bead_plot_sensors, &bead_plot_peaks, &bead_plot_modes, &bead_plot_profiles};
 
 static const struct plot_kind *plot_kind_of(const struct bead_plot_data *data)
@@ -128,7 +130,7 @@ const struct bead_panel *bead_plot_data_panels(const struct bead_plot_data *data
 enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct bead_outcome *outcomes, const struct bead_page *page,
                                      const char *path, uint64_t *bytes, struct bead_message *msg)
 {
-    const int least = 240; /* px of height where a title is worth its room */
+    const int least = 240; /* px: lower pictures have no title */
     const struct plot_kind *kind = plot_kind_of(data);
     bool titled = kind->headed ? data->output->paper.style != BEAD_STYLE_PAPER : !page->paper && page->height >= least;
     enum bead_error err = bead_plot_data_finish(data, outcomes, msg);

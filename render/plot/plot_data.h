@@ -9,8 +9,7 @@
 
 struct bead_plot_data;
 
-/* `output` and `stage` are borrowed. `chain`: number of the only one shown; SIZE_MAX: all. Errors: SCENE
- * (with the output's place), MEMORY. */
+/* `output` is borrowed. `chain`: number of the only chain shown; SIZE_MAX: all. Errors: SCENE (with the output's place), MEMORY. */
 BEAD_CHECK enum bead_error bead_plot_data_create(const struct bead_output *output, const struct bead_run_context *context,
                                                  size_t chain, struct bead_plot_data **data, struct bead_message *msg);
 void bead_plot_data_needs(const struct bead_plot_data *data, struct bead_needs *needs);

@@ -5,10 +5,10 @@
 
 #include "render/plot/plot_private.h"
 
-/* Times of a curve where the scene does not say how often; more cannot be seen. */
+/* Times of a curve unless the scene gives an interval; more cannot be seen. */
 static const double most_times = 4000;
 
-/* As often as asked, or as can be seen; of samples at given times, those. */
+/* At the requested interval, or as often as can be seen; replayed samples keep their times. */
 static struct bead_grid plot_modes_choose_grid(const struct bead_output *output, const struct bead_run_context *context)
 {
     const struct bead_grid *native = &context->native;
@@ -35,7 +35,7 @@ static void plot_modes_make_axes(struct bead_plot_data *data, double low)
     }
 }
 
-/* Times in data->sample; energies of a chain in its part's values, [modes][times]. */
+/* Stores times in data->sample and a chain's energies in its part's values, [modes][times]. */
 static enum bead_error plot_modes_create(struct bead_plot_data *data, struct bead_message *msg)
 {
     const struct bead_output *output = data->output;
@@ -65,7 +65,7 @@ static void plot_modes_needs(const struct bead_plot_data *data, struct bead_need
         needs->fields |= bead_chain_mode_fields(data->context.chains[data->parts[p].chain]);
 }
 
-/* Samples may be closer than those asked for, where other panels of a figure want that. */
+/* Samples may come more often than requested, for other panels of the figure. */
 static enum bead_error plot_modes_feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
 {
     double energy[BEAD_MODES];
@@ -86,7 +86,7 @@ static enum bead_error plot_modes_feed(struct bead_plot_data *data, const struct
     return BEAD_OK;
 }
 
-/* A logarithmic axis goes six powers of ten down from the highest. */
+/* A logarithmic axis extends six powers of ten below the highest value. */
 static double lowest(const struct bead_plot_data *data)
 {
     double most = 0;

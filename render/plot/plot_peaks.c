@@ -5,7 +5,7 @@
 
 #include "render/plot/plot_private.h"
 
-/* A logarithmic axis shows this part of the largest force at least; room at its ends. */
+/* A logarithmic axis extends at least down to this part of the largest force; the room at its ends. */
 static const double log_span = 1e-4, log_room = 1.35;
 
 static size_t contacts_of(const struct bead_plot_data *data, size_t chain)
@@ -13,7 +13,7 @@ static size_t contacts_of(const struct bead_plot_data *data, size_t chain)
     return plot_shows(data, chain) ? bead_chain_contacts(data->context.chains[chain]) : 0;
 }
 
-/* One chain alone is named above the panel, several are in the legend (SIZE_MAX). */
+/* A single chain is named above the panel, several in the legend (SIZE_MAX). */
 static size_t only_chain(const struct bead_plot_data *data)
 {
     return data->context.chain_count == 1 ? 0 : data->chain;
@@ -57,7 +57,7 @@ static bool has_peak(const struct bead_peak *peak)
     return isfinite(peak->value) && !(peak->value == 0 && isnan(peak->time));
 }
 
-/* Finished peaks say how far down the axis goes. */
+/* Finished peaks determine how far down the axis extends. */
 static void plot_peaks_find_range(const struct bead_plot_data *data, const struct bead_outcome *outcomes,
                                   struct bead_graph_axis *axis)
 {
@@ -76,7 +76,7 @@ static void plot_peaks_find_range(const struct bead_plot_data *data, const struc
     axis->low = isnan(axis->low) ? fmax(log_span * largest, fmin(least, largest)) / log_room : axis->low;
 }
 
-/* Two series: finished peaks, and those that are not. Returns how many of the latter there are. */
+/* Fills two series: finished peaks, and peaks that were still rising. Returns the number of the latter. */
 static size_t plot_peaks_fill(const struct bead_plot_data *data, const struct bead_outcome *outcome, size_t chain, double *values,
                               struct bead_series series[2])
 {

@@ -1,4 +1,4 @@
-/* What the kinds of plots share. */
+/* What the kinds of plots share: the data gathered, and the table of functions that each kind fills in. */
 #ifndef BEADREEL_RENDER_PLOT_PLOT_PRIVATE_H
 #define BEADREEL_RENDER_PLOT_PLOT_PRIVATE_H
 
@@ -34,7 +34,7 @@ struct bead_plot_data {
 struct plot_kind {
     enum bead_show show;
     bool share_x; /* one range along x for all panels */
-    bool headed;  /* letters and title on every page, save that paper's style has no title; else as the page has room */
+    bool headed;  /* always with letters, and with a title unless the style is paper; else as the page has room */
     enum bead_error (*create)(struct bead_plot_data *data, struct bead_message *msg);
     void (*needs)(const struct bead_plot_data *data, struct bead_needs *needs);
     enum bead_error (*feed)(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg);
@@ -42,14 +42,15 @@ struct plot_kind {
 };
 extern const struct plot_kind bead_plot_sensors, bead_plot_peaks, bead_plot_modes, bead_plot_profiles;
 
-/* Room for panels. Errors: MEMORY. */
+/* Allocates panels. Errors: MEMORY. */
 BEAD_CHECK enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct bead_message *msg);
-/* A panel with its chain's name for every chain shown, and room for `series` in each and their labels. Errors: MEMORY. */
+/* Allocates a panel, titled with the chain's name, for every chain shown, with `series` and their labels in each. Errors: MEMORY.
+ */
 BEAD_CHECK enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, struct bead_message *msg);
 bool plot_shows(const struct bead_plot_data *data, size_t chain);
-/* Name and magnetism of a chain, as texts of graphs. */
+/* Name and magnetism of a chain, in the markup of graphs. */
 void plot_heading(const struct bead_chain *chain, char *text, size_t size);
-/* Colour, shape and dashes that tell curve `index` from the others. */
+/* Sets colour, shape and dashes that distinguish curve `index` from the others. */
 void plot_tell_apart(struct bead_series *series, size_t index);
 
 #endif

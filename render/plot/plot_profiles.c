@@ -7,7 +7,7 @@
 #include "render/draw/quantity.h"
 #include "render/plot/plot_private.h"
 
-/* No more digits than it needs, five at most. */
+/* As many digits as the time needs, at most five. */
 static void plot_profiles_time_words(double time, const char *unit, char *text, size_t size)
 {
     double shown = time / bead_power_of_ten(bead_prefix_exponent(time, unit));

@@ -10,7 +10,7 @@
 #include "render/view/horizon.h"
 #include "render/view/trust_words.h"
 
-/* Times that a plot can tell apart. */
+/* Number of times that a plot can distinguish. */
 static const double moments = 2000;
 
 /* Of the first chain shown: its scene's chains are of one kind. */
@@ -159,7 +159,7 @@ static double peak_of(const struct bead_curves *curves, size_t k)
     return peak;
 }
 
-/* What sensor `k` is multiplied by; NaN where nothing has come to what it would be divided by. */
+/* The factor for sensor `k`; NaN if the force that it would be divided by is 0. */
 static double plot_sensors_factor_of(const struct bead_plot_data *data, const struct plot_panel *part, size_t k)
 {
     if (data->output->plot.normalise == BEAD_NORMALISE_NONE)
@@ -196,7 +196,7 @@ static enum bead_error plot_sensors_fill(struct bead_plot_data *data, struct plo
     return BEAD_OK;
 }
 
-/* Lowest and highest of what all panels show. */
+/* Lowest and highest value of all panels. */
 static double axis_length(const struct bead_plot_data *data)
 {
     double range[2] = {0, 0};
@@ -214,7 +214,7 @@ static double axis_length(const struct bead_plot_data *data)
     return range[1] - range[0];
 }
 
-/* The first time at which a curve differs from its comparison run by more than a hundredth of the axis. */
+/* The first time at which a curve differs from its comparison run by more than one hundredth of the axis. */
 static double horizon_of(const struct bead_plot_data *data, const struct plot_panel *part, double threshold)
 {
     const struct bead_curves *curves = &part->differences;

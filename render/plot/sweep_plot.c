@@ -10,18 +10,18 @@
 #include "render/plot/graph.h"
 #include "render/plot/sweep_plot.h"
 
-/* Series of a place: all configurations, or up to MARKS of each magnetism with marks of their own; median, mean; of a magnetism
- * along the chain: its means, its exponential. */
+/* Series of one panel: all configurations, or up to MARKS of each magnetism with their own marks; median, mean; for decay, the
+ * means of a magnetism and their exponential. */
 enum { MARKS = 5, SERIES_OF_PLACE = MARKS + 2, SERIES_OF_DECAY = 3, DECAY_PANELS = 2, RULERS = 2 };
 
-/* A panel and all that its pointers point to. */
+/* A panel and everything it points to. */
 struct panel {
     struct bead_series *series;
     struct bead_ruler rulers[RULERS];
     struct bead_sweep_statistics *statistics; /* [places] */
     struct bead_sweep_decay *decays;
     size_t decay_count, places, series_count, ruler_count;
-    double **numbers; /* [series]: x and y of those that have their own */
+    double **numbers; /* [series]: x and y of series with data of their own */
     char (*words)[96];
     char ruler_words[RULERS][96];
 };
@@ -48,7 +48,7 @@ static enum bead_error sweep_plot_reserve(struct panel *p, size_t series, struct
     return p->series && p->numbers && p->words ? BEAD_OK : out_of_memory(msg);
 }
 
-/* Room for `rows` numbers `columns` times; NULL: out of memory. */
+/* Allocates `columns` arrays of `rows` numbers; NULL: out of memory. */
 static double *take(struct panel *p, size_t rows, size_t columns)
 {
     double *numbers = calloc(rows * columns + 1, sizeof *numbers);
@@ -212,7 +212,7 @@ static void join_marks(struct plot *plot)
 
 /* ---- decay ---- */
 
-/* A line of a fit from place `first` to `last`: exponential, or power. */
+/* The line of a fit from place `first` to `last`: exponential or power law. */
 static bool add_fit(struct panel *p, const struct bead_decay *fit, size_t first, size_t last, double half, bool power,
                     size_t colour)
 {
@@ -261,7 +261,7 @@ static bool add_profile(struct panel *p, const struct plot *plot, size_t index, 
     return good && (!power || add_fit(p, fit, fit->last, count - 1, half, true, colour));
 }
 
-/* To the last random bead: behind it is what the wave makes of an ordered chain, and its end. */
+/* Up to the last random bead; behind it the chain is ordered, or ends. */
 static enum bead_error fill_decay(struct plot *plot, size_t place, struct bead_message *msg)
 {
     const size_t index = place / DECAY_PANELS;
@@ -323,7 +323,7 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
         join_marks(&plot);
     const struct bead_graph graph = {
         .panels = plot.shown, .panel_count = plot.count, .letters = true, .share_x = !decay, .share_y = !decay};
-    if (!err) /* on paper the text says what it is */
+    if (!err) /* on paper the text explains it */
         err = bead_graph_write(&graph, output->paper.style != BEAD_STYLE_PAPER, output, bead_sweep_scene(sweep), path, bytes, msg);
     free_plot(&plot);
     return err;
