@@ -1,3 +1,4 @@
+/* Entry to schematic drawings: finds the drawing that an output shows, tries it for room, and writes it as a file. */
 #include "render/schematic/schematic.h"
 
 #include <math.h>
@@ -155,7 +156,7 @@ static void draw_title(const struct bead_drafting *d, struct bead_box *area)
     area->height -= 2 * look->title;
 }
 
-/* Wrapped, at the bottom of the area, which loses it. */
+/* A wrapped text at the bottom of the area, which shrinks by its height. */
 static bool draw_caption(const struct bead_drafting *d, struct bead_box *area)
 {
     double em = d->sketch->look->label, width, height;

@@ -10,11 +10,11 @@
 #include "render/schematic/schematic_words.h"
 
 enum { MOST_CELLS = 16, MOST_GROUPS = 24, WHOLE_GROUP = 7, FIRST_SHOWN = 4, LAST_SHOWN = 2 };
-/* Cells of more groups than this may get one brace for all, and so many of their beads are shown. */
+/* A cell with more groups than this may get a single brace, and this many of its beads are shown. */
 enum { FEW_GROUPS = 6, PLAIN_WHOLE = 16, PLAIN_FIRST = 10, PLAIN_LAST = 5 };
 /* In units of the label's font size. */
 static const double title_row = 2.0, brace_depth = 0.75, brace_gap = 0.3, line = 1.35, row_gap = 1.2, gap = 2.2, side_column = 3.6,
-                    aside = 0.7; /* labels further from their brace get a line */
+                    aside = 0.7; /* labels farther than this from their brace get a line */
 /* A bead's radius, in units of the label's font size. */
 static const double largest_ball = 5.5, smallest_ball = 0.35;
 
@@ -27,7 +27,7 @@ struct drawing {
     const struct bead_drafting *d;
     struct cell cells[MOST_CELLS];
     size_t count, rows;
-    bool plain;       /* cells of many groups get one brace for all */
+    bool plain;       /* cells of many groups get a single brace */
     bool names, both; /* a second line under the braces; some row is marked up or down */
     double scale, largest;
 };
@@ -92,7 +92,7 @@ static bool make_plain(const struct bead_segment *segment, bool down, struct bea
     return true;
 }
 
-/* Groups that get a brace each; false: there are too many. */
+/* Groups that each get a brace; false: there are too many. */
 static bool cell_find_groups(const struct drawing *g, const struct bead_segment *segment, struct bead_cell_group *groups,
                              size_t *count)
 {
@@ -115,7 +115,7 @@ static void group_words(const struct drawing *g, const struct bead_cell_group *g
         bead_text_escape(g->d->context->scene->materials[groups[i].material].name, name, 200);
 }
 
-/* Labels of the braces; false: they have no room. Draws them where y is given. */
+/* Labels of the braces; false: they do not fit. Draws them if y is given. */
 static bool label_groups(const struct drawing *g, const struct bead_strip *strip, const struct bead_cell_group *groups,
                          size_t count, bool down, double low, double high, const double *y)
 {
@@ -176,7 +176,7 @@ static double row_height(const struct drawing *g)
     return 2 * g->largest * g->scale + (brace_gap + brace_depth + 1.05 + 0.7 + (g->names ? line : 0)) * g->d->sketch->look->label;
 }
 
-/* One cell one way round, its top at y; draw false: only whether there is room. */
+/* One cell in one orientation, its top at y; draw false: only checks the room. */
 static bool cell_draw_row(const struct drawing *g, const struct cell *cell, bool down, double y, bool draw)
 {
     struct bead_sketch *sketch = g->d->sketch;
@@ -211,7 +211,7 @@ static bool cell_draw_row(const struct drawing *g, const struct cell *cell, bool
     return room;
 }
 
-/* All cells from y on; draw false: only whether there is room. */
+/* All cells from y on; draw false: only checks the room. */
 static bool draw_cells(const struct drawing *g, double y, bool draw)
 {
     double em = g->d->sketch->look->label;
@@ -254,7 +254,7 @@ bool bead_schematic_cell(const struct bead_drafting *d)
             g.largest = radius > g.largest ? radius : g.largest;
         }
     }
-    for (int way = 0; way < 4; way++) { /* with names and without, then plain */
+    for (int way = 0; way < 4; way++) { /* tries names, then no names, then plain */
         g.names = way % 2 == 0;
         g.plain = way >= 2;
         for (double ball = largest_ball; ball >= smallest_ball; ball *= 0.9) {

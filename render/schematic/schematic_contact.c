@@ -1,4 +1,4 @@
-/* A contact drawn to scale: two beads, or a bead and the wall, cut along their axis, as far in each other as the output says. The
+/* A contact drawn to scale: two beads, or a bead and the wall, cut along their axis, pressed together as the output says. The
  * outlines meet in a chord of half length q; each bead is flattened by delta_i = R_i - sqrt(R_i^2 - q^2), which for small ones is
  * q^2 / (2 R_i): Hertz's share of the compression (thesis, 2.1 and Fig. 2). */
 #include <math.h>
@@ -11,15 +11,15 @@
 
 /* In units of the label's font size: rows above and below the beads, and how far apart things are. */
 static const double names_row = 1.9, dimensions_row = 3.0, near = 0.95, right_angle = 0.4;
-/* A bead so many times larger than the other is not shown whole, but as far as this many radii of the other. */
+/* A bead this many times larger than the other is not shown whole, but up to this many radii of the other. */
 static const double whole = 2.2, shown = 1.5;
-/* Of the wall's thickness, in radii of the bead. */
+/* Thickness of the wall, in radii of the bead. */
 static const double thickness = 0.3;
 
 struct side {
     const struct bead_material *material; /* NULL: rigid wall */
     bool wall, cut;                       /* cut: not shown whole */
-    int index;                            /* of its symbols; 0: both beads are alike, or there is one only */
+    int index;                            /* of its symbols; 0: the beads are alike, or there is only one */
     double sign;                          /* -1: left of the chord */
     double radius, flattened, extent;     /* m; extent: from the chord outwards */
     double x, r;                          /* px: centre, radius */
@@ -205,13 +205,13 @@ static void draw_chord(const struct contact *c)
     bead_sketch_colour(sketch, sketch->look->accent);
     cairo_set_line_width(sketch->cr, 2 * sketch->look->line);
     bead_sketch_line(sketch, c->chord_x, c->y - c->q, c->chord_x, c->y + c->q);
-    /* Beside the chord, where there is room within the other bead's outline; else beside that. */
+    /* Beside the chord if there is room within the other bead's outline, else beside the outline. */
     const double up = 0.42, outline = c->scale * c->side[1].flattened * (1 - up * up);
     double x = c->chord_x - (outline > 1.1 * em ? 0 : outline) - 0.35 * em;
     put_symbol(c, "r̃", 0, x, c->y - up * c->q, BEAD_ALIGN_END);
 }
 
-/* What each bead is flattened by, below: from the chord to where its outline was. */
+/* The flattening of each bead, dimensioned below: from the chord to its original outline. */
 static bool draw_dimensions(const struct contact *c, const struct bead_box *area)
 {
     struct bead_sketch *sketch = c->d->sketch;
@@ -220,7 +220,7 @@ static bool draw_dimensions(const struct contact *c, const struct bead_box *area
     struct bead_label labels[2];
     char markup[2][160];
     size_t count = 0;
-    for (size_t i = 2; i-- > 0;) { /* the right bead's is left of the chord */
+    for (size_t i = 2; i-- > 0;) { /* the right bead's lies left of the chord */
         const struct side *s = &c->side[i];
         if (s->wall)
             continue;
@@ -291,7 +291,7 @@ static void contact_power_of_ten(double value, char *out, size_t size)
         snprintf(out, size, "%.3f × 10^{%d}", value / pow(10, exponent), exponent);
 }
 
-/* A formula, as bead_markup takes it. */
+/* A formula in the syntax of bead_markup. */
 BEAD_PRINTF(2, 3) static void put_piece(struct bead_piece *piece, const char *format, ...)
 {
     char text[256];

@@ -1,4 +1,4 @@
-/* What of a chain is shown, and in which words. */
+/* Chooses which beads of a long chain the drawing of the experiment shows, and its words. The plan is made from these. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include "render/schematic/schematic_parts.h"
 #include "render/schematic/schematic_words.h"
 
-/* Spins of this many cells are written out. */
+/* Spins of up to this many cells are written out. */
 enum { MOST_DIGITS = 12 };
 
 static void spin_words(const struct bead_segment *segment, char *out, size_t size)
@@ -64,7 +64,7 @@ size_t bead_parts_make(const struct bead_chain *chain, size_t most, struct bead_
     return used;
 }
 
-/* At most about `most` beads of a part, whole cells where they are short enough. */
+/* About `most` beads of a part at most; whole cells if they are short enough. */
 static bool strip_part(const struct bead_chain *chain, const struct bead_part *part, size_t index, size_t most,
                        struct bead_strip *strip)
 {
@@ -150,7 +150,7 @@ void bead_parts_labels(struct bead_plan_row *row, const struct bead_text_style *
     }
 }
 
-/* Name, number of beads, M, tilt, precompression: as much as has room. */
+/* Name, number of beads, M, tilt, precompression: as much as fits. */
 void bead_parts_header(struct bead_plan_row *row, const struct bead_text_style *style, double width)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(row->chain);

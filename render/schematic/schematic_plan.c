@@ -1,3 +1,5 @@
+/* Plans the drawing of an experiment: tries how much of each chain to show, and how large, until everything fits. schematic_setup.c
+ * draws it. */
 #include "render/schematic/schematic_plan.h"
 
 #include <math.h>
@@ -8,9 +10,9 @@
 /* In units of the label's font size. */
 static const double header_height = 1.7, label_line = 1.3, leader = 1.0, arrow_room = 0.95, guide_height = 0.28,
                     brace_height = 1.05, wall_width = 1.3, gap_width = 2.0, between_rows = 1.1, lowest_row = 8, most_drop = 5.5;
-/* Radius of the largest bead, in units of the label's font size: what is wanted, in this order; what is still put up with. */
+/* Radius of the largest bead, in units of the label's font size: preferred sizes in this order, and the smallest acceptable one. */
 static const double largest_ball = 2.2, least_ball[][2] = {{0.9, 0.5}, {0.22, 0}};
-/* What is tried, from the best down: entries of `beads` shown, beads shown of each. */
+/* What is tried, best first: entries of `beads` shown, and beads shown of each. */
 static const size_t entries[] = {BEAD_PLAN_PARTS - 2, 24, 16, 12, 9, 7, 5, 4, 3, 2};
 static const size_t shown[] = {400, 60, 40, 30, 24, 18, 14, 10, 8, 6, 4, 3, 2};
 
@@ -89,7 +91,7 @@ static bool anchor_labels(const struct bead_plan *plan, struct bead_plan_row *ro
     return true;
 }
 
-/* Places of everything in a row whose top is at y; false: too wide. */
+/* Positions of everything in a row whose top is at y; false: too wide. */
 static bool place_row(const struct bead_plan *plan, struct bead_plan_row *row, double y)
 {
     const struct bead_scene *scene = plan->d->context->scene;
@@ -124,7 +126,7 @@ static bool place_rows(struct bead_plan *plan, size_t count)
     return y - bead_plan_row_gap(plan) <= plan->area.y + plan->area.height;
 }
 
-/* The largest scale for which everything has its place. */
+/* The largest scale at which everything fits. */
 static bool find_scale(struct bead_plan *plan, size_t count, double least)
 {
     double largest = 0;
@@ -138,7 +140,7 @@ static bool find_scale(struct bead_plan *plan, size_t count, double least)
     return false;
 }
 
-/* With so many entries of `beads`, and so many beads of each. */
+/* Tries a plan with this many entries of `beads`, and this many beads of each. */
 static bool try_rows(struct bead_plan *plan, size_t count, size_t parts, double least)
 {
     struct bead_text_style style = bead_sketch_style(plan->d->sketch, plan->em);
@@ -182,7 +184,7 @@ static void find_largest(struct bead_plan *plan)
     }
 }
 
-/* In the middle of the area, the rest between the rows. */
+/* Centres the rows in the area and divides the spare room between them. */
 static void centre_rows(struct bead_plan *plan)
 {
     const struct bead_plan_row *last = &plan->rows[plan->row_count - 1];

@@ -10,10 +10,10 @@ enum { BEAD_PLAN_PARTS = 40, BEAD_PLAN_LABELS = BEAD_PLAN_PARTS + 2 };
 struct bead_part {
     const struct bead_segment *segment; /* NULL: left out */
     size_t first, beads;                /* beads of the chain */
-    char words[2][160];                 /* under its brace: what it is, and which way round; "": nothing */
+    char words[2][160];                 /* under its brace: material or cell, and its orientation; "": nothing */
 };
 
-/* Words in a row, with what each is tied to. */
+/* Words in a row, and what each belongs to. */
 struct bead_plan_labels {
     struct bead_label label[BEAD_PLAN_LABELS];
     char words[BEAD_PLAN_LABELS][2][160];
@@ -34,7 +34,7 @@ struct bead_plan_row {
     double first_x, guide_y;     /* left end of bead 1; top of the guide there */
     double end_x, striker_r;     /* right end of the last bead */
     double striker_x, striker_y; /* centre */
-    double foot_y;               /* of the ramp: the striker arrives at the beads' axis */
+    double foot_y;               /* of the ramp, so that the striker arrives on the beads' axis */
 };
 
 /* Lengths that rows are made of, px. */
@@ -50,7 +50,7 @@ struct bead_plan {
 
 enum { BEAD_PLAN_ANGLE_PERCENT = 42 }; /* the ramp's slope */
 
-/* As many rows as there is room for. false: not for one. */
+/* Makes as many rows as fit. false: not even one. */
 BEAD_CHECK bool bead_plan_make(const struct bead_drafting *d, struct bead_box area, struct bead_plan *plan);
 void bead_plan_free(struct bead_plan *plan);
 

@@ -1,4 +1,4 @@
-/* The experiment (thesis, Fig. 4): striker on its ramp, guide, beads to scale, sensors, wall. */
+/* Draws the experiment (thesis, Fig. 4): striker on its ramp, guide, beads to scale, sensors, wall. The plan is made before. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,7 +20,7 @@ static struct bead_rgb guide_colour(const struct bead_look *look)
     return between(look->background, look->ink, look->dark ? 0.35 : 0.3);
 }
 
-/* Guide with its ramp; a bead that is smaller than the largest rests on a block. */
+/* Guide with its ramp; beads smaller than the largest rest on blocks. */
 static void draw_guide(const struct bead_plan *plan, const struct bead_plan_row *row)
 {
     struct bead_sketch *sketch = plan->d->sketch;
@@ -106,7 +106,7 @@ static void draw_beads(const struct bead_plan *plan, const struct bead_plan_row 
     }
 }
 
-/* From what a label is about to where it stands: straight up, then to its middle. */
+/* A line from an object to its label: straight up, then to the middle of the label. */
 static void draw_leader(struct bead_sketch *sketch, const struct bead_label *label, double y0, double bend, double y1)
 {
     double inset = fmin(0.4 * sketch->look->label, 0.5 * label->width);
@@ -208,7 +208,7 @@ bool bead_schematic_setup(const struct bead_drafting *d)
     struct bead_plan plan = {0};
     struct bead_box area = d->area;
     bool room = pieces && bead_drafting_pieces(d, &area, pieces, list_materials(d, pieces), true) && bead_plan_make(d, area, &plan);
-    if (room && plan.row_count < d->context->chain_count) { /* again, with a line that says so */
+    if (room && plan.row_count < d->context->chain_count) { /* again, with a line about beads left out */
         struct bead_box less = area;
         less.height -= 2 * d->sketch->look->label;
         bead_plan_free(&plan);

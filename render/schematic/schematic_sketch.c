@@ -1,3 +1,4 @@
+/* Strokes, texts and labels of schematic drawings, and whether the texts can all be read. */
 #include "render/schematic/schematic_sketch.h"
 
 #include <math.h>
@@ -175,7 +176,7 @@ void bead_sketch_hatch(struct bead_sketch *sketch, struct bead_box box, const do
     cairo_restore(cr);
 }
 
-/* Labels first..last, that touch each other. */
+/* Labels first..last, which touch each other. */
 struct cluster {
     size_t first, last;
     double x, width;
@@ -186,7 +187,7 @@ static double within(double x, double low, double high)
     return fmax(low, fmin(x, high));
 }
 
-/* Where the mean of its labels' distances from their anchors is nothing. */
+/* The position where its labels' mean distance from their anchors is 0. */
 static void sketch_settle(struct cluster *cluster, const struct bead_label *labels, double gap, double low, double high)
 {
     double sum = 0, at = 0;

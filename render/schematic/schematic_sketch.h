@@ -1,4 +1,4 @@
-/* Sketches: the strokes that schematic drawings are made of. Every text leaves its box, so that one can ask afterwards whether
+/* Sketches: the strokes that schematic drawings are made of. The box of every text is kept, so that one can check afterwards that
  * all can be read. Lengths in px, y downwards. */
 #ifndef BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_SKETCH_H
 #define BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_SKETCH_H
@@ -20,13 +20,13 @@ struct bead_sketch {
 };
 
 void bead_sketch_free(struct bead_sketch *sketch);
-/* Do two texts overlap, or does one reach out of 0..width, 0..height? */
+/* Whether two texts overlap, or one reaches out of 0..width, 0..height. */
 bool bead_sketch_crowded(const struct bead_sketch *sketch, double width, double height);
 
 /* The look's text; `size` of the font. */
 struct bead_text_style bead_sketch_style(const struct bead_sketch *sketch, double size);
 double bead_sketch_width(const struct bead_text_style *style, const char *markup);
-/* A line of text whose middle of digits and capitals is at y; x is its start, middle or end. */
+/* A line of text: y is the middle of its digits and capitals, x its start, middle or end. */
 void bead_sketch_text(struct bead_sketch *sketch, const struct bead_text_style *style, double x, double y, const char *markup);
 
 void bead_sketch_colour(struct bead_sketch *sketch, struct bead_rgb colour);
@@ -38,17 +38,17 @@ void bead_sketch_arrow(struct bead_sketch *sketch, double x0, double y0, double 
 void bead_sketch_brace(struct bead_sketch *sketch, double x0, double x1, double y, double depth);
 /* A ball lit from above left. */
 void bead_sketch_ball(struct bead_sketch *sketch, double x, double y, double r, const double colour[3]);
-/* Three dots where something is left out. */
+/* Three dots for what is left out. */
 void bead_sketch_dots(struct bead_sketch *sketch, double x, double y, double width);
-/* Slanted lines in a rectangle, filled before with `colour` (NULL: not). */
+/* Slanted lines in a rectangle, which is first filled with `colour` (NULL: not filled). */
 void bead_sketch_hatch(struct bead_sketch *sketch, struct bead_box box, const double colour[3]);
 
-/* Labels in a row, left to right, each as near to its anchor as the others and low..high let it. */
+/* Labels in a row, left to right, each as close to its anchor as the others and low..high allow. */
 struct bead_label {
     double anchor, width; /* px */
     double x;             /* found: left end */
 };
-/* `labels` in the order of their anchors; false: they have no room. */
+/* `labels` in the order of their anchors; false: they do not fit. */
 bool bead_labels_spread(struct bead_label *labels, size_t count, double gap, double low, double high);
 
 #endif

@@ -1,4 +1,4 @@
-/* Words that schematic drawings share. */
+/* Words that several schematic drawings use: names of cells, groups of beads, materials. */
 #include <stdio.h>
 #include <string.h>
 

@@ -15,7 +15,7 @@ const char *bead_cell_word(size_t beads, bool several);
 struct bead_cell_group {
     size_t material, beads;
 };
-/* Groups of a cell, left to right; 0: more than there is room for. */
+/* Groups of a cell, left to right; 0: too many. */
 size_t bead_cell_groups(const struct bead_segment *segment, struct bead_cell_group *groups, size_t room);
 /* Reads the same from both ends. */
 bool bead_cell_mirrored(const struct bead_segment *segment);
