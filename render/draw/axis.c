@@ -1,4 +1,4 @@
-/* Axes: where ticks go. How they are drawn is in axis_draw.c. */
+/* Chooses the ticks of axes, and their labels. axis_draw.c draws them. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 
 enum { MOST_TICKS = sizeof((struct bead_axis *)0)->ticks / sizeof(struct bead_tick), ENOUGH = 7, ENOUGH_UNEVEN = 9, FEW = 4 };
 
-/* Room that labels take, in units of the font size. A digit is 0.5 wide in STIX and 0.58 in Lato. */
+/* Room for labels, in units of the font size. A digit is 0.5 wide in STIX and 0.58 in Lato. */
 static const double character = 0.6, between_labels = 1.2, least_between = 0.5, line_apart = 1.9, least_line = 1.4,
                     usual_width = 1.8;
 
@@ -50,7 +50,7 @@ static void axis_add(struct bead_axis *axis, double shown, int decimals)
     bead_number(shown, decimals, tick->label, sizeof tick->label);
 }
 
-/* mantissa * 10^exponent * k, correctly rounded where the power is negative. */
+/* mantissa * 10^exponent * k, correctly rounded for negative exponents too. */
 static double multiple(double k, int mantissa, int exponent)
 {
     return exponent < 0 ? k * mantissa / bead_power_of_ten(-exponent) : k * mantissa * bead_power_of_ten(exponent);
@@ -75,7 +75,7 @@ static bool try_step(struct bead_axis *axis, const struct room *room, int mantis
     return room->length * step / (high - low) >= needed(room, (double)widest);
 }
 
-/* A low axis may have room for two labels where no round step gives them: "0" and "40" say more than "0" alone. */
+/* A short axis may have room for two labels though no round step gives two: "0" and "40" say more than "0" alone. */
 static bool uneven_step(struct bead_axis *axis, const struct room *room, int first)
 {
     for (int exponent = first; exponent < first + 4; exponent++) {
@@ -87,7 +87,7 @@ static bool uneven_step(struct bead_axis *axis, const struct room *room, int fir
     return false;
 }
 
-/* The smallest of 1, 2, 5 x 10^n whose labels have room. */
+/* The smallest step of 1, 2, 5 x 10^n whose labels fit. */
 static void equal_steps(struct bead_axis *axis, struct room room, bool counts)
 {
     int first = (int)floor(log10((axis->high - axis->low) * axis->factor)) - 2;
@@ -103,14 +103,14 @@ static void equal_steps(struct bead_axis *axis, struct room room, bool counts)
                 try_step(axis, &room, mantissas[i % 3], exponent);
                 return;
             }
-            break; /* comfortable, but a single tick says little: closer, then */
+            break; /* a single tick says little: sets labels closer */
         }
     }
     if (axis->count > 1)
         axis->count = 0;
 }
 
-/* Fewest decimals that write mantissa * 10^exponent * k. */
+/* The fewest decimals that write mantissa * 10^exponent * k exactly. */
 static int decimals_of(double shown, int exponent)
 {
     int decimals = exponent < 0 ? -exponent : 0;
@@ -124,7 +124,7 @@ static double half_width(const struct bead_tick *tick)
     return 0.5 * (double)characters(tick->label);
 }
 
-/* Keep the tick added last where it has room, in order of places. */
+/* Keeps the last tick if it fits, in order of position. */
 static void keep_if_room(struct bead_axis *axis, const struct room *room)
 {
     struct bead_tick last = axis->ticks[axis->count - 1];
@@ -151,7 +151,7 @@ static bool has_one_digit(double number)
     return fabs(mantissa - round(mantissa)) < 1e-6;
 }
 
-/* On uneven scales: the roundest numbers first, as long as there is room between those taken. */
+/* On nonlinear scales: the roundest numbers first, as long as there is room between those taken. */
 static void roundest_first(struct bead_axis *axis, const struct room *room)
 {
     double low = axis->low * axis->factor, high = axis->high * axis->factor, slack = 1e-9 * (high - low);
@@ -171,7 +171,7 @@ static void roundest_first(struct bead_axis *axis, const struct room *room)
     }
 }
 
-/* Shorter ticks in equal round steps between labels: as many as are this far apart, in units of the font size. */
+/* Minor ticks in equal round steps between labels, at least this far apart, in units of the font size. */
 static const double between_minor = 0.42;
 
 static void minor_between(struct bead_axis *axis, const struct room *room, size_t i)
@@ -210,7 +210,7 @@ static void power_label(struct bead_tick *tick, int exponent, bool plain)
     snprintf(tick->label, sizeof tick->label, "10<sup>%.10s</sup>", number);
 }
 
-/* Places of 2, 3 ... 9 times each power of ten where these are labelled and have room, else of the powers between. */
+/* Minor ticks at 2, 3 ... 9 times each power of ten if every power is labelled and there is room, else at the powers between. */
 static void minor_ticks(struct bead_axis *axis, int every, double decade)
 {
     static const double least_decade = 22; /* px: the narrowest gap, from 9 to 10, is 1/22 of a decade */
@@ -229,7 +229,7 @@ static void minor_ticks(struct bead_axis *axis, int every, double decade)
     }
 }
 
-/* Powers of ten, every n-th where they are many. */
+/* Powers of ten; every n-th if there are many. */
 static void decades(struct bead_axis *axis, const struct room *room)
 {
     double low = axis->low * axis->factor, high = axis->high * axis->factor;
@@ -252,7 +252,7 @@ double bead_axis_place(const struct bead_axis *axis, double value)
     return bead_scale_place(axis->scale, axis->low, axis->high, value);
 }
 
-/* Numbers with many digits are shown in multiples of a power of ten; logarithmic axes write powers anyway. */
+/* Numbers with many digits are shown in multiples of a power of ten; logarithmic axes show powers anyway. */
 static int power_of_numbers(double largest, enum bead_scale scale)
 {
     bool plain = scale == BEAD_SCALE_LOG || !isfinite(largest) || largest == 0 || (largest >= 0.0099 && largest < 99999);

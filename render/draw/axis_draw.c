@@ -1,3 +1,4 @@
+/* Draws axes: line, ticks, labels and title, and measures how far they reach. Without a context it only measures, for layouts. */
 #include <math.h>
 #include <stdio.h>
 
@@ -6,7 +7,7 @@
 
 /* In units of the ticks' font size. */
 static const double tick_length = 0.38, minor_length = 0.55 /* of a tick */, label_gap = 0.3, digit_height = 0.7, title_gap = 0.45;
-/* Titles: how small they may become, and into what they may be broken. */
+/* Titles: how small they may become, and into how many lines they may be broken. */
 static const double little_smaller = 0.85, smallest_title = 0.72, most_lines = 3.2, line_height = 1.3;
 
 void bead_box_draw(cairo_t *cr, const struct bead_look *look, struct bead_rect plot)
@@ -18,7 +19,7 @@ void bead_box_draw(cairo_t *cr, const struct bead_look *look, struct bead_rect p
     cairo_stroke(cr);
 }
 
-/* A coordinate where a line of this width covers whole pixels. */
+/* The nearest coordinate at which a line of this width covers whole pixels. */
 static double crisp(double at, double line)
 {
     return round(at - line / 2) + line / 2;
@@ -31,7 +32,7 @@ struct drawing {
     struct bead_rect plot;
     enum bead_side side;
     bool downwards;
-    double edge;   /* of the box's line, across the axis */
+    double edge;   /* px: outer edge of the box's line on this side */
     double length; /* of ticks */
 };
 
@@ -108,7 +109,7 @@ static bool fits(const struct drawing *d, const struct bead_text_style *style, d
     return width <= room * (1 + 1e-6) && height <= most;
 }
 
-/* No word is broken in lines of this width. */
+/* Whether lines of this width break no word. */
 static bool words_fit(const struct drawing *d, const struct bead_text_style *style, const char *markup, double room)
 {
     while (*markup) {
@@ -124,7 +125,7 @@ static bool words_fit(const struct drawing *d, const struct bead_text_style *sty
     return true;
 }
 
-/* A title that fits: a little smaller where it must be, then in lines (*wrap), then small, then only its unit, then none. */
+/* Finds a title that fits: a little smaller, then in lines (*wrap), then small, then only its unit, then none. */
 static bool fit_title(const struct drawing *d, const char *title, struct bead_text_style *style, double *wrap, char *markup,
                       size_t size)
 {
@@ -135,7 +136,7 @@ static bool fit_title(const struct drawing *d, const char *title, struct bead_te
     bead_markup(symbols, name, sizeof name);
     snprintf(markup, size, *unit ? "%s (%s)" : "%s", name, unit);
     bead_text_size(d->cr, style, markup, &width, &height);
-    style->size = full * fmin(1, fmax(little_smaller, 0.99 * room / width)); /* widths are not quite in proportion */
+    style->size = full * fmin(1, fmax(little_smaller, 0.99 * room / width)); /* widths are not quite proportional to the size */
     if (fits(d, style, 0, markup, room, INFINITY))
         return true;
     style->size = full;
@@ -160,7 +161,7 @@ static double one_line(const struct drawing *d, const struct bead_text_style *st
     return height;
 }
 
-/* `out`: how far ticks and labels reached. Returns how far the title does. */
+/* `out`: how far ticks and labels reach. Returns how far the title reaches. */
 static double draw_title(const struct drawing *d, double out, const char *title)
 {
     char markup[2100];

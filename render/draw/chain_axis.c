@@ -1,3 +1,4 @@
+/* The axis along a chain, and its title: beads, contacts or positions. */
 #include "render/draw/chain_axis.h"
 
 const char *bead_axis_along_chain(struct bead_axis *axis, const struct bead_chain *chain, bool of_contacts, size_t first,

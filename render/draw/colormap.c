@@ -1,3 +1,4 @@
+/* Colour maps: the list of them, reading one from its file, and the colour of a value. */
 #include "beadreel/colormap.h"
 
 #include <math.h>

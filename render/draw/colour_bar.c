@@ -1,3 +1,4 @@
+/* Draws the bar beside a picture that explains its colours, and measures it for layouts. */
 #include <math.h>
 
 #include "beadreel/colormap.h"
@@ -22,13 +23,13 @@ static void draw_bands(cairo_t *cr, const struct bead_colours *colours, struct b
     cairo_set_antialias(cr, before);
 }
 
-/* How far the points of an open bar reach beyond its ends, px. */
+/* How far the pointed ends of a bar reach, px. */
 static double point_length(struct bead_rect bar)
 {
     return 0.9 * bar.width;
 }
 
-/* The bar's outline just outside of its bands, with points where asked; the same path fills the points. */
+/* The outline just outside the bar's bands, with pointed ends if wanted; the same path fills these ends. */
 static void outline(cairo_t *cr, const struct bead_rect *bar, double out, bool over, bool under)
 {
     double left = bar->x - out, right = bar->x + bar->width + out, top = bar->y - out, bottom = bar->y + bar->height + out;

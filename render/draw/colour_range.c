@@ -1,11 +1,12 @@
+/* Chooses the range of colours of a picture, and its colour map, from the output's settings and the values shown. */
 #include "render/draw/colour_range.h"
 
 #include <math.h>
 #include <string.h>
 
-/* A logarithmic scale without a lower end shows this part of the largest value. */
+/* A logarithmic scale without a given lower end begins at this part of the largest value. */
 static const double log_span = 1e-4;
-/* Values that should have one sign may have a little of the other: errors, small waves. */
+/* Values of one sign may have a few of the other, by errors or small waves. */
 static const double ripple = 0.05;
 
 static void automatic(enum bead_scale scale, bool is_signed, double least, double largest, double *low, double *high)
@@ -38,7 +39,7 @@ struct bead_colour_range bead_colour_range_find(const struct bead_colours_asked 
         range.low = asked->range[0];
     else if (high_given && asked->scale == BEAD_SCALE_LOG)
         range.low = log_span * range.high;
-    if (!(range.high > range.low)) { /* all values lie beyond the one end that was asked for */
+    if (!(range.high > range.low)) { /* all values lie beyond the requested end */
         double size = fmax(fabs(range.low), 1e-12);
         range.high = high_given ? range.high : range.low + size;
         range.low = high_given ? range.high - size : range.low;

@@ -1,4 +1,5 @@
-/* Which values the colours of a still span: those asked for, else 0 (or as far below as above) to the largest. */
+/* The range of values that a still's colours span: as requested, else from 0 to the largest value, symmetric if values have both
+ * signs. */
 #ifndef BEADREEL_RENDER_DRAW_COLOUR_RANGE_H
 #define BEADREEL_RENDER_DRAW_COLOUR_RANGE_H
 
@@ -13,14 +14,14 @@ struct bead_colour_range {
     bool over, under; /* there are values beyond */
 };
 
-/* `least` and `largest`: of what is shown; least > largest: nothing is. is_signed: the field has both signs (bead_chain_signed). */
+/* `least` and `largest`: of the values shown; least > largest: there are none. */
 struct bead_colour_range bead_colour_range_find(const struct bead_colours_asked *asked, bool is_signed, double least,
                                                 double largest);
-/* A range that makes no sense as asked. `file` for the message. Errors: SCENE (with the output's place). */
+/* Checks the requested range. `file` for the message. Errors: SCENE (with the output's place). */
 BEAD_CHECK enum bead_error bead_colour_range_check(const struct bead_output *output, const char *file, struct bead_message *msg);
 
-/* The colour map asked for; "auto" (or NULL) is `plain`, and vik for fields of both signs. Errors: SCENE (with the output's place),
- * IO, FORMAT, MEMORY. */
+/* Loads the requested colour map; "auto" (or NULL) is `plain`, or vik for fields of both signs. Errors: SCENE (with the output's
+ * place), IO, FORMAT, MEMORY. */
 BEAD_CHECK enum bead_error bead_colour_range_map(const struct bead_output *output, const struct bead_chain *chain,
                                                  const char *plain, struct bead_colormap *map, struct bead_message *msg);
 

@@ -1,9 +1,10 @@
+/* Colours of many values at once: the thresholds between colours, found once, and a search without branches. Areas use it. */
 #include "render/draw/colour_table.h"
 
 #include <math.h>
 #include <string.h>
 
-/* All numbers in their order, as integers: those below 0 count down from -1. */
+/* Maps numbers to integers in the same order; negative numbers count down from -1. */
 static double number(int64_t rank)
 {
     uint64_t bits = rank < 0 ? ~(uint64_t)rank | (uint64_t)1 << 63 : (uint64_t)rank;
@@ -19,7 +20,7 @@ static int64_t rank_of(double value)
     return bits >> 63 ? (int64_t) ~(bits & ~((uint64_t)1 << 63)) : (int64_t)bits;
 }
 
-/* The least number, above `below`, whose colour is `index` or a later one. */
+/* The smallest number above `below` whose colour is `index` or a later one. */
 static double least_of(const struct bead_colours *colours, int index, double below)
 {
     int64_t low = rank_of(below), high = rank_of(INFINITY);
@@ -48,7 +49,7 @@ void bead_colour_table_make(const struct bead_colours *colours, struct bead_colo
     }
 }
 
-/* As bead_colours_index, without branches. */
+/* Equal to bead_colours_index, without branches. */
 static void find_linear(const struct bead_colours *colours, size_t n, const double *restrict values, uint8_t *restrict indices)
 {
     const double low = colours->low, span = colours->high - colours->low;

@@ -9,10 +9,10 @@
 
 struct bead_colour_table {
     struct bead_colours colours;
-    double least[256]; /* value that colour i begins with; NaN: it has none. Of linear scales not used */
+    double least[256]; /* smallest value of colour i; NaN: none. Not used for linear scales */
 };
 
-/* Looks the scale's function up some thousand times, once for all. `colours->map` is borrowed. */
+/* Evaluates the scale's function some thousand times, once for all. `colours->map` is borrowed. */
 void bead_colour_table_make(const struct bead_colours *colours, struct bead_colour_table *table);
 void bead_colour_table_find(const struct bead_colour_table *table, size_t n, const double *values, uint8_t *indices);
 

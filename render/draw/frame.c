@@ -1,3 +1,4 @@
+/* Frames: pixels in memory, copies of rectangles, their hash, and the list of rectangles that changed. */
 #include "beadreel/frame.h"
 
 #include <stdlib.h>
@@ -15,7 +16,7 @@ static int most(int a, int b)
     return a > b ? a : b;
 }
 
-/* Cairo takes no more than 32767 pixels a side. */
+/* Cairo allows at most 32767 pixels a side. */
 enum { LARGEST_SIDE = 32767, ALIGNMENT = 64, SMALL = 1 << 20 };
 
 enum bead_error bead_frame_create(int width, int height, struct bead_frame *frame, struct bead_message *msg)
@@ -79,8 +80,8 @@ static int64_t area(struct bead_rect r)
     return (int64_t)r.width * r.height;
 }
 
-/* A rectangle joins the one beside or over which it adds least to the pixels, where it adds none or there is no more room: what
- * moves in every frame is kept once, and what moves far apart stays apart. */
+/* A rectangle is merged with the one whose area then grows least, if it does not grow at all or the list is full. So things that
+ * move far apart stay apart. */
 void bead_changes_add(struct bead_changes *changes, struct bead_rect rect)
 {
     const size_t room = sizeof changes->rect / sizeof changes->rect[0];

@@ -1,3 +1,4 @@
+/* Looks: fonts, sizes and colours of paper, slide, screen and movie. Every picture takes its look from here. */
 #include "beadreel/look.h"
 
 #include <math.h>
@@ -82,7 +83,7 @@ void bead_look_slide(struct bead_look *look, int width, int height, bool dark)
     look->margin = round(screen_margin * look->label);
 }
 
-/* Colours that stay apart in print and with colour-blindness: first row on light, second on dark. */
+/* Colours that differ in print and for colour-blind readers: first row on light, second on dark backgrounds. */
 static const struct bead_rgb inks[2][6] = {
     {{0.10, 0.32, 0.60}, {0.80, 0.33, 0.07}, {0.08, 0.49, 0.36}, {0.55, 0.27, 0.60}, {0.70, 0.52, 0.00}, {0.35, 0.37, 0.41}},
     {{0.45, 0.72, 0.98}, {0.98, 0.58, 0.30}, {0.35, 0.82, 0.62}, {0.84, 0.58, 0.90}, {0.96, 0.80, 0.31}, {0.74, 0.77, 0.81}},

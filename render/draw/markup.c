@@ -1,3 +1,4 @@
+/* Turns the texts of figures into Pango markup: subscripts, superscripts, symbols in italics. */
 #include "render/draw/markup.h"
 
 #include <glib.h>
@@ -65,7 +66,7 @@ static void markup_put(struct writer *w, const char *text)
     w->used += length;
 }
 
-/* Bytes of the character at `text`; 1 for those of broken UTF-8. */
+/* Bytes of the character at `text`; 1 for a byte of broken UTF-8. */
 static size_t character(const char *text)
 {
     size_t length = 1;
@@ -74,7 +75,7 @@ static size_t character(const char *text)
     return length;
 }
 
-/* Returns what follows the character. Lines do not end beside a sign of equality. */
+/* Writes one character and returns what follows. Lines do not break beside an equals sign. */
 static const char *put_character(struct writer *w, const char *text)
 {
     static const char fixed_space[] = "\u00a0";
@@ -110,7 +111,7 @@ static const char *markup_closing(const char *text, const char *end)
     return NULL;
 }
 
-/* The star that ends italics, or NULL: those begin and end beside a character that is no space. */
+/* The star that ends italics, or NULL. Italics begin and end next to a character other than a space. */
 static const char *star(const char *text, const char *end)
 {
     for (const char *c = text; c < end && *text != ' '; c += character(c)) {
@@ -164,7 +165,7 @@ static const char *put_shifted(struct writer *w, const char *text, const char *e
 
 size_t bead_markup_size(const char *text)
 {
-    /* Two characters with a `_` become 56 + 5 bytes at most, two stars 32, any other one 5. */
+    /* Two characters, one a `_`, become at most 56 + 5 bytes, two stars 32, any other character 5. */
     return 32 * strlen(text) + 1;
 }
 
@@ -217,7 +218,7 @@ static bool stands_alone(const char *text, const char *at)
     return is_letter(*at) && !joined && (*at != 'a' || after != ' ');
 }
 
-/* Bytes of the lowered letters and digits (U+2080 to U+209C) at the beginning. */
+/* Bytes of the subscript letters and digits (U+2080 to U+209C) at the beginning. */
 static size_t lowered(const char *text)
 {
     size_t length = 0;

@@ -1,5 +1,5 @@
-/* Texts of figures to Pango markup: `_x`, `_{xy}`, `^x` and `^{xy}` set what follows lower and higher, `*x*` in mathematical
- * italics; a backslash takes the next character as it stands. Greek and signs are UTF-8. */
+/* Texts of figures to Pango markup: `_x`, `_{xy}`, `^x` and `^{xy}` set subscripts and superscripts, `*x*` mathematical italics; a
+ * backslash keeps the next character as it is. Greek and signs are UTF-8. */
 #ifndef BEADREEL_RENDER_DRAW_MARKUP_H
 #define BEADREEL_RENDER_DRAW_MARKUP_H
 
@@ -8,16 +8,16 @@
 /* The symbol of a quantity in Pango markup. */
 #define BEAD_SYMBOL(letter) "<span face=\"STIX\"><i>" letter "</i></span>"
 
-/* Bytes that the markup of this text takes at most, with the zero at its end. */
+/* The most bytes that the markup of this text takes, with its final zero. */
 size_t bead_markup_size(const char *text);
-/* Into `out` of `size` bytes; where they do not suffice the text stands there as it is, cut between characters. */
+/* Writes markup into `out` of `size` bytes; if it does not fit, the text is copied as it is, cut between characters. */
 void bead_markup(const char *text, char *out, size_t size);
 /* The same in memory of its own, to be freed; NULL: out of memory. */
 char *bead_markup_new(const char *text);
-/* Plain text to text that bead_markup shows as it is: names with a `_` in them. Cut between characters where it is too long. */
+/* Quotes plain text, such as names with a `_`, so that bead_markup shows it as it is. Too long a text is cut between characters. */
 void bead_markup_quote(const char *text, char *out, size_t size);
-/* Letters that stand alone are symbols of quantities: "x" to "*x*", "u uₓ = 0" to "*u* *uₓ* = 0"; the article a stays. What is in
- * italics, lowered or raised already stays too. Cut between characters where it is too long. */
+/* Letters that stand alone are symbols of quantities: "x" to "*x*", "u uₓ = 0" to "*u* *uₓ* = 0"; the article a stays, and so does
+ * what is already in italics, a subscript or a superscript. Too long a text is cut between characters. */
 void bead_markup_symbols(const char *text, char *out, size_t size);
 
 #endif

@@ -1,3 +1,4 @@
+/* Pages: size and look of a still from its output, and writing a drawing as PNG, PDF or SVG with its notes. */
 #include "render/draw/page.h"
 
 #include <math.h>
@@ -16,7 +17,7 @@ static bool is_vector(const char *path)
     return dot && (strcasecmp(dot, ".pdf") == 0 || strcasecmp(dot, ".svg") == 0);
 }
 
-/* As many pixels as cairo and memory take. */
+/* Limits of cairo and of memory, in pixels. */
 static const double largest_side = 32767, largest_area = 3e8;
 /* CSS's pixel, for vector files whose size is in pixels. */
 static const double screen_dpi = 96;

@@ -11,7 +11,7 @@
 struct bead_page {
     int width, height;          /* px */
     double dpi;                 /* of these pixels; 0: unknown */
-    bool paper, vector, length; /* length: the scene has its size in mm, not px */
+    bool paper, vector, length; /* length: the scene gives its size in mm, not px */
 };
 
 /* How far axes, headings and bar reach out of the plots, px. */
@@ -26,19 +26,19 @@ extern const char *const bead_still_extensions[];
 BEAD_CHECK enum bead_error bead_page_find(const struct bead_output *output, const char *file, struct bead_page *page,
                                           struct bead_message *msg);
 enum { BEAD_SIZE_WORDS = 64 };
-/* The size of a picture as the scene has it, for messages: "86 x 64 mm", "1920 x 1080 pixels". Returns `words`. */
+/* The size of a picture as the scene gives it, for messages: "86 x 64 mm", "1920 x 1080 pixels". Returns `words`. */
 const char *bead_page_size(const struct bead_page *page, char words[BEAD_SIZE_WORDS]);
 void bead_page_look(const struct bead_page *page, const struct bead_paper *asked, struct bead_look *look);
 /* What a picture file says about itself; `description` of `size` bytes must live as long as the notes. */
 void bead_page_notes(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
                      char *description, size_t size, struct bead_picture_notes *notes);
-/* How to draw a page: into vector files; into frames, where these are drawn in another way (NULL: the same). */
+/* How to draw a page: into vector files, and into frames if these are drawn differently (NULL: the same way). */
 struct bead_drawing {
     bead_draw draw;
     enum bead_error (*raster)(void *context, struct bead_frame *frame, struct bead_message *msg);
     void *context;
 };
-/* Draw the page and write it as PNG, PDF or SVG. Errors: those of the drawing, GRAPHICS, IO, MEMORY. */
+/* Draws the page and writes it as PNG, PDF or SVG. Errors: those of the drawing, GRAPHICS, IO, MEMORY. */
 BEAD_CHECK enum bead_error bead_page_write(const struct bead_page *page, const struct bead_output *output,
                                            const struct bead_scene *scene, const struct bead_drawing *drawing, const char *path,
                                            uint64_t *bytes, struct bead_message *msg);

@@ -9,7 +9,7 @@
 
 enum { MOST_BOXES = 256 };
 
-/* A group of tones, by place in the array. */
+/* A group of tones, by position in the array. */
 struct box {
     size_t first, count;
     int axis;      /* bits to shift for the channel with the largest spread */
@@ -29,7 +29,7 @@ static int channel(uint32_t colour, int shift)
 
 static void palette_measure(const struct bead_tone *tones, struct box *box)
 {
-    static const double importance[] = {0.6, 1, 0.8}; /* of blue, green and red to the eye, about */
+    static const double importance[] = {0.6, 1, 0.8}; /* approximate weight of blue, green and red for the eye */
     box->spread = 0;
     box->axis = 8;
     for (int shift = 0; shift < 24; shift += 8) {
@@ -70,8 +70,8 @@ static int by_red(const void *a, const void *b)
     return compare(a, b, 16);
 }
 
-/* How many of a sorted box stay below the cut that leaves the least spread in the two parts (at least one in each):
- * the one with the largest first moment squared by weight, summed over both. */
+/* The number of tones of a sorted box below the cut that leaves the least spread in the two parts, at least one in each: there, the
+ * squared first moment over the weight, summed over both parts, is largest. */
 static size_t best_cut(const struct bead_tone *tones, size_t count, int shift)
 {
     double total = 0, moment = 0, below = 0, moment_below = 0, most = -1;
@@ -138,9 +138,9 @@ size_t bead_palette_cut(struct bead_tone *tones, size_t count, size_t most, uint
 
 enum {
     COLOURS = 1 << 24,
-    FIRST_MOST = 208,   /* of the first frame, where it has more than fit: the rest is for later frames */
-    EXACT_BELOW = 128,  /* with fewer colours than this every new one gets its own place */
-    NEAR = 3 * 12 * 12, /* squared distance of colours that may stand for each other */
+    FIRST_MOST = 208,   /* colours of the first frame, if it has more than fit; the rest is for later frames */
+    EXACT_BELOW = 128,  /* with fewer colours than this, every new colour gets its own place */
+    NEAR = 3 * 12 * 12, /* squared distance of colours that may replace each other */
     RARE_SHARE = 2000,  /* new colours on less than 1/2000 of the pixels are not worth a whole new picture */
     MISSES = 4096       /* different new colours looked at in one frame */
 };
@@ -272,7 +272,7 @@ static void miss(struct bead_palette *palette, uint32_t colour)
         palette->missed[palette->missed_count++] = (struct bead_tone){colour, 1};
 }
 
-/* The distance at which a new colour wants a place of its own. */
+/* The distance from which a new colour needs a place of its own. */
 static int tolerance(const struct bead_palette *palette)
 {
     return palette->used < EXACT_BELOW ? 0 : NEAR;
@@ -306,8 +306,8 @@ static void palette_convert(struct bead_palette *palette, const struct bead_fram
     }
 }
 
-/* Give the new colours places: all of them, or those that stand best for them in half of the room there is. A changed
- * palette costs a whole new picture in the file, so a few stray pixels do not get it. */
+/* Gives places to all new colours, or to those that represent them best in half of the free room. A changed palette costs a whole
+ * new picture in the file, so a few stray pixels do not change it. */
 static bool palette_extend(struct bead_palette *palette, const struct bead_frame *frame)
 {
     uint64_t pixels = 0, enough = (uint64_t)frame->width * (uint64_t)frame->height / RARE_SHARE;
@@ -330,7 +330,7 @@ static bool palette_extend(struct bead_palette *palette, const struct bead_frame
 static void write_colours(const struct bead_palette *palette, AVFrame *picture)
 {
     uint32_t argb[256] = {0};
-    /* Places not used yet are opaque, so that encoders take only the last one, never used, for the transparent one. */
+    /* Unused places are opaque, so that encoders take only the last one, which is never used, as transparent. */
     for (size_t i = 0; i < BEAD_PALETTE_MOST; i++)
         argb[i] = 0xff000000u | (i < palette->used ? palette->colour[i] : 0);
     memcpy(picture->data[1], argb, sizeof argb);

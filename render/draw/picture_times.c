@@ -1,4 +1,4 @@
-/* The span of time that a picture shows, and the samples it wants of it. */
+/* Chooses the span of time that a picture shows, and its sampling grid. Figures, bare images and plots ask it. */
 #include "render/draw/picture_times.h"
 
 #include <math.h>
@@ -19,7 +19,7 @@ struct bead_grid bead_picture_grid(const struct bead_run_context *context, const
                                    double pixels)
 {
     const struct bead_grid *native = &context->native;
-    if (native->every > 0) { /* from the sample before the beginning to the one behind the end */
+    if (native->every > 0) { /* from the sample before the beginning to the one after the end */
         double first = fmax(0, floor((time[0] - native->start) / native->every + 1e-6));
         double last = ceil((time[1] - native->start) / native->every - 1e-6);
         return (struct bead_grid){native->start + first * native->every, native->every,

@@ -1,4 +1,4 @@
-/* PNG through libpng: quick settings that suit flat colours (no filter, whose rows repeat), exact colours, notes. */
+/* Writes PNG through libpng: fast settings for flat colours (no filter, since rows repeat), exact colours, notes. */
 #include <errno.h>
 #include <png.h>
 #include <setjmp.h>
@@ -113,7 +113,7 @@ static void png_put_rows(struct writer *w, const struct image *image)
             continue;
         }
         const uint8_t *from = image->frame->pixels + (size_t)y * image->frame->stride;
-        for (size_t x = 0; x < (size_t)image->width; x++) { /* four bytes at once, of which the next pixel covers the last */
+        for (size_t x = 0; x < (size_t)image->width; x++) { /* four bytes at once; the next pixel overwrites the last one */
             uint32_t pixel;
             memcpy(&pixel, from + 4 * x, 4);
             pixel = __builtin_bswap32(pixel) >> 8;
@@ -124,7 +124,7 @@ static void png_put_rows(struct writer *w, const struct image *image)
     png_write_end(w->png, w->info);
 }
 
-/* Everything that libpng may jump out of. */
+/* Everything that libpng may leave by longjmp. */
 static enum bead_error png_encode(struct writer *w, const struct image *image, FILE *file, const char *part,
                                   struct bead_message *msg)
 {
@@ -155,14 +155,14 @@ static enum bead_error png_fill(void *context, FILE *file, const char *part, str
 
 /* Colours met so far, in an open hash table. */
 struct colours {
-    uint32_t colour[1024]; /* with the top bit set where taken */
+    uint32_t colour[1024]; /* with the top bit set if taken */
     uint8_t index[1024];
     uint32_t last;
     uint8_t last_index;
     struct image *image;
 };
 
-/* Index of a colour, -1 where it would be the 257th. */
+/* Index of a colour; -1 if it would be the 257th. */
 static int colour_index(struct colours *c, uint32_t colour)
 {
     const uint32_t taken = 0x80000000u;
@@ -183,7 +183,7 @@ static int colour_index(struct colours *c, uint32_t colour)
     return c->last_index = c->index[at];
 }
 
-/* False where the frame has more than 256 colours. */
+/* False if the frame has more than 256 colours. */
 static bool find_palette(const struct bead_frame *frame, uint8_t *indices, struct image *image)
 {
     struct colours colours = {.image = image};

@@ -1,3 +1,4 @@
+/* Numbers with units as text: SI prefixes, signs, thousands. Axes, headings and messages are written with it. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -49,7 +50,7 @@ const char *bead_prefix_sign(int exponent)
     return "";
 }
 
-/* Append as much of `text` as there is room for. */
+/* Appends as much of `text` as fits. */
 static void append(char *out, size_t size, const char *text)
 {
     size_t used = strlen(out);
@@ -98,7 +99,7 @@ void bead_quantity(double value, const char *si_unit, int digits, char *out, siz
     int decimals = decimals_for(shown, digits);
     double rounded = round(shown * bead_power_of_ten(decimals)) / bead_power_of_ten(decimals);
     int rounded_exponent = bead_prefix_exponent(rounded * bead_power_of_ten(exponent), si_unit);
-    if (isfinite(value) && value != 0 && rounded != 0) { /* 999.96 may have become 1000: the next prefix then, and a digit less */
+    if (isfinite(value) && value != 0 && rounded != 0) { /* 999.96 may have become 1000: takes the next prefix and a digit less */
         shown = value / bead_power_of_ten(rounded_exponent);
         decimals = decimals_for(rounded * bead_power_of_ten(exponent) / bead_power_of_ten(rounded_exponent), digits);
         exponent = rounded_exponent;

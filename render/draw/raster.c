@@ -1,3 +1,4 @@
+/* Wraps a frame's pixels in a cairo context, and reports what cairo could not draw. */
 #include "render/draw/raster.h"
 
 cairo_t *bead_raster_begin(const struct bead_frame *frame)

@@ -10,7 +10,7 @@
 
 /* The frame's pixels must outlive the context. */
 cairo_t *bead_raster_begin(const struct bead_frame *frame);
-/* All that was drawn is in the frame; destroys the context. Errors: GRAPHICS where something was not drawn, `what` it was. */
+/* Destroys the context; everything drawn is in the frame. Errors: GRAPHICS if something was not drawn; `what` names it. */
 BEAD_CHECK enum bead_error bead_raster_end(cairo_t *cr, const char *what, struct bead_message *msg);
 /* Errors: those of `draw`, GRAPHICS. */
 BEAD_CHECK enum bead_error bead_raster_draw(const struct bead_frame *frame, bead_draw draw, void *context,

@@ -1,3 +1,4 @@
+/* Renumbers the names that cairo gives in SVG files, so that the same picture always has the same bytes. vector.c calls it. */
 #include "render/draw/svg_ids.h"
 
 #include <ctype.h>
@@ -12,7 +13,7 @@ struct names {
 
 static const char *const kinds[] = {"surface", "image", "source-"}; /* the last by cairo 1.18 */
 
-/* Length of a kind's name at `at` with a digit behind it, where it is a name: id="surface604", "#surface604", url(#image607). */
+/* Length of a kind's name at `at` if a digit follows and it is a name: id="surface604", "#surface604", url(#image607). */
 static size_t name_length(const char *begin, const char *at, const char *end)
 {
     if (at - begin < 2 || !(at[-1] == '#' || (at[-1] == '"' && at[-2] == '=')))

@@ -1,4 +1,4 @@
-/* Names in SVG files: cairo numbers surfaces on through the life of a program, so the same picture would get other bytes. */
+/* Names in SVG files: cairo numbers surfaces through the life of a program, so the same picture would get different bytes. */
 #ifndef BEADREEL_RENDER_DRAW_SVG_IDS_H
 #define BEADREEL_RENDER_DRAW_SVG_IDS_H
 

@@ -1,4 +1,4 @@
-/* PDF and SVG through cairo. PDF keeps text as text with its fonts embedded; SVG keeps it as outlines, the same everywhere. */
+/* Writes PDF and SVG through cairo. PDF keeps text as text, with fonts embedded; SVG has outlines, the same everywhere. */
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <errno.h>
@@ -18,7 +18,7 @@ struct format {
     const char *extension;
     cairo_surface_t *(*create)(cairo_write_func_t write, void *closure, double width, double height);
     void (*describe)(cairo_surface_t *surface, const struct bead_picture_notes *notes);
-    bool named; /* has names that must be made the same every time */
+    bool named; /* has names that must be renumbered */
 };
 
 static void vector_put(cairo_surface_t *surface, cairo_pdf_metadata_t key, const char *text)
