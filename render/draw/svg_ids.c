@@ -53,7 +53,7 @@ enum bead_error bead_svg_write(const char *text, size_t length, FILE *file, stru
             number = 10 * number + (unsigned long long)(*from - '0');
         size_t now = new_number(&names, number);
         if (now == 0)
-            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "an SVG file of more than %d images", MOST_NAMES);
+            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "an SVG file has at most %d images", MOST_NAMES);
         fprintf(file, "%zu", now);
         at = from - 1;
     }

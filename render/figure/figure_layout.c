@@ -162,8 +162,8 @@ static enum bead_error too_small(const struct bead_figure *f, struct bead_messag
     const struct bead_output *output = f->output;
     char size[BEAD_SIZE_WORDS];
     return bead_fail(msg, BEAD_ERROR_SCENE,
-                     "%s:%zu:%zu: size: %s leave no room for %zu plots and their labels; a larger picture, fewer views or "
-                     "`axes: false` do",
+                     "%s:%zu:%zu: size: %s leave no room for %zu plots and their labels; use a larger picture, fewer views or "
+                     "`axes: false`",
                      f->context.scene->file, output->place.line, output->place.column, bead_page_size(&f->page, size),
                      f->cell_count * f->view_count);
 }

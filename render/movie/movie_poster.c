@@ -64,7 +64,7 @@ static enum bead_error set_cover(const struct bead_poster *p, uint64_t bytes, st
     if (!png)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", p->path);
     else if (!file || fread(png, 1, (size_t)bytes, file) != bytes)
-        err = bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read again", p->path);
+        err = bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read back", p->path);
     if (file)
         fclose(file);
     if (!err)

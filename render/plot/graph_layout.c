@@ -320,7 +320,7 @@ static enum bead_error graph_divide(struct graph_layout *l, struct bead_message 
     width = floor(width / (double)l->columns);
     height = floor(height / (double)l->rows);
     if (!(width >= smallest_plot) || !(height >= smallest_plot))
-        return bead_fail(msg, BEAD_ERROR_SCENE, "size: %s leave%s no room for %zu plot%s and the words around",
+        return bead_fail(msg, BEAD_ERROR_SCENE, "size: %s leave%s no room for %zu plot%s and their labels",
                          l->graph->size ? l->graph->size : "this", l->graph->size ? "" : "s", l->graph->panel_count,
                          l->graph->panel_count == 1 ? "" : "s");
     for (size_t p = 0; p < l->graph->panel_count; p++) {
@@ -453,7 +453,7 @@ enum bead_error graph_layout_make(const struct bead_graph *graph, const struct b
     layout->frame = frame ? *frame : (struct graph_frame){.margin = look->margin, .letter = ""};
     layout->part = frame != NULL;
     if (graph->panel_count == 0 || !(width >= 1) || !(height >= 1))
-        return bead_fail(msg, BEAD_ERROR_SCENE, "size: %.0f x %.0f pixels for %zu panels make no picture", width, height,
+        return bead_fail(msg, BEAD_ERROR_SCENE, "size: %.0f x %.0f pixels have no room for %zu panels", width, height,
                          graph->panel_count);
     choose_columns(layout);
     enum bead_error err = graph_prepare(layout, msg);
