@@ -23,6 +23,12 @@ static const double largest_side = 32767, largest_area = 3e8;
 static const double screen_dpi = 96;
 static const double inch = 0.0254;
 
+bool bead_page_titled(const struct bead_page *page)
+{
+    const int least = 240; /* px */
+    return !page->paper && page->height >= least;
+}
+
 enum bead_error bead_page_find(const struct bead_output *output, const char *file, struct bead_page *page, struct bead_message *msg)
 {
     double size[2];

@@ -22,6 +22,8 @@ struct bead_insets {
 /* Extensions of the files that a page can be written to, NULL-terminated. */
 extern const char *const bead_still_extensions[];
 
+/* Whether the page shows the scene's title: papers have captions instead, and low pictures no room. */
+bool bead_page_titled(const struct bead_page *page);
 /* Errors: SCENE (with the output's place). */
 BEAD_CHECK enum bead_error bead_page_find(const struct bead_output *output, const char *file, struct bead_page *page,
                                           struct bead_message *msg);

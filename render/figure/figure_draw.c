@@ -57,7 +57,7 @@ struct words {
     bool marked; /* the name is a panel's title, with markup */
 };
 
-/* As many digits as the time needs, at most five. */
+/* As many digits as the time needs, at most three decimals. */
 static void figure_time_words(double time, const char *unit, char *text, size_t size)
 {
     int exponent = bead_prefix_exponent(time, unit), digits = 1;
@@ -224,8 +224,7 @@ static void moment_words(const struct bead_figure *f, char *markup, size_t size)
 bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
 {
     const struct bead_look *look = &f->look;
-    const int least = 240; /* px: lower pictures have no title */
-    const char *title = !f->page.paper && f->page.height >= least ? f->context.scene->title : "";
+    const char *title = bead_page_titled(&f->page) ? f->context.scene->title : "";
     if (f->part || !f->output->views.axes || (!*title && !f->stills))
         return false;
     if (!cr)

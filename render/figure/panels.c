@@ -30,9 +30,8 @@ static void panels_destroy(struct bead_still *still)
 /* Title of screens, and caption. */
 static enum bead_error make_words(struct bead_still *s, struct bead_message *msg)
 {
-    const int least = 240; /* px: lower pictures have no title */
     const char *title = s->context.scene->title, *caption = s->output->still.caption;
-    if (!s->page.paper && s->page.height >= least && *title) {
+    if (bead_page_titled(&s->page) && *title) {
         size_t size = 6 * strlen(title) + 1;
         s->title = malloc(size);
         if (s->title)

@@ -130,9 +130,8 @@ const struct bead_panel *bead_plot_data_panels(const struct bead_plot_data *data
 enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct bead_outcome *outcomes, const struct bead_page *page,
                                      const char *path, uint64_t *bytes, struct bead_message *msg)
 {
-    const int least = 240; /* px: lower pictures have no title */
     const struct plot_kind *kind = plot_kind_of(data);
-    bool titled = kind->headed ? data->output->paper.style != BEAD_STYLE_PAPER : !page->paper && page->height >= least;
+    bool titled = kind->headed ? data->output->paper.style != BEAD_STYLE_PAPER : bead_page_titled(page);
     enum bead_error err = bead_plot_data_finish(data, outcomes, msg);
     if (err)
         return err;
