@@ -22,6 +22,8 @@
  * *joined belongs to the caller (free), NULL on failure. Errors: MEMORY, IO (empty path). */
 BEAD_API BEAD_CHECK enum bead_error bead_file_join(const char *directory, const char *path, char **joined,
                                                    struct bead_message *msg);
+/* Does `path` stay in the directory that it is seen from: is it relative, without `..`? */
+BEAD_API bool bead_file_is_inside(const char *path);
 /* Name of the unfinished file: `path` and ".part"; of names that the file system would find too long then, the beginning, a
  * fingerprint of the name, and ".part". *part belongs to the caller (free). Errors: MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_file_part_name(const char *path, char **part, struct bead_message *msg);
@@ -59,6 +61,8 @@ BEAD_API void bead_file_release(struct bead_claim *claim, bool keep);
 BEAD_API void bead_file_discard(const char *part);
 /* A directory for files, with those on the way; NULL or "": nothing to do. Errors: IO. */
 BEAD_API BEAD_CHECK enum bead_error bead_file_make_directory(const char *directory, struct bead_message *msg);
+/* The directory of the file `path`, with those on the way. Errors: IO. */
+BEAD_API BEAD_CHECK enum bead_error bead_file_make_parents(const char *path, struct bead_message *msg);
 /* Bytes in the file, 0 where there is none. */
 BEAD_API uint64_t bead_file_bytes(const char *path);
 

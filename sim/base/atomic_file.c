@@ -36,6 +36,19 @@ enum bead_error bead_file_join(const char *directory, const char *path, char **j
     return concatenate(directory, directory[strlen(directory) - 1] == '/' ? "" : "/", path, joined, msg);
 }
 
+bool bead_file_is_inside(const char *path)
+{
+    if (path[0] == '/')
+        return false;
+    while (path) {
+        if (path[0] == '.' && path[1] == '.' && (path[2] == '/' || path[2] == '\0'))
+            return false;
+        path = strchr(path, '/');
+        path += path ? strspn(path, "/") : 0;
+    }
+    return true;
+}
+
 /* Bytes of `name` that are kept of at most `most`: whole characters of UTF-8. */
 static size_t whole_characters(const char *name, size_t most)
 {
@@ -279,4 +292,17 @@ enum bead_error bead_file_make_directory(const char *directory, struct bead_mess
     if (stat(directory, &found) != 0 || !S_ISDIR(found.st_mode))
         return bead_fail(msg, BEAD_ERROR_IO, "%s: is not a directory", directory);
     return BEAD_OK;
+}
+
+enum bead_error bead_file_make_parents(const char *path, struct bead_message *msg)
+{
+    const char *slash = strrchr(path, '/');
+    if (!slash || slash == path)
+        return BEAD_OK;
+    char *directory = strndup(path, (size_t)(slash - path));
+    if (!directory)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a file name");
+    enum bead_error err = bead_file_make_directory(directory, msg);
+    free(directory);
+    return err;
 }

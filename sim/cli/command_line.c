@@ -129,6 +129,13 @@ static enum bead_error set_configuration(struct command *command, const char *va
     return BEAD_OK;
 }
 
+static enum bead_error set_allow_outside(struct command *command, const char *value, struct bead_message *msg)
+{
+    (void)value, (void)msg;
+    command->allow_outside = true;
+    return BEAD_OK;
+}
+
 static enum bead_error set_sheet(struct command *command, const char *value, struct bead_message *msg)
 {
     (void)value, (void)msg;
@@ -192,6 +199,8 @@ static const struct option_row rows[] = {
     {"configuration", 0, "N", "run only chain N of a sweep (its scene or its results); NAME:N where there are several sweeps", NULL,
      set_configuration},
     {"sheet", 0, NULL, "draw only a contact sheet, of a sweep or of a random chain, into the file -o", NULL, set_sheet},
+    {"allow-outside", 0, NULL, "let the scene write outside the directory -o (absolute paths, `..`); for scenes you trust", NULL,
+     set_allow_outside},
     {"shard", 0, "K/N", "compute part K of N of a sweep into a file of its own: sweep.h5 becomes sweep.KofN.h5", NULL, set_shard},
     {"merge", 0, NULL, "merge the given parts of a sweep, in any order, into the file -o", NULL, set_merge},
     {"threads", 0, "N", "use N threads (default 0: all cores); the results do not depend on N", NULL, set_threads},

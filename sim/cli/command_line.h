@@ -50,6 +50,7 @@ struct command {
     enum command_action action;
     const struct command_list *list;
     const char *input, *output, *instructions, *canvas, *configuration;
+    bool allow_outside;
     bool sheet;
     const char **settings, **only, **parts; /* owned arrays; parts: files to merge */
     size_t setting_count, only_count, part_count;

@@ -7,12 +7,26 @@ static enum bead_error claim(struct bead_made *m, struct bead_message *msg)
     /* The unfinished file of a sweep's results is a journal, which locks itself. */
     if (bead_session_holds_sweep(m) || !(m->sink || (m->asked && m->sweep_type)))
         return BEAD_OK;
-    enum bead_error err = bead_file_claim(m->path, &m->claims[0], msg);
     uint64_t bytes;
     const char *beside = m->sink && m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
-    if (!err && beside)
-        err = bead_file_claim(beside, &m->claims[1], msg);
+    const char *const files[2] = {m->path, beside};
+    enum bead_error err = BEAD_OK;
+    for (int i = 0; i < 2 && !err && files[i]; i++) {
+        err = bead_file_make_parents(files[i], msg);
+        if (!err)
+            err = bead_file_claim(files[i], &m->claims[i], msg);
+    }
     return err;
+}
+
+enum bead_error bead_session_check_inside(const struct bead_session *s, const struct bead_output *output, const char *path,
+                                          struct bead_message *msg)
+{
+    if (s->job.allow_outside || !path || bead_file_is_inside(path))
+        return BEAD_OK;
+    return bead_fail(msg, BEAD_ERROR_SCENE,
+                     "%s:%zu:%zu: outputs: `%s` leaves the output directory; a scene may do so only with --allow-outside",
+                     s->source->file, output->place.line, output->place.column, path);
 }
 
 enum bead_error bead_session_claim(struct bead_session *s, struct bead_message *msg)

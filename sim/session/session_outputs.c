@@ -82,15 +82,19 @@ enum bead_error bead_session_list_outputs(struct bead_session *s, struct bead_me
     if (!s->made)
         return bead_session_out_of_memory(msg);
     s->made_count = s->source->output_count;
-    for (size_t i = 0; i < s->made_count; i++) {
+    for (size_t i = 0; i < s->made_count && !err; i++) {
         struct bead_made *m = &s->made[i];
         m->output = &s->source->outputs[i];
+        if (!s->job.sheet && !s->job.configuration) /* whose path is that of -o */
+            err = bead_session_check_inside(s, m->output, m->output->path, msg);
+        if (!err)
+            err = bead_session_check_inside(s, m->output, m->output->movie.poster, msg);
         m->type = bead_session_find_type(&s->job, m->output);
         m->asked = is_asked(s, m->output);
         if (bead_output_type(m->output->kind)->stores_samples && !s->keeper)
             s->keeper = m->output;
     }
-    return BEAD_OK;
+    return err;
 }
 
 /* ---- what cannot be made ---- */
@@ -142,7 +146,7 @@ enum bead_error bead_session_take_again(struct bead_session *s, const char *from
     s->made->output = &s->made->changed;
     s->made->asked = true;
     *index = (size_t)(again - s->source->outputs);
-    return BEAD_OK;
+    return bead_session_check_inside(s, again, again->movie.poster, msg);
 }
 
 static enum bead_error no_kind(const char *file, const struct bead_file_kind *kinds, struct bead_message *msg)

@@ -1,0 +1,37 @@
+#!/bin/bash
+# Scenes of strangers: files stay in the output directory, unless --allow-outside is given; directories inside it are made.
+source "$(dirname "$0")/../shell.bash"
+cd "$T" || exit 1
+chain='chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{bead: large-steel, count: 5}]}'
+film='movie: film.mp4, size: [160, 120], duration: 0.2 s, fps: 10'
+
+# scene OUTPUT... : scene.yaml with these.
+scene() {
+    echo "$chain"
+    echo 'outputs:'
+    printf '  - {%s}\n' "$@"
+} >scene.yaml
+refused() { # WHAT, of the second output
+    rm -rf made && fails 2 "$beadreel" scene.yaml -o made && says 'scene.yaml:4:5: ' && says "\`$1\` leaves the output directory" &&
+        says --allow-outside && [ ! -e made ] && fails 2 "$beadreel" scene.yaml -o made --plan
+}
+for path in ../evil.csv a/../../evil.csv "$T/evil.csv" a/.. ..; do
+    scene 'table: peaks.csv, show: peaks' "table: $path, show: bead-peaks"
+    case $path in *.csv) ok "$path is refused" refused "$path" ;; *) ok "$path is refused" fails 2 "$beadreel" scene.yaml -o made ;; esac
+done
+scene 'table: peaks.csv, show: peaks' "$film, poster: ../evil.png"
+ok "a poster outside is refused" refused ../evil.png
+ok "... for beadsim, too" fails 2 "$beadsim" scene.yaml -o made
+ok "no file was made" test ! -e evil.csv -a ! -e evil.png
+
+allowed() { rm -rf made && exits 0 "$beadreel" scene.yaml -o made --allow-outside && [ -s evil.png ]; }
+ok "--allow-outside" allowed
+scene 'trajectory: run.h5' "$film, poster: ../evil.png"
+redrawn() { rm -rf made && exits 0 "$beadreel" scene.yaml -o made --allow-outside && rm evil.png && mkdir -p in &&
+    (cd in && fails 2 "$beadreel" ../made/run.h5 -o film.mp4 && says evil.png) && [ ! -e evil.png ]; }
+ok "a poster that a trajectory names is refused" redrawn
+scene 'table: sub/deep/peaks.csv, show: peaks' 'table: ..x/..csv, show: bead-peaks' 'image: a/b/c.png, size: [160, 120]'
+inside() { rm -rf made && exits 0 "$beadreel" scene.yaml -o made && [ -s made/sub/deep/peaks.csv ] && [ -s made/..x/..csv ] && [ -s made/a/b/c.png ]; }
+ok "directories inside are made" inside
+ok "a trajectory is drawn wherever -o says" exits 0 bash -c "'$beadsim' scene.yaml --set 'outputs=[{trajectory: run.h5}]' -o made && cd in && '$beadreel' ../made/run.h5 -o ../other/new.png"
+finish
