@@ -102,6 +102,12 @@ struct bead_sweep_settings {
     void (*progress)(void *context, const struct bead_progress *progress);
     void *progress_context;
 };
+/* How far the unfinished sweep got whose journal is `path`. False: this is no journal. */
+struct bead_sweep_progress {
+    size_t chains, done; /* of all parts; in this journal */
+    size_t part, parts;
+};
+BEAD_API bool bead_sweep_journal_look(const char *path, struct bead_sweep_progress *progress);
 /* Compute what is not known. What the journal holds is taken from there; a last record that is not whole is ignored. A journal of
  * another scene, version or part is refused. *computed gets how many chains
  * were computed now; may be NULL. Errors: MEMORY, NUMBERS, SCENE, USAGE (journal), IO, STOPPED. */

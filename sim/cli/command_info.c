@@ -124,6 +124,10 @@ static enum bead_error scene_info(const struct command *command, FILE *out, stru
 static void print_outcome(FILE *out, size_t index, const char *unit, const struct bead_outcome *outcome)
 {
     char text[32], step[32];
+    if (!isfinite(outcome->end)) { /* nothing was written but samples */
+        fprintf(out, "run of chain %zu: killed, so that no more is known of it than its samples\n", index);
+        return;
+    }
     fprintf(out, "run of chain %zu: %s, step %s, %llu steps to %s\n", index, outcome->method ? outcome->method : "?",
             command_quantity(outcome->step, unit, step, sizeof step), (unsigned long long)outcome->steps,
             command_quantity(outcome->end, unit, text, sizeof text));
@@ -230,8 +234,21 @@ static enum bead_error sweep_info(const struct command *command, FILE *out, stru
     return BEAD_OK;
 }
 
+static void print_journal(FILE *out, const char *path, const struct bead_sweep_progress *progress)
+{
+    fprintf(out, "%s: journal of an unfinished sweep\n%zu of %zu chains are done", path, progress->done, progress->chains);
+    if (progress->parts > 1)
+        fprintf(out, ", of part %zu of %zu", progress->part, progress->parts);
+    fprintf(out, "; the command that began it goes on from here\n");
+}
+
 enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg)
 {
+    struct bead_sweep_progress progress;
+    if (bead_sweep_journal_look(command->input, &progress)) {
+        print_journal(out, command->input, &progress);
+        return BEAD_OK;
+    }
     if (bead_sweep_is(command->input))
         return sweep_info(command, out, msg);
     return bead_trajectory_is(command->input) ? trajectory_info(command, out, msg) : scene_info(command, out, msg);

@@ -177,12 +177,26 @@ static bool find_in_folders(const char *name, char *path, size_t size)
     return good && count == 1;
 }
 
+/* One that can be read has been taken for what it is before. */
+static bool is_unfinished(const char *name)
+{
+    static const char ending[] = ".part";
+    size_t length = strlen(name);
+    return length >= sizeof ending && strcmp(name + length - (sizeof ending - 1), ending) == 0;
+}
+
 enum bead_error bead_scene_find(const char *name, char *path, size_t size, struct bead_message *msg)
 {
     char asset[1100];
     struct stat status;
     bool exists = stat(name, &status) == 0;
     if (exists && !S_ISDIR(status.st_mode)) {
+        if (is_unfinished(name))
+            return bead_fail(
+                msg, BEAD_ERROR_FORMAT,
+                "%s: is an unfinished file, from which nothing can be read: its run was killed too early, or it is the "
+                "journal of a sweep (see --info), which goes on when its command is run again",
+                name);
         if (strlen(name) >= size)
             return bead_fail(msg, BEAD_ERROR_IO, "the name of the scene is too long");
         memcpy(path, name, strlen(name) + 1);

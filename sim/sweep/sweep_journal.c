@@ -1,6 +1,7 @@
 /* The journal of a sweep: a head, then one record for each finished chain, in the order of finishing. A process that is killed
  * at any moment leaves whole records and at most one torn one, which is cut off when the next process goes on. */
 #include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
@@ -12,7 +13,7 @@
 #include "sim/sweep/sweep_data.h"
 
 static const char magic[16] = "beadreel-sweep\n";
-enum { FORMAT = 2 };
+enum { FORMAT = 3 };
 /* A power failure may cost this many seconds of work. */
 static const double sync_every = 1;
 
@@ -24,9 +25,22 @@ struct head {
 struct bead_sweep_journal {
     int file;
     char *path;
-    uint64_t *record; /* job, results, checksum */
+    uint64_t *record; /* label, results, checksum */
     double synced;    /* s, clock */
 };
+
+/* The first word of a record: its job, and its length in words, so that records can be counted without the sweep. */
+enum { JOB_BITS = 40 };
+
+static uint64_t label_of(size_t job, size_t words)
+{
+    return (uint64_t)words << JOB_BITS | job;
+}
+
+static size_t job_of(uint64_t label)
+{
+    return (size_t)(label & (((uint64_t)1 << JOB_BITS) - 1));
+}
 
 static double now(void)
 {
@@ -60,7 +74,7 @@ static size_t pack(const struct bead_sweep *sweep, size_t job, uint64_t *record)
     const struct sweep_panel *p = bead_sweep_panel_of(sweep, job, &row);
     size_t peaks = 3 * p->shown.places, words = bead_sweep_words(p);
     _Static_assert(sizeof(struct bead_sweep_peak) == 3 * sizeof(uint64_t), "a peak is three words");
-    record[0] = job;
+    record[0] = label_of(job, words + 2);
     if (peaks > 0)
         memcpy(record + 1, p->peaks + row * p->shown.places, peaks * sizeof *record);
     if (p->profiles)
@@ -71,7 +85,7 @@ static size_t pack(const struct bead_sweep *sweep, size_t job, uint64_t *record)
 
 static void unpack(struct bead_sweep *sweep, const uint64_t *record)
 {
-    size_t row = 0, job = (size_t)record[0];
+    size_t row = 0, job = job_of(record[0]);
     struct sweep_panel *p = bead_sweep_panel_of(sweep, job, &row);
     size_t peaks = 3 * p->shown.places, words = bead_sweep_words(p);
     if (peaks > 0)
@@ -114,15 +128,15 @@ static bool write_all(int file, const void *bytes, size_t size)
 /* Results of whole records; *end gets where they end. */
 static enum bead_error take_records(struct bead_sweep_journal *j, struct bead_sweep *sweep, off_t *end, struct bead_message *msg)
 {
-    uint64_t job;
-    while (read_at(j->file, &job, sizeof job, *end) && job < sweep->jobs) {
-        size_t row = 0, words = bead_sweep_words(bead_sweep_panel_of(sweep, (size_t)job, &row));
+    uint64_t label;
+    while (read_at(j->file, &label, sizeof label, *end) && job_of(label) < sweep->jobs) {
+        size_t row = 0, job = job_of(label), words = bead_sweep_words(bead_sweep_panel_of(sweep, job, &row));
         size_t size = (words + 2) * sizeof *j->record;
         if (!read_at(j->file, j->record, size, *end))
             break;
         if (j->record[words + 1] != bead_fingerprint(sweep->scene->fingerprint, j->record, (words + 1) * sizeof *j->record))
             break;
-        if (bead_sweep_mine(sweep, (size_t)job))
+        if (bead_sweep_mine(sweep, job))
             unpack(sweep, j->record);
         *end += (off_t)size;
     }
@@ -203,6 +217,30 @@ enum bead_error bead_sweep_journal_open(struct bead_sweep *sweep, const char *pa
     else
         *journal = j;
     return err;
+}
+
+bool bead_sweep_journal_look(const char *path, struct bead_sweep_progress *progress)
+{
+    struct head head;
+    uint64_t label;
+    int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    bool is = file >= 0 && read_at(file, &head, sizeof head, 0) && memcmp(head.magic, magic, sizeof magic) == 0;
+    *progress = (struct bead_sweep_progress){0};
+    if (is) {
+        *progress =
+            (struct bead_sweep_progress){.chains = (size_t)head.jobs, .part = (size_t)head.part, .parts = (size_t)head.parts};
+        off_t end = lseek(file, 0, SEEK_END), at = (off_t)sizeof head;
+        while (at < end && read_at(file, &label, sizeof label, at)) {
+            off_t words = (off_t)(label >> JOB_BITS);
+            if (words < 2 || words > (end - at) / (off_t)sizeof label)
+                break;
+            at += words * (off_t)sizeof label;
+            progress->done++;
+        }
+    }
+    if (file >= 0)
+        close(file);
+    return is;
 }
 
 enum bead_error bead_sweep_journal_add(struct bead_sweep_journal *j, const struct bead_sweep *sweep, size_t job,

@@ -104,6 +104,11 @@ both() {
     rm -r "$T/both"
 }
 for name in run.h5 peaks.csv force.png; do ok "two runs with the same $name" both $name; done
+killed_says() { grep -q 'samples: [0-9]' "$T/info" && grep -q 'killed, so that no more is known' "$T/info" && ! grep -qw nan "$T/info" || { cat "$T/info"; return 1; }; }
 killed_readable() { "$beadreel" --info "$T/kill/run.h5.part" >"$T/info" && grep -q 'stopped or killed' "$T/info"; }
 ok "SIGKILL: the .part can be read" killed_readable
+ok "... and says how far the run got" killed_says
+head -c 5000 /dev/zero >"$T/early.h5.part"
+ok "killed before the first flush" fails 1 "$beadreel" --info "$T/early.h5.part"
+ok "... says so" says "early.h5.part: is an unfinished file"
 finish

@@ -40,6 +40,9 @@ mkdir -p "$T/blocked/force.csv"
 ok "a table that cannot be written" fails 1 "$beadsim" "$T/sweep.yaml" -o "$T/blocked"
 ok "... leaves the journal" test -s "$T/blocked/sweep.h5.part"
 rmdir "$T/blocked/force.csv"
+ok "... which says how far it got" exits 0 "$beadsim" --info "$T/blocked/sweep.h5.part"
+all_done() { grep -qE 'sweep.h5.part: journal of an unfinished sweep' "$T/out" && grep -qE '^([0-9]+) of \1 chains are done' "$T/out" || { cat "$T/out"; return 1; }; }
+ok "... all the way" all_done
 ok "... the next run computes nothing" exits 0 "$beadsim" "$T/sweep.yaml" -o "$T/blocked"
 ok "... and says so" lacks " chains"
 ok "... writes the same" same "$T/whole/force.csv" "$T/blocked/force.csv"
