@@ -14,7 +14,7 @@ mapfile -t commands < <(grep -xE 'make deps [a-z]+' README.md)
 [ ${#commands[@]} -eq 2 ] || { say "README.md has ${#commands[@]} commands 'make deps ...', not 2" >&2; exit 1; }
 [ "$(id -u)" = 0 ] || cannot "only root can do this"
 command -v debootstrap >/dev/null || cannot "debootstrap is not installed"
-unshare --mount --pid --fork true 2>/dev/null || cannot "no name spaces to be had here"
+unshare --mount-proc --pid --fork true 2>/dev/null || cannot "no name spaces to be had here"
 
 # What the host needs to reach a mirror: its own mirror, its proxies, what its apt is told of them.
 mirror=${MIRROR:-$(apt-get indextargets --format '$(REPO_URI)' 2>/dev/null | grep -m 1 -E '/debian/?$')}
@@ -27,33 +27,37 @@ done
 
 root=$(mktemp -d "${TMPDIR:-/tmp}/beadreel-fresh.XXXXXX") || exit 1
 chmod 755 "$root"
-# Mounts end with their name space, and the processes in it with the script: nothing of the host is below $root here.
-clean_up() {
-    if [ -n "${inside:-}" ]; then kill "$inside" && wait "$inside"; fi 2>/dev/null
-    rm -rf --one-file-system "$root" "$root.log"
-}
-trap clean_up EXIT
-trap 'exit 130' INT
-trap 'exit 143' TERM HUP
-
-# within COMMAND... : in the new system, with a terminal's devices and processes of its own; nothing of the host's environment.
-within() {
-    # shellcheck disable=SC2016
-    unshare --mount --pid --fork --kill-child --propagation private bash -c '
-        root=$1; shift
-        mount -t proc proc "$root/proc" && mount --rbind /dev "$root/dev" || exit 1
-        exec chroot "$root" env -i "$@"' - "$root" PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
-        DEBIAN_FRONTEND=noninteractive ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
-        ${no_proxy:+no_proxy="$no_proxy"} "$@" </dev/null &
+# Mounts and processes live in name spaces that end with them and with the script: nothing of the host is below $root here.
+inside=
+alone() {
+    unshare --mount-proc --pid --fork --kill-child --propagation private "$@" </dev/null &
     inside=$!
     wait $inside
     local status=$?
     inside=
     return $status
 }
+clean_up() {
+    if [ -n "$inside" ]; then kill -KILL "$inside" && wait "$inside"; fi 2>/dev/null
+    rm -rf --one-file-system "$root" "$root.log"
+}
+trap clean_up EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM HUP
+
+# within COMMAND... : in the new system, with the host's devices; nothing of the host's environment.
+within() {
+    # shellcheck disable=SC2016
+    alone bash -c '
+        root=$1; shift
+        mount -t proc proc "$root/proc" && mount --rbind /dev "$root/dev" || exit 1
+        exec chroot "$root" env -i "$@"' - "$root" PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
+        DEBIAN_FRONTEND=noninteractive ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
+        ${no_proxy:+no_proxy="$no_proxy"} "$@"
+}
 
 say "minimal system from $mirror"
-debootstrap --variant=minbase "$suite" "$root" "$mirror" >"$root.log" 2>&1 ||
+alone debootstrap --variant=minbase "$suite" "$root" "$mirror" >"$root.log" 2>&1 ||
     { tail -n 20 "$root.log"; say "debootstrap failed" >&2; exit 1; }
 cp /etc/resolv.conf /etc/hosts "$root/etc/"
 apt-config dump Acquire | grep -E '^Acquire::(Check|Retries|[a-z]+::(Proxy|Verify|Timeout))' >"$root/etc/apt/apt.conf.d/90host"
