@@ -58,6 +58,9 @@ no_root() {
 }
 ok "make deps without root says what to run" no_root
 
+ok "make fresh takes a suite of Debian" fails 1 "$top/tests/fresh.sh" potato
+ok "... and names those it knows" says "bookworm trixie"
+
 # A compiler that finds something odd stops developers, not users.
 odd() { quiet make --no-print-directory BUILD="$T/odd" CPPFLAGS='-DODD=1 -DODD=2' "$@" "$T/odd/${object#"$T/b/"}"; }
 strict() { ! odd WERROR=-Werror && grep -q 'ODD' "$T/err"; }
