@@ -221,7 +221,7 @@ lint: ## formatting, static analysis
 	@echo "clang-format" && clang-format --dry-run -Werror $(FORMATTED)
 	@echo "cppcheck" && cppcheck --quiet --std=c11 --language=c --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
 	    --suppressions-list=tests/cppcheck.txt -j $$(nproc) -i tests/bench/precision_boost.cc -Iinclude -I. -D__linux__ -D__x86_64__ -DBEAD_DATADIR='""' sim render tests
-	@echo "shellcheck" && shellcheck -S warning -e SC2034,SC2154 $(wildcard .ci/run assets/gallery/*.sh tests/*.sh tests/*/*.sh tests/*.bash)
+	@echo "shellcheck" && shellcheck -S warning -e SC2034,SC2154 $(wildcard .ci/run assets/*/*.sh assets/completions/*.bash tests/*.sh tests/*/*.sh tests/*.bash)
 
 MANUALS = $(wildcard assets/man/*.[15])
 man: $(PROGRAMS) ## write options, keys and lists into the man pages again

@@ -67,7 +67,7 @@ base() {
     'outputs (image)' | 'outputs (plot)') prefix=outputs.0. before=("outputs=[{$kind: i.png}]") ;;
     'outputs (table)') prefix=outputs.0. ;;
     outputs.panels) prefix=outputs.0.panels.0.0. ;;
-    *) prefix=? ;;
+    *) prefix='?' ;;
     esac
 }
 # What a key needs besides, or instead.
