@@ -56,7 +56,7 @@ static const struct bead_codec codecs[] = {
     {{"gif", "animated GIF, 255 colours, at most 50 frames a second"}, &bead_movie_libav, "gif", "loop=0", gif, 100, false, 50},
     {{"apng", "animated PNG, lossless"}, &bead_movie_libav, "apng", "plays=0", apng, 1, false, 0},
     {{"png", "animated PNG, lossless"}, &bead_movie_libav, "apng", "plays=0", apng, 1, false, 0},
-    {{"hash", "one line a frame: hash of its pixels, to compare runs"}, &bead_movie_hashes, NULL, NULL, NULL, 0, false, 0},
+    {{"hash", "a line per frame with the hash of its pixels, to compare runs"}, &bead_movie_hashes, NULL, NULL, NULL, 0, false, 0},
 };
 
 enum { CODECS = sizeof codecs / sizeof *codecs };

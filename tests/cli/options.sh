@@ -100,7 +100,7 @@ offers() {
 completion_knows() {
     local program option
     for program in "$beadreel" "$beadsim"; do
-        "$program" --help | grep -oE -- '^ +(-[a-zA-Z], )?--[a-z]+' | tr -d ', ' | sed 's/^\(-[a-zA-Z]\)--/\1\n--/' | while read -r option; do
+        "$program" --help | grep -oE -- '^ +(-[a-zA-Z], )?--[a-z-]+' | tr -d ', ' | sed 's/^\(-[a-zA-Z]\)--/\1\n--/' | while read -r option; do
             offers "$program" - | grep -qx -- "$option" || { echo "$program $option"; return 1; }
         done || return 1
     done
