@@ -8,7 +8,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "beadreel/movie.h"
 #include "beadreel/trajectory.h"
+#include "sim/scene/output_kinds.h"
 
 static void path_of(const char *part, const char *name, char path[512])
 {
@@ -205,12 +207,38 @@ static void a_trajectory_alone_can_be_drawn(void **state)
     }
 }
 
+/* What scenes take for a movie is what can be encoded; hash is for tests. */
+static void movies_end_like_their_codecs(void **state)
+{
+    (void)state;
+    const char *endings = bead_output_endings(BEAD_OUTPUT_MOVIE);
+    size_t taken = 0, named = 0;
+    for (const struct bead_codec_info *codec = bead_movie_codecs(); codec->extension; codec++) {
+        char path[32];
+        snprintf(path, sizeof path, "movies.d/a.%s", codec->extension);
+        bool takes = bead_output_ends_like(endings, path);
+        assert_int_equal(takes, strcmp(codec->extension, "hash") != 0);
+        taken += takes;
+    }
+    for (const char *c = endings; *c; c++)
+        named += *c == '.';
+    assert_int_equal(taken, named);
+    assert_false(bead_output_ends_like(endings, "a.mp"));
+    assert_false(bead_output_ends_like(endings, "mp4"));
+    assert_false(bead_output_ends_like(endings, "a.mp4/b"));
+    assert_true(bead_output_ends_like(endings, "A.MP4"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_image_of_some_beads_stops_with_its_time), cmocka_unit_test(a_movie_without_trajectory_writes_no_hdf5),
-        cmocka_unit_test(pictures_do_not_change_the_states),          cmocka_unit_test(threads_do_not_matter),
-        cmocka_unit_test(a_trajectory_draws_the_same_again),          cmocka_unit_test(a_trajectory_alone_can_be_drawn),
+        cmocka_unit_test(an_image_of_some_beads_stops_with_its_time),
+        cmocka_unit_test(a_movie_without_trajectory_writes_no_hdf5),
+        cmocka_unit_test(pictures_do_not_change_the_states),
+        cmocka_unit_test(threads_do_not_matter),
+        cmocka_unit_test(a_trajectory_draws_the_same_again),
+        cmocka_unit_test(a_trajectory_alone_can_be_drawn),
+        cmocka_unit_test(movies_end_like_their_codecs),
     };
     return cmocka_run_group_tests_name("outputs", tests, make_directory, empty_directory);
 }
