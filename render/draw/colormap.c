@@ -31,7 +31,7 @@ static enum bead_error unknown(const char *name, struct bead_message *msg)
         size_t used = strlen(names);
         snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", map->name);
     }
-    return bead_fail(msg, BEAD_ERROR_SCENE, "there is no colour map '%.40s'; there are %s", name, names);
+    return bead_fail(msg, BEAD_ERROR_SCENE, "there is no colour map `%.40s`; allowed are %s", name, names);
 }
 
 static enum bead_error parse(const char *file, const char *text, struct bead_colormap *map, struct bead_message *msg)

@@ -194,7 +194,7 @@ static enum bead_error open_file(struct bead_movie *movie, struct bead_message *
     if (code >= 0 && e->av.av_dict_count(options))
         code = AVERROR_OPTION_NOT_FOUND;
     e->av.av_dict_free(&options);
-    return code < 0 ? fail(movie, "the file cannot be begun", code, msg) : BEAD_OK;
+    return code < 0 ? fail(movie, "the file cannot be started", code, msg) : BEAD_OK;
 }
 
 /* The name ends in .part: the container comes from the table; `file:` keeps libav from reading protocols into names. */

@@ -23,7 +23,7 @@ static enum bead_error unknown_extension(const char *path, struct bead_message *
             break;
         used += (size_t)length;
     }
-    return bead_fail(msg, BEAD_ERROR_SCENE, "%s: no movie can be written by this name; it may end in: %s", path, list);
+    return bead_fail(msg, BEAD_ERROR_SCENE, "%s: is not the name of a movie; it may end in: %s", path, list);
 }
 
 /* Formats with a colour for every 2 x 2 pixels need even sizes. */
@@ -186,7 +186,7 @@ uint64_t bead_movie_encoded(const struct bead_movie *movie)
 static enum bead_error finish(struct bead_movie *movie, struct bead_message *msg)
 {
     if (movie->failed)
-        return bead_fail(msg, BEAD_ERROR_CODEC, "%s: not finished, for a frame could not be written", movie->path);
+        return bead_fail(msg, BEAD_ERROR_CODEC, "%s: not finished, because a frame could not be written", movie->path);
     if (!movie->shown)
         return bead_fail(msg, BEAD_ERROR_CODEC, "%s: a movie without frames", movie->path);
     enum bead_error err = movie->codec->way->finish(movie, msg);

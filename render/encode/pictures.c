@@ -65,7 +65,7 @@ enum bead_error bead_pictures_open(const struct bead_av *av, const struct bead_p
         return bead_palette_create(&pictures->palette, msg);
     pictures->convert = bead_convert_find(format->pixels);
     if (!err && !pictures->convert)
-        err = bead_fail(msg, BEAD_ERROR_CODEC, "%s: there is no conversion of pixels for this encoder", name);
+        err = bead_fail(msg, BEAD_ERROR_CODEC, "%s: the pixels cannot be converted for this encoder", name);
     return err;
 }
 

@@ -48,7 +48,7 @@ static enum bead_error fail_unknown(const char *backend, struct bead_message *ms
     char names[128] = "";
     for (size_t i = 0, at = 0; i < DRIVERS && at < sizeof names; i++)
         at += (size_t)snprintf(names + at, sizeof names - at, "%s%s", i ? ", " : "", drivers[i].info.name);
-    return bead_fail(msg, BEAD_ERROR_USAGE, "there is no canvas `%s`; there are %s", backend, names);
+    return bead_fail(msg, BEAD_ERROR_USAGE, "there is no canvas `%s`; allowed are %s", backend, names);
 }
 
 static enum bead_error open_driver(const struct bead_canvas_driver *driver, int width, int height, struct bead_canvas **canvas,

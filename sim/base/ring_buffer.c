@@ -126,7 +126,7 @@ enum bead_error bead_ring_buffer_create(size_t slots, size_t slot_bytes, int thr
     *pipe = NULL;
     struct bead_ring_buffer *p = calloc(1, sizeof *p);
     if (!p)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a pipe");
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a ring buffer");
     p->slots = slots ? slots : 1;
     p->work = work;
     p->context = context;
@@ -135,7 +135,7 @@ enum bead_error bead_ring_buffer_create(size_t slots, size_t slot_bytes, int thr
     if (__builtin_add_overflow(slot_bytes ? slot_bytes : 1, (size_t)ALIGN - 1, &p->slot_bytes) ||
         __builtin_mul_overflow(p->slot_bytes / ALIGN * ALIGN, p->slots, &bytes) || !(p->memory = aligned_alloc(ALIGN, bytes))) {
         free(p);
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a pipe of %zu x %zu bytes", slots, slot_bytes);
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a ring buffer of %zu x %zu bytes", slots, slot_bytes);
     }
     p->slot_bytes = p->slot_bytes / ALIGN * ALIGN;
     memset(p->memory, 0, bytes);
