@@ -213,7 +213,8 @@ static void movies_end_like_their_codecs(void **state)
     (void)state;
     const char *endings = bead_output_endings(BEAD_OUTPUT_MOVIE);
     size_t taken = 0, named = 0;
-    for (const struct bead_codec_info *codec = bead_movie_codecs(); codec->extension; codec++) {
+    const struct bead_codec_info *codec;
+    for (size_t i = 0; (codec = bead_movie_codec(i)); i++) {
         char path[32];
         snprintf(path, sizeof path, "movies.d/a.%s", codec->extension);
         bool takes = bead_output_ends_like(endings, path);
