@@ -1,3 +1,4 @@
+/* The kernels of pixel_kernels_body.h, compiled for AVX2. */
 #define KERNELS_NAME  "avx2"
 #define KERNELS_TABLE bead_pixel_kernels_avx2
 #include "render/paint/pixel_kernels_body.h"

@@ -1,3 +1,4 @@
+/* The kernels of pixel_kernels_body.h, compiled for AVX-512. */
 #define KERNELS_NAME  "avx512"
 #define KERNELS_TABLE bead_pixel_kernels_avx512
 #include "render/paint/pixel_kernels_body.h"

@@ -3,16 +3,12 @@
 
 #include <errno.h>
 #include <getopt.h>
-#include <hdf5.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "beadreel/scene.h"
 #include "sim/base/suggest.h"
-
-/* Set by the handler, read by sessions. */
-static volatile sig_atomic_t stop_signal;
 
 struct option_row {
     const char *name;
@@ -284,7 +280,7 @@ static void print_wrapped(const char *text, FILE *out)
     fprintf(out, "%s\n", text);
 }
 
-static void print_help(const struct command_program *program, FILE *out)
+void command_print_help(const struct command_program *program, FILE *out)
 {
     char text[256], left[64];
     fprintf(out, "%s - %s\n\n%s\nOptions:\n", program->name, program->purpose, program->usage);
@@ -306,7 +302,7 @@ static void print_help(const struct command_program *program, FILE *out)
 }
 
 /* The options as a man page has them. */
-static void print_man(const struct command_program *program, FILE *out)
+void command_print_man(const struct command_program *program, FILE *out)
 {
     char text[256];
     for (size_t i = 0; i < ROWS; i++) {
@@ -327,7 +323,7 @@ static void print_man(const struct command_program *program, FILE *out)
 }
 
 /* For the shell's completion: a line for each option, "--name -n", its argument where it has one, and the values it may have. */
-static void print_words(const struct command_program *program, FILE *out)
+void command_print_words(const struct command_program *program, FILE *out)
 {
     const char *words[WORDS];
     for (size_t i = 0; i < ROWS; i++) {
@@ -342,7 +338,7 @@ static void print_words(const struct command_program *program, FILE *out)
     }
 }
 
-static void print_version(const struct command_program *program, FILE *out)
+void command_print_version(const struct command_program *program, FILE *out)
 {
     fprintf(out, "%s " BEADREEL_VERSION "\nLicence GPL-3.0-or-later: free software, without any warranty.\n", program->name);
 }
@@ -388,7 +384,7 @@ static enum bead_error take_input(struct command *command, int argc, char **argv
     return BEAD_OK;
 }
 
-static enum bead_error parse(struct command *command, int argc, char **argv, struct bead_message *msg)
+enum bead_error command_parse(struct command *command, int argc, char **argv, struct bead_message *msg)
 {
     struct option options[ROWS + 1] = {0};
     char letters[2 * ROWS + 2] = ":"; /* a leading colon: tell apart missing values */
@@ -419,104 +415,4 @@ static enum bead_error parse(struct command *command, int argc, char **argv, str
             return BEAD_OK;
     }
     return take_input(command, argc, argv, msg);
-}
-
-static void on_signal(int number)
-{
-    stop_signal = number;
-}
-
-/* The first signal ends the run in good order; a second of the same kind kills the program. */
-static enum bead_error catch_signals(struct bead_message *msg)
-{
-    static const int stopping[] = {SIGINT, SIGTERM, SIGHUP};
-    static const int errors_of_write[] = {SIGPIPE, SIGXFSZ}; /* a closed pipe, a file-size limit: write() says so */
-    struct sigaction stop = {.sa_handler = on_signal, .sa_flags = SA_RESTART | (int)SA_RESETHAND};
-    struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
-    sigemptyset(&stop.sa_mask);
-    sigemptyset(&ignore.sa_mask);
-    bool failed = sigaction(SIGHUP, NULL, &before) != 0;
-    bool no_hangup = before.sa_handler == SIG_IGN; /* nohup */
-    for (size_t i = 0; i < sizeof stopping / sizeof *stopping; i++)
-        failed = failed || (!(stopping[i] == SIGHUP && no_hangup) && sigaction(stopping[i], &stop, NULL) != 0);
-    for (size_t i = 0; i < sizeof errors_of_write / sizeof *errors_of_write; i++)
-        failed = failed || sigaction(errors_of_write[i], &ignore, NULL) != 0;
-    return failed ? bead_fail(msg, BEAD_ERROR_IO, "cannot catch signals: %s", strerror(errno)) : BEAD_OK;
-}
-
-static enum bead_error act(const struct command *command, struct bead_message *msg)
-{
-    switch (command->action) {
-    case COMMAND_HELP:
-        print_help(command->program, stdout);
-        return BEAD_OK;
-    case COMMAND_MAN:
-        print_man(command->program, stdout);
-        return BEAD_OK;
-    case COMMAND_MAN_KEYS:
-        bead_scene_help_man(stdout);
-        return BEAD_OK;
-    case COMMAND_WORDS:
-        print_words(command->program, stdout);
-        return BEAD_OK;
-    case COMMAND_VERSION:
-        print_version(command->program, stdout);
-        return BEAD_OK;
-    case COMMAND_LIST:
-        if (command->input && command->list->print == command_list_keys)
-            return bead_scene_help_of(command->input, stdout, msg);
-        return command->list->print(stdout, msg);
-    case COMMAND_INFO:
-        return command_info(command, stdout, msg);
-    case COMMAND_MERGE:
-        return command_merge(command, msg);
-    case COMMAND_PLAN:
-        return command_plan(command, &stop_signal, msg);
-    case COMMAND_RUN:
-        break;
-    }
-    enum bead_error err = catch_signals(msg);
-    return err ? err : command_run(command, &stop_signal, msg);
-}
-
-/* One line, whatever is in the message. */
-static void complain(const char *program, const char *text)
-{
-    fprintf(stderr, "%s: ", program);
-    for (const char *c = text; *c; c++)
-        fputc((unsigned char)*c < ' ' ? ' ' : *c, stderr);
-    fputc('\n', stderr);
-}
-
-int command_main(const struct command_program *program, int argc, char **argv)
-{
-    struct bead_message msg = {""};
-    struct command command = {.program = program};
-    enum bead_error err = BEAD_OK;
-    /* All files are closed before the end. HDF5 may keep objects of a damaged file open, and must not complain of them on stderr at
-     * exit. */
-    H5dont_atexit();
-    command.settings = calloc((size_t)argc + 1, sizeof *command.settings);
-    command.only = calloc((size_t)argc + 1, sizeof *command.only);
-    command.parts = calloc((size_t)argc + 1, sizeof *command.parts);
-    if (!err && (!command.settings || !command.only || !command.parts))
-        err = bead_fail(&msg, BEAD_ERROR_MEMORY, "out of memory");
-    if (!err)
-        err = parse(&command, argc, argv, &msg);
-    if (!err)
-        err = act(&command, &msg);
-    if ((fflush(stdout) || ferror(stdout)) && !err)
-        err = bead_fail(&msg, BEAD_ERROR_IO, "cannot write to standard output: %s", strerror(errno));
-    free(command.settings);
-    free(command.only);
-    free(command.parts);
-    int number = stop_signal;
-    if (err == BEAD_ERROR_STOPPED && number) {
-        snprintf(msg.text, sizeof msg.text, "stopped by signal %d (%s)", number, strsignal(number));
-        complain(program->name, msg.text);
-        return 128 + number;
-    }
-    if (err)
-        complain(program->name, msg.text[0] ? msg.text : bead_error_text(err));
-    return bead_error_status(err);
 }

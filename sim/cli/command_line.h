@@ -62,6 +62,14 @@ struct command {
 /* All of it: returns the exit status (0 done, 1 failed while running, 2 wrong command line or scene, 128+n signal n). */
 int command_main(const struct command_program *program, int argc, char **argv);
 
+/* Options and the input of a command line into `command`, whose arrays have room for argc strings. Errors: USAGE. */
+enum bead_error command_parse(struct command *command, int argc, char **argv, struct bead_message *msg);
+/* What the table of options says: --help, the options of the man page, a line per option for completions, --version. */
+void command_print_help(const struct command_program *program, FILE *out);
+void command_print_man(const struct command_program *program, FILE *out);
+void command_print_words(const struct command_program *program, FILE *out);
+void command_print_version(const struct command_program *program, FILE *out);
+
 /* The actions. Errors: those of session.h, scene.h, trajectory.h; IO where stdout fails. */
 enum bead_error command_run(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
 enum bead_error command_plan(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);

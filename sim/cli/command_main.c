@@ -1,0 +1,112 @@
+/* The frame of both programs: parse the command line, act on it, report the error and the exit status. */
+#include "sim/cli/command_line.h"
+
+#include <errno.h>
+#include <hdf5.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/scene.h"
+
+/* Set by the handler, read by sessions. */
+static volatile sig_atomic_t stop_signal;
+
+static void on_signal(int number)
+{
+    stop_signal = number;
+}
+
+/* The first signal ends the run in good order; a second of the same kind kills the program. */
+static enum bead_error catch_signals(struct bead_message *msg)
+{
+    static const int stopping[] = {SIGINT, SIGTERM, SIGHUP};
+    static const int errors_of_write[] = {SIGPIPE, SIGXFSZ}; /* a closed pipe, a file-size limit: write() says so */
+    struct sigaction stop = {.sa_handler = on_signal, .sa_flags = SA_RESTART | (int)SA_RESETHAND};
+    struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
+    sigemptyset(&stop.sa_mask);
+    sigemptyset(&ignore.sa_mask);
+    bool failed = sigaction(SIGHUP, NULL, &before) != 0;
+    bool no_hangup = before.sa_handler == SIG_IGN; /* nohup */
+    for (size_t i = 0; i < sizeof stopping / sizeof *stopping; i++)
+        failed = failed || (!(stopping[i] == SIGHUP && no_hangup) && sigaction(stopping[i], &stop, NULL) != 0);
+    for (size_t i = 0; i < sizeof errors_of_write / sizeof *errors_of_write; i++)
+        failed = failed || sigaction(errors_of_write[i], &ignore, NULL) != 0;
+    return failed ? bead_fail(msg, BEAD_ERROR_IO, "cannot catch signals: %s", strerror(errno)) : BEAD_OK;
+}
+
+static enum bead_error act(const struct command *command, struct bead_message *msg)
+{
+    switch (command->action) {
+    case COMMAND_HELP:
+        command_print_help(command->program, stdout);
+        return BEAD_OK;
+    case COMMAND_MAN:
+        command_print_man(command->program, stdout);
+        return BEAD_OK;
+    case COMMAND_MAN_KEYS:
+        bead_scene_help_man(stdout);
+        return BEAD_OK;
+    case COMMAND_WORDS:
+        command_print_words(command->program, stdout);
+        return BEAD_OK;
+    case COMMAND_VERSION:
+        command_print_version(command->program, stdout);
+        return BEAD_OK;
+    case COMMAND_LIST:
+        if (command->input && command->list->print == command_list_keys)
+            return bead_scene_help_of(command->input, stdout, msg);
+        return command->list->print(stdout, msg);
+    case COMMAND_INFO:
+        return command_info(command, stdout, msg);
+    case COMMAND_MERGE:
+        return command_merge(command, msg);
+    case COMMAND_PLAN:
+        return command_plan(command, &stop_signal, msg);
+    case COMMAND_RUN:
+        break;
+    }
+    enum bead_error err = catch_signals(msg);
+    return err ? err : command_run(command, &stop_signal, msg);
+}
+
+/* One line, whatever is in the message. */
+static void complain(const char *program, const char *text)
+{
+    fprintf(stderr, "%s: ", program);
+    for (const char *c = text; *c; c++)
+        fputc((unsigned char)*c < ' ' ? ' ' : *c, stderr);
+    fputc('\n', stderr);
+}
+
+int command_main(const struct command_program *program, int argc, char **argv)
+{
+    struct bead_message msg = {""};
+    struct command command = {.program = program};
+    enum bead_error err = BEAD_OK;
+    /* All files are closed before the end. HDF5 may keep objects of a damaged file open, and must not complain of them on stderr at
+     * exit. */
+    H5dont_atexit();
+    command.settings = calloc((size_t)argc + 1, sizeof *command.settings);
+    command.only = calloc((size_t)argc + 1, sizeof *command.only);
+    command.parts = calloc((size_t)argc + 1, sizeof *command.parts);
+    if (!err && (!command.settings || !command.only || !command.parts))
+        err = bead_fail(&msg, BEAD_ERROR_MEMORY, "out of memory");
+    if (!err)
+        err = command_parse(&command, argc, argv, &msg);
+    if (!err)
+        err = act(&command, &msg);
+    if ((fflush(stdout) || ferror(stdout)) && !err)
+        err = bead_fail(&msg, BEAD_ERROR_IO, "cannot write to standard output: %s", strerror(errno));
+    free(command.settings);
+    free(command.only);
+    free(command.parts);
+    int number = stop_signal;
+    if (err == BEAD_ERROR_STOPPED && number) {
+        snprintf(msg.text, sizeof msg.text, "stopped by signal %d (%s)", number, strsignal(number));
+        complain(program->name, msg.text);
+        return 128 + number;
+    }
+    if (err)
+        complain(program->name, msg.text[0] ? msg.text : bead_error_text(err));
+    return bead_error_status(err);
+}
