@@ -23,7 +23,7 @@ endif
 # Debian packages (12 and 13): to build, to build and run the tests, and what .ci/run uses beyond those.
 BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libfftw3-dev libpng-dev \
              libegl-dev libavformat-dev libavcodec-dev libavutil-dev libcairo2-dev libpango1.0-dev libfontconfig-dev fonts-stix fonts-lato
-TEST_DEPS  = libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py man-db mandoc
+TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py man-db mandoc
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
 WISHED_DEPS = libosmesa6
 CI_DEPS    = clang clang-format cppcheck shellcheck debootstrap

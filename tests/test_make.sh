@@ -78,16 +78,39 @@ ok "the installed program finds its scenes" no_asset_env "$root/bin/beadreel" --
 for page in man1/beadreel.1 man1/beadsim.1 man5/beadreel-scene.5; do
     ok "manual page $page" test -s "$root/share/man/$page"
 done
+# What pkg-config says of an installed library.
+installed_flags() {
+    PKG_CONFIG_PATH=$root/lib/pkgconfig PKG_CONFIG_SYSROOT_DIR='' pkg-config --define-variable=prefix="$root" \
+        --define-variable=libdir="$root/lib" --cflags --libs "$1"
+}
 compile_example() {
-    local flags
-    flags=$(PKG_CONFIG_PATH="$root/lib/pkgconfig" PKG_CONFIG_SYSROOT_DIR='' pkg-config --define-variable=prefix="$root" \
-        --define-variable=libdir="$root/lib" --cflags --libs beadsim) || return 1
-    # shellcheck disable=SC2086
-    ${CC:-cc} ${TEST_CFLAGS:-} -o "$T/minimal" "$top/tests/examples/minimal.c" $flags -Wl,-rpath,"$root/lib"
+    # shellcheck disable=SC2046,SC2086
+    ${CC:-cc} ${TEST_CFLAGS:-} -o "$T/minimal" "$top/tests/examples/minimal.c" $(installed_flags beadsim) -Wl,-rpath,"$root/lib"
 }
 sanitized() { nm "$BUILD/libbeadsim.a" 2>/dev/null | grep -q __asan_; }
 sanitized && TEST_CFLAGS=-fsanitize=address,undefined
 ok "a program compiles with the installed library" compile_example
+cat >"$T/version.cc" <<'CPP'
+// A C++ program with both libraries.
+#include <beadreel/render.h>
+#include <cstdio>
+#include <cstring>
+
+int main()
+{
+    std::puts((*bead_render_sinks())->name);
+    return std::strcmp(bead_version(), BEADREEL_VERSION);
+}
+CPP
+compile_cpp() {
+    # shellcheck disable=SC2046
+    "${CXX:-g++}" ${TEST_CFLAGS:-} -o "$T/version" "$T/version.cc" $(installed_flags beadreel) -Wl,-rpath,"$root/lib" && "$T/version" | grep -qx image
+}
+if command -v "${CXX:-g++}" >/dev/null; then
+    ok "a C++ program links with the installed libraries, and runs" compile_cpp
+else
+    skip "a C++ compiler (g++)" "a C++ program links with the installed libraries, and runs"
+fi
 cat >"$T/small.yaml" <<'YAML'
 chain: {striker: {bead: large-steel, velocity: 1 m/s}, beads: [{bead: large-steel, count: 5}]}
 outputs: [{table: peaks.csv, show: peaks}]

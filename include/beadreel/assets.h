@@ -8,9 +8,13 @@
 
 #include "beadreel/error.h"
 
+BEAD_BEGIN
+
 /* Full path of asset `name` ("materials.yaml") into `path`. Errors: IO (says where it looked). */
 BEAD_API BEAD_CHECK enum bead_error bead_asset_path(const char *name, char *path, size_t size, struct bead_message *msg);
 /* Its contents, NUL-terminated, to be freed by the caller with free(). Errors: IO, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_asset_read(const char *name, char **text, size_t *length, struct bead_message *msg);
+
+BEAD_END
 
 #endif

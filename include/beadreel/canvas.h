@@ -10,6 +10,8 @@
 #include "beadreel/error.h"
 #include "beadreel/frame.h"
 
+BEAD_BEGIN
+
 struct bead_canvas;
 
 struct bead_canvas_backend {
@@ -32,5 +34,7 @@ BEAD_API const char *bead_canvas_describe(const struct bead_canvas *canvas); /* 
 BEAD_API const char *bead_canvas_painter(const struct bead_canvas *canvas);  /* "OSMesa (llvmpipe)": for result lines */
 /* In the thread that created it; NULL is allowed. */
 BEAD_API void bead_canvas_destroy(struct bead_canvas *canvas);
+
+BEAD_END
 
 #endif

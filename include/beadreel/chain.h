@@ -12,6 +12,8 @@
 #include "beadreel/error.h"
 #include "beadreel/scene.h"
 
+BEAD_BEGIN
+
 struct bead_chain;
 
 struct bead_sensor {
@@ -84,5 +86,7 @@ BEAD_API double bead_chain_omega(const struct bead_chain *chain, double energy);
 BEAD_API double bead_chain_passage(const struct bead_chain *chain, double energy);
 /* Energy put in by the striker, J. */
 BEAD_API double bead_chain_energy(const struct bead_chain *chain);
+
+BEAD_END
 
 #endif

@@ -7,6 +7,8 @@
 #include "beadreel/error.h"
 #include "beadreel/scene.h"
 
+BEAD_BEGIN
+
 struct bead_colormap {
     char name[32];
     uint8_t rgb[256][3]; /* sRGB */
@@ -33,5 +35,7 @@ BEAD_API double bead_colours_place(const struct bead_colours *colours, double va
 BEAD_API uint8_t bead_colours_index(const struct bead_colours *colours, double value);
 /* 0..1 of `value` between low and high, not clamped; what axes and colours share. */
 BEAD_API double bead_scale_place(enum bead_scale scale, double low, double high, double value);
+
+BEAD_END
 
 #endif

@@ -8,6 +8,8 @@
 
 #include "beadreel/api.h"
 
+BEAD_BEGIN
+
 /* code, text, exit status of the programs */
 #define BEAD_ERRORS(X)                                  \
     X(OK, "no error", 0)                                \
@@ -39,5 +41,7 @@ BEAD_API const char *bead_error_text(enum bead_error code);
 BEAD_API int bead_error_status(enum bead_error code);
 /* Fill `msg` (may be NULL) and return `code`, so that `return bead_fail(...)` reads well. */
 BEAD_API enum bead_error bead_fail(struct bead_message *msg, enum bead_error code, const char *format, ...) BEAD_PRINTF(3, 4);
+
+BEAD_END
 
 #endif

@@ -18,6 +18,8 @@
 
 #include "beadreel/error.h"
 
+BEAD_BEGIN
+
 /* `path` seen from `directory` (NULL or "": the working directory; absolute paths stay as they are).
  * *joined belongs to the caller (free), NULL on failure. Errors: MEMORY, IO (empty path). */
 BEAD_API BEAD_CHECK enum bead_error bead_file_join(const char *directory, const char *path, char **joined,
@@ -65,5 +67,7 @@ BEAD_API BEAD_CHECK enum bead_error bead_file_make_directory(const char *directo
 BEAD_API BEAD_CHECK enum bead_error bead_file_make_parents(const char *path, struct bead_message *msg);
 /* Bytes in the file, 0 where there is none. */
 BEAD_API uint64_t bead_file_bytes(const char *path);
+
+BEAD_END
 
 #endif

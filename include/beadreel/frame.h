@@ -7,6 +7,8 @@
 
 #include "beadreel/error.h"
 
+BEAD_BEGIN
+
 /* Device pixels, y downwards. */
 struct bead_rect {
     int x, y, width, height;
@@ -33,5 +35,7 @@ BEAD_API void bead_frame_copy(struct bead_frame *to, const struct bead_frame *fr
 /* FNV-1a over the visible bytes (B, G, R of every pixel). */
 BEAD_API uint64_t bead_frame_hash(const struct bead_frame *frame);
 BEAD_API void bead_changes_add(struct bead_changes *changes, struct bead_rect rect);
+
+BEAD_END
 
 #endif

@@ -11,6 +11,8 @@
 #include "beadreel/api.h"
 #include "beadreel/scene.h"
 
+BEAD_BEGIN
+
 struct bead_law {
     const char *name;        /* as in scenes */
     const char *description; /* with the source of the formula */
@@ -44,5 +46,7 @@ BEAD_API double bead_hertz_wall(const struct bead_material *bead, const struct b
  * sqrt(R1 R2) / (R1 + R2) for the square root of R1 R2 / (R1 + R2), N/m^{3/2}. */
 BEAD_API double bead_printed_spheres(const struct bead_material *a, const struct bead_material *b);
 BEAD_API double bead_printed_wall(const struct bead_material *bead, const struct bead_material *wall);
+
+BEAD_END
 
 #endif

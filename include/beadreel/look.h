@@ -11,6 +11,8 @@
 #include "beadreel/frame.h"
 #include "beadreel/scene.h"
 
+BEAD_BEGIN
+
 struct bead_rgb {
     double r, g, b;
 };
@@ -111,5 +113,7 @@ BEAD_API double bead_colour_bar_draw(cairo_t *cr, const struct bead_look *look, 
 
 /* A number with a unit prefix that suits it: "1.640 ms", "35 N"; `digits` significant. */
 BEAD_API void bead_quantity(double value, const char *si_unit, int digits, char *out, size_t size);
+
+BEAD_END
 
 #endif

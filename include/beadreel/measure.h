@@ -18,6 +18,8 @@
 #include "beadreel/sample.h"
 #include "beadreel/sink.h"
 
+BEAD_BEGIN
+
 /* What can be measured of a chain, and how: row `index`, NULL behind the last. */
 struct bead_measure_info {
     const char *name, *unit; /* unit "": a number */
@@ -42,5 +44,7 @@ BEAD_API BEAD_CHECK enum bead_error bead_measures_feed(struct bead_measures *mea
  * `room`. */
 BEAD_API size_t bead_measures_read(const struct bead_measures *measures, const struct bead_outcome *outcome,
                                    struct bead_measure *found, size_t room);
+
+BEAD_END
 
 #endif

@@ -7,6 +7,8 @@
 
 #include "beadreel/api.h"
 
+BEAD_BEGIN
+
 struct bead_method_info {
     const char *name;        /* as in scenes: "rkn8" */
     const char *description; /* one line with its source */
@@ -23,5 +25,7 @@ struct bead_method_info {
 /* Row `index`, NULL behind the last. */
 BEAD_API const struct bead_method_info *bead_method_info(size_t index);
 BEAD_API const struct bead_method_info *bead_method_find(const char *name);
+
+BEAD_END
 
 #endif

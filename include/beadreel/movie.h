@@ -21,6 +21,8 @@
 #include "beadreel/frame.h"
 #include "beadreel/scene.h"
 
+BEAD_BEGIN
+
 struct bead_movie_settings {
     int width, height; /* pixels, 1..16384; odd sizes are an error where the codec needs even ones */
     double fps;        /* 1/s, 0.01..1000; gif shows at most 50 a second (every second or third frame), for the same time */
@@ -60,5 +62,7 @@ BEAD_API uint64_t bead_movie_encoded(const struct bead_movie *movie);    /* give
 BEAD_API BEAD_CHECK enum bead_error bead_movie_close(struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg);
 /* Frees the movie and removes its file. NULL is allowed. */
 BEAD_API void bead_movie_abort(struct bead_movie *movie);
+
+BEAD_END
 
 #endif

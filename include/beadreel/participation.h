@@ -33,6 +33,8 @@
 #include "beadreel/chain.h"
 #include "beadreel/error.h"
 
+BEAD_BEGIN
+
 enum { BEAD_ORDER_BEADS = 512 };
 
 /* Participation of the clean wave of the chain's cells; NaN where there is none (the front does not get through, or does not end).
@@ -43,5 +45,7 @@ BEAD_API BEAD_CHECK enum bead_error bead_participation_clean(const struct bead_c
 BEAD_API double bead_chain_participation(const struct bead_chain *chain, const double *displacement, const double *velocity);
 /* The index of n beads; NaN where `clean` or `participation` are, or n <= clean. */
 BEAD_API double bead_clean_index(size_t beads, double participation, double clean);
+
+BEAD_END
 
 #endif

@@ -9,6 +9,8 @@
 #include "beadreel/error.h"
 #include "beadreel/frame.h"
 
+BEAD_BEGIN
+
 struct bead_picture_notes {
     double dpi;                                          /* for pHYs; 0: none */
     const char *title, *description, *software, *source; /* text chunks or document information; may be NULL */
@@ -29,5 +31,7 @@ typedef enum bead_error (*bead_draw)(void *context, cairo_t *cr, struct bead_mes
 BEAD_API BEAD_CHECK enum bead_error bead_vector_write(const char *path, int width, int height, bead_draw draw, void *context,
                                                       const struct bead_picture_notes *notes, uint64_t *bytes,
                                                       struct bead_message *msg);
+
+BEAD_END
 
 #endif

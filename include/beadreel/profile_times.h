@@ -5,6 +5,8 @@
 
 #include "beadreel/sink.h"
 
+BEAD_BEGIN
+
 struct bead_profile_times;
 
 /* For output->shown.field at output->curves.profile_times. The stage is copied, what it points to must outlive the moments. Errors:
@@ -25,5 +27,7 @@ BEAD_API BEAD_CHECK enum bead_error bead_profile_times_feed(struct bead_profile_
 BEAD_API size_t bead_profile_times_values(const struct bead_profile_times *moments, size_t chain);
 BEAD_API const double *bead_profile_times_places(const struct bead_profile_times *moments, size_t chain);
 BEAD_API const double *bead_profile_times_profile(const struct bead_profile_times *moments, size_t chain, size_t moment);
+
+BEAD_END
 
 #endif

@@ -4,9 +4,13 @@
 
 #include "beadreel/sink.h"
 
+BEAD_BEGIN
+
 /* NULL-terminated. */
 BEAD_API const struct bead_sink_type *const *bead_render_sinks(void);
 struct bead_sweep_sink; /* sweep.h */
 BEAD_API const struct bead_sweep_sink *const *bead_sweep_render_sinks(void);
+
+BEAD_END
 
 #endif

@@ -7,6 +7,8 @@
 
 #include "beadreel/error.h"
 
+BEAD_BEGIN
+
 struct bead_ring_buffer;
 
 /* What `last` says. */
@@ -35,5 +37,7 @@ BEAD_API void bead_ring_buffer_submit(struct bead_ring_buffer *pipe);
 BEAD_API BEAD_CHECK enum bead_error bead_ring_buffer_finish(struct bead_ring_buffer *pipe, struct bead_message *msg);
 /* Frees the pipe; NULL is allowed. Without finish before: waits for the slot being worked on, the rest is thrown away. */
 BEAD_API void bead_ring_buffer_destroy(struct bead_ring_buffer *pipe);
+
+BEAD_END
 
 #endif

@@ -7,6 +7,8 @@
 
 #include "beadreel/api.h"
 
+BEAD_BEGIN
+
 /* name in scenes, unit, long name, one value for each BEAD or CONTACT */
 #define BEAD_FIELDS(X)                                               \
     X(FORCE, "force", "N", "bead force", BEAD)                       \
@@ -64,5 +66,7 @@ struct bead_sample {
     const double *comparison[BEAD_FIELD_COUNT];
     size_t comparison_active;
 };
+
+BEAD_END
 
 #endif

@@ -20,6 +20,8 @@
 #include "beadreel/sample.h"
 #include "beadreel/view_kind.h"
 
+BEAD_BEGIN
+
 /* Where something stands in the scene's text, from 1; for messages `file:line:column: key: ...`. */
 struct bead_place {
     size_t line, column;
@@ -381,5 +383,7 @@ BEAD_API void bead_scene_help(FILE *out);
 /* The same of one section and its parts only: "movie", "chain", "sweep", ... Errors: USAGE, with the nearest name. */
 BEAD_API BEAD_CHECK enum bead_error bead_scene_help_of(const char *section, FILE *out, struct bead_message *msg);
 BEAD_API void bead_scene_help_man(FILE *out);
+
+BEAD_END
 
 #endif

@@ -22,6 +22,8 @@
 #include "beadreel/scene.h"
 #include "beadreel/sink.h"
 
+BEAD_BEGIN
+
 /* Told now and then (at most some ten times a second) while a session runs. */
 struct bead_progress {
     const char *what; /* "scouting", "simulating", "drawing beads.mp4" */
@@ -97,5 +99,7 @@ BEAD_API const struct bead_outcome *bead_session_outcomes(const struct bead_sess
 /* The sweep of a scene or file that has one, else NULL. */
 BEAD_API const struct bead_sweep *bead_session_sweep(const struct bead_session *session);
 BEAD_API void bead_session_close(struct bead_session *session);
+
+BEAD_END
 
 #endif

@@ -20,6 +20,8 @@
 #include "beadreel/sample.h"
 #include "beadreel/scene.h"
 
+BEAD_BEGIN
+
 /* What a sink reads; the run computes the union and nothing else. */
 struct bead_needs {
     unsigned fields;        /* BEAD_FIELD_BITs of samples; 0 with grid.every == 0: no samples */
@@ -115,5 +117,7 @@ struct bead_sink_type {
 
 /* The sinks that need no graphics: trajectory, tables. NULL-terminated. */
 BEAD_API const struct bead_sink_type *const *bead_data_sinks(void);
+
+BEAD_END
 
 #endif

@@ -10,6 +10,8 @@
 
 #include "beadreel/error.h"
 
+BEAD_BEGIN
+
 struct bead_summary {
     size_t count;
     double mean, deviation;   /* deviation of the sample, with count - 1; NaN below two values */
@@ -91,5 +93,7 @@ BEAD_API BEAD_CHECK enum bead_error bead_decay_of(const struct bead_decay_profil
 /* Participation ratio (sum y)^2 / sum y^2 of what is not negative: about how many share what there is; 1 to count. NaN where all
  * are 0. */
 BEAD_API double bead_participation(const double *y, size_t count);
+
+BEAD_END
 
 #endif

@@ -35,6 +35,8 @@
 #include "beadreel/session.h"
 #include "beadreel/statistics.h"
 
+BEAD_BEGIN
+
 struct bead_sweep;
 
 struct bead_sweep_panel {
@@ -203,5 +205,7 @@ BEAD_API BEAD_CHECK enum bead_error bead_sweep_decays(const struct bead_sweep *s
  * of which *count are filled. */
 BEAD_API void bead_sweep_smooth(const struct bead_sweep *sweep, size_t panel, const double *values, double *means, size_t *count);
 BEAD_API void bead_sweep_decays_free(struct bead_sweep_decay *decays, size_t count);
+
+BEAD_END
 
 #endif

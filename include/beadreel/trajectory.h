@@ -28,6 +28,8 @@
 #include "beadreel/sample.h"
 #include "beadreel/sink.h"
 
+BEAD_BEGIN
+
 struct bead_trajectory;
 
 /* True where the file looks like HDF5, whatever it is called. */
@@ -52,5 +54,7 @@ BEAD_API BEAD_CHECK enum bead_error bead_trajectory_outcome(const struct bead_tr
 /* Read sample `index` of chain `chain` into `sample` (borrowed until the next call); reads whole chunks ahead, so go in order. */
 BEAD_API BEAD_CHECK enum bead_error bead_trajectory_read(struct bead_trajectory *trajectory, size_t index, size_t chain,
                                                          unsigned fields, struct bead_sample *sample, struct bead_message *msg);
+
+BEAD_END
 
 #endif

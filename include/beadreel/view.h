@@ -20,6 +20,8 @@
 #include "beadreel/sample.h"
 #include "beadreel/scene.h"
 
+BEAD_BEGIN
+
 struct bead_camera;
 
 struct bead_view_setup {
@@ -91,5 +93,7 @@ static inline bool bead_view_has(const struct bead_view_type *type, unsigned tra
 
 /* Never NULL for a kind below BEAD_VIEW_KINDS. */
 BEAD_API const struct bead_view_type *bead_view_find(enum bead_view_kind kind);
+
+BEAD_END
 
 #endif

@@ -9,6 +9,8 @@
 
 #include "beadreel/api.h"
 
+BEAD_BEGIN
+
 /* Bits of bead_view_info.traits. */
 enum bead_view_trait {
     BEAD_SHOWS_ALL_TIMES = 1,   /* collects all samples; a view without it shows one moment */
@@ -62,5 +64,7 @@ extern BEAD_API const struct bead_view_info bead_view_infos[BEAD_VIEW_KINDS];
 /* Has any of these views the trait? Have all? */
 BEAD_API bool bead_views_any(const enum bead_view_kind *views, size_t count, unsigned trait);
 BEAD_API bool bead_views_all(const enum bead_view_kind *views, size_t count, unsigned trait);
+
+BEAD_END
 
 #endif

@@ -36,3 +36,8 @@ enum bead_error bead_fail(struct bead_message *msg, enum bead_error code, const 
     }
     return code;
 }
+
+const char *bead_version(void)
+{
+    return BEADREEL_VERSION;
+}
