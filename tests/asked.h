@@ -1,4 +1,5 @@
-/* Accuracy asked against accuracy got: peaks of contacts and beads of a chain beside references of its own, for tests and stress.
+/* Requested accuracy against the errors found: peaks of contacts and beads of a chain beside references of its own, for tests and
+ * stress.
  *
  * The references are two runs of the corrected method with short steps, of different lengths; the finer one counts, their
  * difference says how well it is known. A chain of disorder is chaotic behind the front: there are maxima that no method in double

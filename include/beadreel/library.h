@@ -9,7 +9,7 @@
 BEAD_BEGIN
 
 /* Fill functions[i] with the address of names[i], from the first of `files` (NULL-terminated) that can be opened. The library stays
- * open for the life of the process: drivers below it do not stand being unloaded. Errors: GRAPHICS (with the loader's words). */
+ * open for the life of the process: the drivers that it loads must not be unloaded. Errors: GRAPHICS (with the loader's words). */
 BEAD_API BEAD_CHECK enum bead_error bead_library_load(const char *const *files, const char *const *names, size_t count,
                                                       void (**functions)(void), struct bead_message *msg);
 

@@ -1,4 +1,4 @@
-/* Who wants samples when: of all consumers the next time, and the delivery to those who wanted it. */
+/* Schedules samples: finds the next time that any consumer wants, and delivers the sample to those that want it. */
 #include "sim/session/driver.h"
 
 #include <math.h>
@@ -6,10 +6,10 @@
 /* Times of two grids closer than this part of a spacing are the same: grids start and step in decimal units. */
 static const double same_time = 1e-6;
 
-void bead_driver_start(const struct bead_driver *play)
+void bead_driver_start(const struct bead_driver *driver)
 {
-    for (size_t i = 0; i < play->consumer_count; i++) {
-        struct bead_consumer *c = &play->consumers[i];
+    for (size_t i = 0; i < driver->consumer_count; i++) {
+        struct bead_consumer *c = &driver->consumers[i];
         c->next = 0;
         c->count = c->needs.fields ? bead_grid_count(&c->needs.grid) : 0;
     }
@@ -20,11 +20,11 @@ static bool wants(const struct bead_consumer *c, double time)
     return c->next < c->count && bead_grid_time(&c->needs.grid, c->next) <= time + same_time * c->needs.grid.every;
 }
 
-bool bead_driver_due(const struct bead_driver *play, struct bead_due *due)
+bool bead_driver_due(const struct bead_driver *driver, struct bead_due *due)
 {
     due->time = INFINITY;
-    for (size_t i = 0; i < play->consumer_count; i++) {
-        const struct bead_consumer *c = &play->consumers[i];
+    for (size_t i = 0; i < driver->consumer_count; i++) {
+        const struct bead_consumer *c = &driver->consumers[i];
         if (c->next < c->count)
             due->time = fmin(due->time, bead_grid_time(&c->needs.grid, c->next));
     }
@@ -33,8 +33,8 @@ bool bead_driver_due(const struct bead_driver *play, struct bead_due *due)
     double earliest = due->time;
     due->fields = due->comparison = 0;
     due->span = (struct bead_span){SIZE_MAX, 0};
-    for (size_t i = 0; i < play->consumer_count; i++) {
-        const struct bead_consumer *c = &play->consumers[i];
+    for (size_t i = 0; i < driver->consumer_count; i++) {
+        const struct bead_consumer *c = &driver->consumers[i];
         if (!wants(c, earliest))
             continue;
         if (c->exact)
@@ -47,11 +47,11 @@ bool bead_driver_due(const struct bead_driver *play, struct bead_due *due)
     return true;
 }
 
-enum bead_error bead_driver_deliver(const struct bead_driver *play, const struct bead_due *due, struct bead_sample *sample,
+enum bead_error bead_driver_deliver(const struct bead_driver *driver, const struct bead_due *due, struct bead_sample *sample,
                                     bool last, struct bead_message *msg)
 {
-    for (size_t i = 0; i < play->consumer_count; i++) {
-        struct bead_consumer *c = &play->consumers[i];
+    for (size_t i = 0; i < driver->consumer_count; i++) {
+        struct bead_consumer *c = &driver->consumers[i];
         if (!wants(c, due->time))
             continue;
         sample->index = c->next;

@@ -10,13 +10,13 @@
 #include "sim/session/driver.h"
 
 struct pass {
-    const struct bead_driver *play;
+    const struct bead_driver *driver;
     struct bead_counts *counts;
     struct bead_passed *passed;
-    double told; /* s, clock at the last progress */
+    double told; /* s: the clock at the last report of progress */
     unsigned turn;
-    bool quiet;          /* in a thread that tells nobody */
-    double fraction;     /* told last; never falls */
+    bool quiet;          /* in a thread that reports no progress */
+    double fraction;     /* reported last; never falls */
     atomic_size_t *done; /* chains; NULL: they advance together */
 };
 
@@ -27,10 +27,10 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Once in a while: tell how far it is; look whether to stop. */
+/* Called every few steps: stops the run if asked to, and now and then reports progress. */
 static enum bead_error look_up(struct pass *pass, double time, struct bead_message *msg)
 {
-    const struct bead_driver *p = pass->play;
+    const struct bead_driver *p = pass->driver;
     if (p->stop && *p->stop) {
         return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped at %.4g s", time);
     }
@@ -49,7 +49,7 @@ static enum bead_error look_up(struct pass *pass, double time, struct bead_messa
 
 static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
 {
-    const struct bead_driver *p = pass->play;
+    const struct bead_driver *p = pass->driver;
     struct bead_passed *passed = pass->passed;
     *passed = (struct bead_passed){.runs = calloc(p->chain_count, sizeof *passed->runs),
                                    .outcomes = calloc(p->chain_count, sizeof *passed->outcomes)};
@@ -74,10 +74,10 @@ static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
     return err;
 }
 
-/* The same chains again, where anybody asks for samples of them. */
+/* A second run of each chain, if a consumer wants its samples. */
 static enum bead_error create_comparison_runs(struct pass *pass, struct bead_message *msg)
 {
-    const struct bead_driver *p = pass->play;
+    const struct bead_driver *p = pass->driver;
     struct bead_run_settings settings = {.simulate = p->simulate,
                                          .kernels = p->kernels,
                                          .end = p->end,
@@ -100,7 +100,7 @@ static enum bead_error create_comparison_runs(struct pass *pass, struct bead_mes
     return err;
 }
 
-/* A front that takes this many times longer than a wave needs for the chain never comes. */
+/* A front that has not arrived after this many times the passage of a wave never will. */
 static const double patience = 200;
 
 static enum bead_error lost_front(const struct bead_driver *p, size_t chain, double time, struct bead_message *msg)
@@ -114,7 +114,7 @@ static enum bead_error advance(struct pass *pass, const struct bead_runner *runn
 {
     const struct bead_run_kind *kind = runner->kind;
     enum bead_error err = BEAD_OK;
-    while (!err && kind->time(runner->run) < time && kind->time(runner->run) < pass->play->end) {
+    while (!err && kind->time(runner->run) < time && kind->time(runner->run) < pass->driver->end) {
         err = kind->step(runner->run, msg);
         if (!err)
             err = look_up(pass, kind->time(runner->run), msg);
@@ -122,12 +122,12 @@ static enum bead_error advance(struct pass *pass, const struct bead_runner *runn
     return err;
 }
 
-/* Without a known end: until the front is there. */
+/* Without a known end: until the front arrives. */
 static enum bead_error advance_to_arrival(struct pass *pass, size_t chain, struct bead_message *msg)
 {
     struct bead_run *run = pass->passed->runs[chain].run;
     const struct bead_run_kind *kind = pass->passed->runs[chain].kind;
-    const struct bead_chain *c = pass->play->chains[chain];
+    const struct bead_chain *c = pass->driver->chains[chain];
     double give_up = patience * bead_chain_passage(c, bead_chain_energy(c));
     enum bead_error err = BEAD_OK;
     while (!err && isnan(kind->arrival(run))) {
@@ -135,7 +135,7 @@ static enum bead_error advance_to_arrival(struct pass *pass, size_t chain, struc
         if (!err)
             err = look_up(pass, kind->time(run), msg);
         if (!err && kind->time(run) > give_up)
-            err = lost_front(pass->play, chain, kind->time(run), msg);
+            err = lost_front(pass->driver, chain, kind->time(run), msg);
     }
     return err;
 }
@@ -158,7 +158,7 @@ static enum bead_error add_comparison(struct pass *pass, size_t chain, double ti
 
 static enum bead_error give_samples(struct pass *pass, struct bead_message *msg)
 {
-    const struct bead_driver *p = pass->play;
+    const struct bead_driver *p = pass->driver;
     struct bead_due due;
     enum bead_error err = BEAD_OK;
     while (!err && bead_driver_due(p, &due)) {
@@ -187,12 +187,12 @@ static enum bead_error give_samples(struct pass *pass, struct bead_message *msg)
     return err;
 }
 
-/* What is left of one chain when all samples are given. */
+/* Runs one chain to its end after the last sample. */
 static enum bead_error complete(void *context, size_t chain, bool calling, struct bead_message *msg)
 {
-    struct pass *pass = context, quiet = {.play = pass->play, .passed = pass->passed, .quiet = true};
+    struct pass *pass = context, quiet = {.driver = pass->driver, .passed = pass->passed, .quiet = true};
     struct pass *mine = calling ? pass : &quiet;
-    double rest = fmin(pass->play->end, pass->play->needed);
+    double rest = fmin(pass->driver->end, pass->driver->needed);
     enum bead_error err =
         isfinite(rest) ? advance(mine, &pass->passed->runs[chain], rest, msg) : advance_to_arrival(mine, chain, msg);
     if (!err)
@@ -203,7 +203,7 @@ static enum bead_error complete(void *context, size_t chain, bool calling, struc
 static void finish(struct pass *pass)
 {
     struct bead_passed *passed = pass->passed;
-    double end = pass->play->end;
+    double end = pass->driver->end;
     passed->end = INFINITY;
     for (size_t i = 0; i < passed->count; i++) {
         const struct bead_run_kind *kind = passed->runs[i].kind;
@@ -229,21 +229,21 @@ static void finish(struct pass *pass)
     pass->counts->passes++;
 }
 
-enum bead_error bead_drive_simulation(const struct bead_driver *play, struct bead_counts *counts, struct bead_passed *passed,
+enum bead_error bead_drive_simulation(const struct bead_driver *driver, struct bead_counts *counts, struct bead_passed *passed,
                                       struct bead_message *msg)
 {
-    struct pass pass = {.play = play, .counts = counts, .passed = passed, .told = now()};
+    struct pass pass = {.driver = driver, .counts = counts, .passed = passed, .told = now()};
     atomic_size_t done = 0;
     enum bead_error err = create_runs(&pass, msg);
     if (!err)
         err = create_comparison_runs(&pass, msg);
     if (err)
         return err;
-    bead_driver_start(play);
+    bead_driver_start(driver);
     err = give_samples(&pass, msg);
     pass.done = &done;
     if (!err)
-        err = bead_thread_pool_run(play->chain_count, play->threads, complete, &pass, msg);
+        err = bead_thread_pool_run(driver->chain_count, driver->threads, complete, &pass, msg);
     passed->stopped = err == BEAD_ERROR_STOPPED;
     finish(&pass);
     return err;

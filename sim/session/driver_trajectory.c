@@ -1,4 +1,4 @@
-/* Samples from a trajectory: those stored, to whom wants them. */
+/* Delivers the samples stored in a trajectory to their consumers. */
 #include <math.h>
 
 #include "sim/session/driver.h"
@@ -14,36 +14,36 @@ static enum bead_error find_sample(const struct bead_trajectory *trajectory, dou
     return BEAD_OK;
 }
 
-static enum bead_error give(const struct bead_driver *play, struct bead_trajectory *trajectory, const struct bead_due *due,
+static enum bead_error give(const struct bead_driver *driver, struct bead_trajectory *trajectory, const struct bead_due *due,
                             struct bead_message *msg)
 {
     size_t index = 0;
     enum bead_error err = find_sample(trajectory, due->time, &index, msg);
-    for (size_t i = 0; !err && i < play->chain_count; i++) {
+    for (size_t i = 0; !err && i < driver->chain_count; i++) {
         struct bead_sample sample = {.chain = i};
         err = bead_trajectory_read(trajectory, index, i, due->fields, &sample, msg);
         sample.chain = i;
         if (!err)
-            err = bead_driver_deliver(play, due, &sample, i + 1 == play->chain_count, msg);
+            err = bead_driver_deliver(driver, due, &sample, i + 1 == driver->chain_count, msg);
     }
     return err;
 }
 
-enum bead_error bead_drive_trajectory(const struct bead_driver *play, struct bead_trajectory *trajectory,
+enum bead_error bead_drive_trajectory(const struct bead_driver *driver, struct bead_trajectory *trajectory,
                                       struct bead_counts *counts, struct bead_message *msg)
 {
     struct bead_due due;
     enum bead_error err = BEAD_OK;
     size_t stored = bead_grid_count(bead_trajectory_grid(trajectory));
     double last = stored > 0 ? bead_grid_time(bead_trajectory_grid(trajectory), stored - 1) : -INFINITY;
-    bead_driver_start(play);
-    while (!err && bead_driver_due(play, &due)) {
+    bead_driver_start(driver);
+    while (!err && bead_driver_due(driver, &due)) {
         if (due.time > last + 1e-6 * bead_trajectory_grid(trajectory)->every)
             break; /* its run was stopped before */
-        if (play->stop && *play->stop)
+        if (driver->stop && *driver->stop)
             return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped at %.4g s", due.time);
-        err = give(play, trajectory, &due, msg);
-        counts->samples += play->chain_count;
+        err = give(driver, trajectory, &due, msg);
+        counts->samples += driver->chain_count;
     }
     return err;
 }

@@ -1,4 +1,4 @@
-/* Sessions, first half: from a job to chains and their end; sinks are made in session_sinks.c. */
+/* Opens a session: from a job to its scene, its chains and the end of the run; session_sinks.c then makes the sinks. */
 #include <math.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -25,7 +25,7 @@ static enum bead_error create_chains(struct bead_session *s, struct bead_message
     return err;
 }
 
-/* Without `until` somebody must go ahead and see when the last front arrives, unless nobody asks beforehand. */
+/* Without `until`, a scouting run finds the arrival time if any output needs it before the run. */
 static enum bead_error find_end(struct bead_session *s, struct bead_message *msg)
 {
     s->end = s->source->simulate.until;
@@ -38,10 +38,10 @@ static enum bead_error find_end(struct bead_session *s, struct bead_message *msg
         asked = asked || (s->made[i].asked && s->made[i].type && bead_output_needs_end(s->made[i].output));
     if (!asked)
         return BEAD_OK;
-    struct bead_driver play = bead_session_play(s, "scouting the end");
-    play.hash = false;
+    struct bead_driver driver = bead_session_driver(s, "scouting the end");
+    driver.hash = false;
     struct bead_passed passed;
-    enum bead_error err = bead_drive_simulation(&play, &s->counts, &passed, msg);
+    enum bead_error err = bead_drive_simulation(&driver, &s->counts, &passed, msg);
     double end = 0;
     for (size_t i = 0; !err && i < passed.count; i++)
         end = fmax(end, passed.outcomes[i].front_arrival);

@@ -1,11 +1,11 @@
-/* Sessions that draw a trajectory again. */
+/* Opens a trajectory as a session that draws it again. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "sim/output/trajectory_data.h"
 #include "sim/session/session_data.h"
 
-/* The file's scene has no such output: its defaults then, with the user's settings on top. */
+/* The stored scene has no output of this kind: use the defaults of the kind, changed by the user's settings. */
 static enum bead_error settle_with_default(struct bead_session *s, struct bead_message *msg)
 {
     static const struct bead_file_kind kinds[] = {
@@ -22,7 +22,7 @@ static enum bead_error settle_with_default(struct bead_session *s, struct bead_m
     return err;
 }
 
-/* Only what the file holds. */
+/* Show no more than the file holds. */
 static enum bead_error limit_to_file(struct bead_session *s, struct bead_output *output, struct bead_message *msg)
 {
     struct bead_span beads = bead_trajectory_beads(s->trajectory);
@@ -35,7 +35,7 @@ static enum bead_error limit_to_file(struct bead_session *s, struct bead_output 
     return BEAD_OK;
 }
 
-/* `index`: of the output in the file's scene. */
+/* `index` is that of the output in the stored scene. */
 static enum bead_error check_stored(const struct bead_session *s, const struct bead_made *m, size_t index, struct bead_message *msg)
 {
     unsigned missing = m->needs.fields & ~bead_trajectory_fields(s->trajectory);
@@ -61,7 +61,7 @@ enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead
     if (!s->job.output)
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s is a trajectory: say what to draw with -o FILE (png, pdf, svg, mp4, ...)",
                          s->job.input);
-    /* Which output of the stored scene is meant decides what the user's settings are about. */
+    /* The user's settings apply to the output of the stored scene that `-o` names. */
     enum bead_error err = bead_session_find_again(bead_trajectory_scene(s->trajectory), s->job.output)
                               ? bead_trajectory_settle(s->trajectory, s->job.settings, s->job.setting_count, msg)
                               : settle_with_default(s, msg);

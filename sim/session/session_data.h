@@ -1,4 +1,4 @@
-/* A session's insides, shared by session.c (opening) and the other session_*.c. */
+/* The inside of a session, shared by the session_*.c. */
 #ifndef BEADREEL_SIM_SESSION_SESSION_DATA_H
 #define BEADREEL_SIM_SESSION_SESSION_DATA_H
 
@@ -9,9 +9,9 @@
 struct bead_made {
     const struct bead_output *output;
     struct bead_output changed;               /* what replaces it when a trajectory is drawn again */
-    const struct bead_sink_type *type;        /* NULL: this program does not make it */
+    const struct bead_sink_type *type;        /* NULL: this program cannot make it */
     struct bead_sink *sink;                   /* NULL: skipped */
-    const struct bead_sweep_sink *sweep_type; /* of sweeps, instead */
+    const struct bead_sweep_sink *sweep_type; /* the same for outputs of sweeps */
     bool asked;                               /* not excluded by --only */
     bool shared;                              /* draws from the samples of the trajectory output */
     bool ended;
@@ -63,19 +63,19 @@ void bead_session_release_output(struct bead_made *made);
 void bead_session_release(struct bead_session *session);
 
 /* session_sinks.c */
-/* A play with the session's chains and settings, no consumers. */
-struct bead_driver bead_session_play(const struct bead_session *session, const char *what);
+/* A driver with the session's chains and settings and no consumers yet. */
+struct bead_driver bead_session_driver(const struct bead_session *session, const char *what);
 BEAD_CHECK enum bead_error bead_session_out_of_memory(struct bead_message *msg);
-/* The fastest chain says how often a picture must look. */
+/* Find the sample interval that shows every oscillation of the fastest chain. */
 BEAD_CHECK enum bead_error bead_session_find_resolution(struct bead_session *session, struct bead_message *msg);
-/* The sink of an output, with what it needs and where it goes. */
+/* Make the sink of an output; find what it needs and where its file goes. */
 BEAD_CHECK enum bead_error bead_session_create_sink(struct bead_session *session, struct bead_made *made, struct bead_message *msg);
-/* Those of all outputs that are asked for. */
+/* Make the sinks of all outputs that are asked for. */
 BEAD_CHECK enum bead_error bead_session_create_sinks(struct bead_session *session, struct bead_message *msg);
 /* Does this output need to know the end of the run before it starts? */
 bool bead_output_needs_end(const struct bead_output *output);
 
-/* session_outputs.c. Which outputs are there and which are asked for; check --only. */
+/* session_outputs.c: list the outputs and mark those that --only asks for. Errors: USAGE (--only names no output), MEMORY. */
 BEAD_CHECK enum bead_error bead_session_list_outputs(struct bead_session *session, struct bead_message *msg);
 /* Is it the file of all results of a sweep? */
 bool bead_session_holds_sweep(const struct bead_made *made);
@@ -85,7 +85,7 @@ const struct bead_output *bead_session_find_again(const struct bead_scene *scene
 /* That output, number `index` of the source, goes to `-o file` and is the session's only one; `from` names what was read. */
 BEAD_CHECK enum bead_error bead_session_take_again(struct bead_session *session, const char *from, size_t *index,
                                                    struct bead_message *msg);
-/* NULL: this program does not make it. */
+/* NULL: this program cannot make it. */
 const struct bead_sink_type *bead_session_find_type(const struct bead_job *job, const struct bead_output *output);
 
 /* An output that a file alone can ask for, by its ending; more: ", show: sensors" or NULL. */

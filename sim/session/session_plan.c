@@ -1,4 +1,4 @@
-/* The plan of a session in words: what will be computed, what is skipped, and why. */
+/* --plan: what a session will compute, what it skips, and why. */
 #include <math.h>
 
 #include "beadreel/trajectory.h"
@@ -6,7 +6,7 @@
 #include "sim/scene/output_kinds.h"
 #include "sim/session/session_data.h"
 
-/* Times for people, of beads in microseconds or milliseconds, of equations without unit. */
+/* Times as people write them: of beads in microseconds or milliseconds, of equations without a unit. */
 struct words {
     char text[32];
 };
@@ -99,7 +99,7 @@ static void plan_output(const struct bead_session *s, const struct bead_made *m,
         fprintf(out, "  the range of colours is found by a scouting pass over the same samples\n");
 }
 
-/* Who asks for a second run of all chains, and what that is. */
+/* Which outputs ask for a comparison run, and its accuracy or step. */
 static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, struct bead_message *msg)
 {
     const struct bead_simulate *asked = &s->source->simulate;
@@ -122,7 +122,7 @@ static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, 
     return BEAD_OK;
 }
 
-/* What the whole run does without. */
+/* What no output needs, so that the run leaves it out. */
 static void plan_skips(const struct bead_session *s, FILE *out)
 {
     bool file = false, graphics = false, samples = false;

@@ -1,4 +1,4 @@
-/* Sessions, second half: scouting, the pass itself, and the end of every sink. */
+/* Runs a session: a scouting pass if one is needed, the pass itself, and the end of every sink. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,10 +13,10 @@ static enum bead_error play(struct bead_session *s, struct bead_driver *p, struc
                          : bead_drive_simulation(p, &s->counts, passed, msg);
 }
 
-/* A pass for those who must know the range of their field before they begin. */
+/* A pass that finds the range of a field, for sinks that must know it before they begin. */
 static enum bead_error scout(struct bead_session *s, struct bead_consumer *consumers, struct bead_message *msg)
 {
-    struct bead_driver p = bead_session_play(s, "scouting ranges");
+    struct bead_driver p = bead_session_driver(s, "scouting ranges");
     size_t count = 0;
     double needed = 0;
     for (size_t i = 0; i < s->made_count; i++) {
@@ -65,7 +65,7 @@ static enum bead_error begin(struct bead_session *s, struct bead_consumer *consu
     return BEAD_OK;
 }
 
-/* The outcomes that sinks are told at the end: of the pass, or as stored. */
+/* The outcomes that sinks get at the end: those of the pass, or those stored in the trajectory. */
 static enum bead_error collect_outcomes(struct bead_session *s, struct bead_message *msg)
 {
     s->outcomes = calloc(s->chain_count, sizeof *s->outcomes);
@@ -163,7 +163,7 @@ static enum bead_error run(struct bead_session *s, struct bead_consumer *consume
     if (!err)
         err = scout(s, consumers, msg);
     s->scout_steps = s->counts.steps;
-    struct bead_driver p = bead_session_play(s, s->trajectory ? "drawing" : "simulating");
+    struct bead_driver p = bead_session_driver(s, s->trajectory ? "drawing" : "simulating");
     if (!err)
         err = begin(s, consumers, &p.consumer_count, msg);
     p.consumers = consumers;
@@ -188,7 +188,7 @@ enum bead_error bead_session_run(struct bead_session *s, struct bead_message *ms
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for outputs");
     enum bead_error err = run(s, consumers, msg);
     free(consumers);
-    /* What was not finished goes now, with its unfinished file. */
+    /* Sinks that did not finish go now, and their unfinished files with them. */
     for (size_t i = 0; err && i < s->made_count; i++) {
         if (s->made[i].sink && !s->made[i].ended) {
             s->made[i].type->destroy(s->made[i].sink);

@@ -1,4 +1,4 @@
-/* Sinks of sessions: what they are told of the run, whose samples they take, what they need. */
+/* Makes the sinks of a session and decides whose samples each takes: its own, or those of the trajectory output. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -36,7 +36,7 @@ enum bead_error bead_session_find_resolution(struct bead_session *s, struct bead
     return BEAD_OK;
 }
 
-struct bead_driver bead_session_play(const struct bead_session *s, const char *what)
+struct bead_driver bead_session_driver(const struct bead_session *s, const char *what)
 {
     return (struct bead_driver){.chains = s->chains,
                                 .chain_count = s->chain_count,
@@ -55,7 +55,7 @@ struct bead_driver bead_session_play(const struct bead_session *s, const char *w
                                 .progress_context = s->job.progress_context};
 }
 
-/* What can be had of the trajectory: its fields, and forces from displacements of all beads. */
+/* The fields that a trajectory output gives: those stored, and forces that follow from displacements of all beads. */
 static unsigned kept_fields(const struct bead_session *s)
 {
     const struct bead_output *k = s->keeper;
@@ -67,7 +67,7 @@ static unsigned kept_fields(const struct bead_session *s)
                : k->trajectory.fields;
 }
 
-/* What an output reads of samples. */
+/* The fields that an output reads. */
 static unsigned fields_of(const struct bead_session *s, const struct bead_output *output)
 {
     const struct bead_show_type *show = bead_output_show(output);
@@ -118,18 +118,19 @@ enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_mad
     return bead_file_join(context.directory, m->output->path, &m->path, msg);
 }
 
-/* The trajectory output goes first: its samples are the pictures' too. */
+/* The trajectory output goes first, as pictures use its samples if they can. */
 enum bead_error bead_session_create_sinks(struct bead_session *s, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < s->made_count; i++) {
         struct bead_made *m = &s->made[i];
-        bool clock = isfinite(s->end); /* else nothing asked for samples its times */
+        bool clock = isfinite(s->end); /* else no output has set sample times */
         if (m->output != s->keeper || !m->type || (!m->asked && !clock))
             continue;
         err = bead_session_create_sink(s, m, msg);
         s->native = m->needs.grid;
-        if (!m->asked && !err) { /* excluded, but pictures keep its clock: the same with and without it */
+        if (!m->asked &&
+            !err) { /* --only leaves it out, but pictures keep its sample times, so that they look the same with and without it */
             m->type->destroy(m->sink);
             m->sink = NULL;
         }

@@ -1,4 +1,4 @@
-/* Sessions of sweeps: many chains computed into statistics, or read from a sweep's file. */
+/* Sessions of sweeps: compute many chains, or read their results from a file, and write tables and plots of them. */
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -57,7 +57,7 @@ enum bead_error bead_session_open_sweep(struct bead_session *s, struct bead_mess
 
 static const struct bead_file_kind sheet_kinds[] = {{BEAD_OUTPUT_SHEET, NULL}, {BEAD_OUTPUT_KINDS, NULL}};
 
-/* Once more, with an output that its scene does not have. */
+/* Open the file again with an output that its scene does not have. */
 static enum bead_error open_with_default(struct bead_session *s, struct bead_message *msg)
 {
     static const struct bead_file_kind kinds[] = {{BEAD_OUTPUT_PLOT, NULL}, {BEAD_OUTPUT_TABLE, NULL}, {BEAD_OUTPUT_KINDS, NULL}};
@@ -309,7 +309,7 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
         err = compute(s, results, journal, msg);
     for (size_t i = 0; !err && i < s->made_count; i++)
         err = write_output(s, &s->made[i], msg);
-    /* Not before: where a plot fails or is stopped, the same command need not compute again. */
+    /* Only now: if a plot fails or the run is stopped, the same command does not compute the chains again. */
     if (!err && journal)
         bead_file_discard(journal);
     bead_session_release(s);
