@@ -96,10 +96,12 @@ both() {
     mkdir "$T/both"
     "$beadreel" "$T/long.yaml" --set simulate.until='10 ms' -o "$T/both" >"$T/first" 2>&1 &
     local pid=$! i
-    for ((i = 0; i < 100; i++)); do [ -s "$T/both/run.h5.part" ] && break; sleep 0.05; done
+    for ((i = 0; i < 600; i++)); do [ -s "$T/both/run.h5.part" ] && break; sleep 0.05; done
+    kill -STOP $pid # so that it cannot end before the other begins
     "$beadreel" "$T/long.yaml" --only "$1" -o "$T/both" >"$T/out" 2>"$T/err"
     status=$?
-    wait $pid || { cat "$T/first"; return 1; }
+    kill -CONT $pid
+    wait -f $pid || { cat "$T/first"; return 1; } # -f: not only until it is stopped
     status_is 2 && one_line && says "another run" && [ "$(ls "$T/both")" = $'force.png\npeaks.csv\nrun.h5' ] || { ls "$T/both"; return 1; }
     rm -r "$T/both"
 }
