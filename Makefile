@@ -175,7 +175,6 @@ $(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT)
 	@mkdir -p $(@D)
 	$(call say,CC,$<) $(run) $(compile_test) -c $< -o $@
 vpath test_%.c $(TEST_ROOMS)
-tests/test_%.c: ; # gone to a room (which vpath finds first); dependencies of an older build may name it
 $(TESTS): $(BUILD)/tests/%: %.c $(TEST_SUPPORT) $(STATIC) | $(WAIT)
 	@mkdir -p $(@D)
 	$(call say,TEST,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(TEST_SUPPORT) $(STATIC) $(render_libs) $(sim_libs) $(movie_libs) $(test_libs)
@@ -268,6 +267,11 @@ uninstall: ## remove what `make install` put there
 
 clean: ## remove what was built
 	rm -rf $(BUILD) $(BUILD)-asan
+
+# Sources that have moved or gone: dependencies of an older build may still name them.
+sim/%.c: ;
+render/%.c: ;
+tests/%.c: ;
 
 .PHONY: all help deps deps-ci demo thesis gallery test fresh golden asan bench stress lint man doc install uninstall clean always compile
 .DELETE_ON_ERROR:

@@ -38,6 +38,14 @@ ok "make deps all in one command" bare make -j4 BUILD="$T/b" deps "$object"
 ok "... installed with apt-get" grep -q 'install .*libhdf5-dev' "$T/apt"
 ok "... and what the release need not have, as it has it" grep -q 'install .*libosmesa6' "$T/apt"
 ok "... and compiled afterwards" test -s "$object"
+moved() { # ROOM: dependencies of the build name a source that has left it
+    printf '%s: %s/left.c\n' "$object" "$1" >"$T/b/old.d"
+    bare make --no-print-directory BUILD="$T/b" "$object" || return 1
+    rm "$T/b/old.d"
+}
+for room in sim/chain render/draw tests tests/sim; do
+    ok "an old build is brought up to date after a source has left $room" moved "$room"
+done
 rm -f "$T/apt"
 ok "make deps where all is there" bare make deps
 ok "... installs nothing" test ! -e "$T/apt"
