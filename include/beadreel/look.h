@@ -105,6 +105,10 @@ BEAD_API double bead_axis_draw(cairo_t *cr, const struct bead_look *look, const 
 /* A line of look->line around the plot rectangle, just outside of its pixels. */
 BEAD_API void bead_box_draw(cairo_t *cr, const struct bead_look *look, struct bead_rect plot);
 
+/* How wide a colour bar is beside these, px, not rounded. */
+enum bead_bar_of { BEAD_BAR_OF_FIGURE, BEAD_BAR_OF_SHEET, BEAD_BAR_OF_MOVIE };
+BEAD_API double bead_colour_bar_width(const struct bead_look *look, enum bead_bar_of place);
+
 struct bead_colours;
 /* A vertical colour bar in `bar` with ticks, title and, where values lie above (below) the range, pointed ends. Returns how
  * far right of the bar it reached, px. cr NULL: measures only. */

@@ -4,6 +4,16 @@
 #include "beadreel/colormap.h"
 #include "beadreel/look.h"
 
+/* In units of the label's font size and of the look's gap; movies leave more to the picture. */
+static const struct {
+    double labels, gaps;
+} bar_width[] = {[BEAD_BAR_OF_FIGURE] = {1.05, 0}, [BEAD_BAR_OF_SHEET] = {0.8, 0}, [BEAD_BAR_OF_MOVIE] = {0, 1.3}};
+
+double bead_colour_bar_width(const struct bead_look *look, enum bead_bar_of place)
+{
+    return bar_width[place].labels * look->label + bar_width[place].gaps * look->gap;
+}
+
 static void set_colour(cairo_t *cr, const uint8_t rgb[3])
 {
     cairo_set_source_rgb(cr, rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0);

@@ -131,7 +131,7 @@ static double find_label_width(const struct contact_sheet *s)
 /* Width of the bar with its ticks and title. */
 static double find_bar_width(const struct contact_sheet *s)
 {
-    const struct bead_rect bar = {0, 0, (int)round(0.8 * s->look.label), s->page.height / 2};
+    const struct bead_rect bar = {0, 0, (int)round(bead_colour_bar_width(&s->look, BEAD_BAR_OF_SHEET)), s->page.height / 2};
     const struct bead_field_info *field = bead_field_info(s->output->shown.field);
     const struct bead_colours colours = {&s->map, s->output->colours.scale, 0, 1.234};
     return 1.5 * s->look.gap + bar.width +
@@ -226,6 +226,7 @@ enum bead_error contact_sheet_arrange(struct contact_sheet *s, struct bead_messa
     if (width < least_width * s->small || height < least_height * s->small)
         return sheet_no_room(s, msg);
     s->bar = (struct bead_rect){(int)round(left + (double)s->columns * (width + gap) - gap + 1.5 * s->look.gap), (int)round(top),
-                                (int)round(0.8 * s->look.label), (int)round((double)s->row_count * (height + lines) - lines)};
+                                (int)round(bead_colour_bar_width(&s->look, BEAD_BAR_OF_SHEET)),
+                                (int)round((double)s->row_count * (height + lines) - lines)};
     return make_images(s, left, top, width, height, msg);
 }

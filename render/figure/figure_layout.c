@@ -7,7 +7,7 @@
 
 /* Lengths in units of the label's font size. */
 static const double between_columns = 1.3, between_rows = 0.9, between_views = 0.55;
-static const double bar_width = 1.05, bar_gap = 0.9, heading_gap = 0.45, line_gap = 0.7, trust_line = 2.1;
+static const double bar_gap = 0.9, heading_gap = 0.45, line_gap = 0.7, trust_line = 2.1;
 /* Part of the line of trust that holds text; the rest is the gap to the plot. */
 static const double trust_share = 0.75;
 static const int smallest_plot = 12; /* px */
@@ -125,7 +125,7 @@ static enum bead_error make_plan(const struct bead_figure *f, const struct bead_
 /* The greatest width of the bar's labels, for any range unless the scene gives it. */
 static double bar_labels(const struct bead_figure *f, int height)
 {
-    struct bead_rect bar = {0, 0, (int)(bar_width * f->look.label), height};
+    struct bead_rect bar = {0, 0, (int)bead_colour_bar_width(&f->look, BEAD_BAR_OF_FIGURE), height};
     const struct bead_field_info *field = bead_chain_field(f->context.chains[0], f->output->shown.field);
     struct bead_colours colours = f->colours;
     double widest = 0;
@@ -292,7 +292,8 @@ static void put_everything(struct bead_figure *f, const struct plan *plan)
     if (!has_bar(f))
         return;
     double em = f->look.label, reach = plan->right[f->columns - 1];
-    int width = (int)fmax(4, round(bar_width * em)), top = f->cells[0].panel[0].plot.y;
+    int width = (int)fmax(4, round(bead_colour_bar_width(&f->look, BEAD_BAR_OF_FIGURE)));
+    int top = f->cells[0].panel[0].plot.y;
     f->bar = (struct bead_rect){right + (int)fmax(ceil(reach) + round(0.3 * em), round(bar_gap * em)), top, width, bottom - top};
 }
 
@@ -314,7 +315,8 @@ static enum bead_error figure_settle(struct bead_figure *f, struct plan *plan, s
         err = measure_all(f, plan, msg);
         if (!err && has_bar(f)) {
             double reach = plan->right[f->columns - 1], gap = fmax(ceil(reach) + round(0.3 * em), round(bar_gap * em));
-            plan->bar_room = larger(plan->least.right, gap + round(bar_width * em) + ceil(bar_labels(f, bar_height(f, plan))));
+            double width = round(bead_colour_bar_width(&f->look, BEAD_BAR_OF_FIGURE));
+            plan->bar_room = larger(plan->least.right, gap + width + ceil(bar_labels(f, bar_height(f, plan))));
         }
         if (!err)
             err = figure_divide(f, plan, msg);

@@ -65,7 +65,7 @@ static struct measures layout_measure(const struct bead_movie_wants *w, enum lev
     if (m.axes) {
         m.left += whole(left_of_plots(w));
         m.bar_gap = whole(1.8 * look->gap);
-        m.bar_width = whole(1.3 * look->gap);
+        m.bar_width = whole(bead_colour_bar_width(look, BEAD_BAR_OF_MOVIE));
         m.right += w->colourless ? 0 : m.bar_gap + m.bar_width + whole(w->bar);
     }
     /* The scene asks for captions: they are never left out. */
