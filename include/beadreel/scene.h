@@ -17,6 +17,7 @@
 #include <stdio.h>
 
 #include "beadreel/error.h"
+#include "beadreel/output_kind.h"
 #include "beadreel/sample.h"
 #include "beadreel/view_kind.h"
 
@@ -154,16 +155,6 @@ struct bead_simulate {
     double step;     /* s; 0: chosen from accuracy */
 };
 
-enum bead_output_kind {
-    BEAD_OUTPUT_TRAJECTORY,
-    BEAD_OUTPUT_IMAGE,
-    BEAD_OUTPUT_MOVIE,
-    BEAD_OUTPUT_PLOT,
-    BEAD_OUTPUT_TABLE,
-    BEAD_OUTPUT_SWEEP,
-    BEAD_OUTPUT_SHEET,
-    BEAD_OUTPUT_KINDS
-};
 enum bead_show {
     BEAD_SHOW_SENSORS,
     BEAD_SHOW_PEAKS,

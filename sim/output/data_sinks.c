@@ -3,7 +3,8 @@
 
 #include <stddef.h>
 
-static const struct bead_sink_type *const sinks[] = {&bead_trajectory_sink, &bead_table_sink, NULL};
+#define SINK_LISTED(name) &bead_##name##_sink,
+static const struct bead_sink_type *const sinks[] = {BEAD_DATA_SINKS(SINK_LISTED) NULL};
 
 const struct bead_sink_type *const *bead_data_sinks(void)
 {

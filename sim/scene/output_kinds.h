@@ -1,5 +1,5 @@
-/* Kinds of outputs: one table says what each is called, which keys it has, how they are checked, and what sets the kind apart.
- * Parser, help, messages, --set, --info and sessions ask its rows. */
+/* Kinds of outputs: the type of each says what it is called, which keys it has, how they are checked, and what sets the kind apart.
+ * Parser, help, messages, --set, --info and sessions ask the types. */
 #ifndef BEADREEL_SIM_SCENE_OUTPUT_KINDS_H
 #define BEADREEL_SIM_SCENE_OUTPUT_KINDS_H
 
@@ -23,7 +23,7 @@ struct bead_output_type {
     bool draws;
 };
 
-/* The row of a kind, and its key: "image". */
+/* The type of a kind, and its key: "image". */
 const struct bead_output_type *bead_output_type(enum bead_output_kind kind);
 const char *bead_output_key(enum bead_output_kind kind);
 /* How files of a kind end: ".png, .pdf or .svg". */
@@ -45,10 +45,8 @@ struct bead_show_type {
 /* What the output shows; NULL: its kind has no `show`. */
 const struct bead_show_type *bead_output_show(const struct bead_output *output);
 
-/* The tables of keys (output_options.c). Panels have the keys of images or plots but for those of files. */
+/* Panels have the keys of images or plots but for those of files. */
 extern const struct bead_option_family bead_output_family;
-extern const struct bead_options bead_trajectory_options, bead_image_options, bead_movie_options, bead_plot_options,
-    bead_table_options, bead_sweep_file_options, bead_sheet_options, bead_sweep_plot_options, bead_sweep_table_options,
-    bead_image_panel_options, bead_plot_panel_options, bead_panel_options;
+extern const struct bead_options bead_image_panel_options, bead_plot_panel_options, bead_panel_options;
 
 #endif

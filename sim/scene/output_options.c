@@ -1,10 +1,8 @@
-/* Keys of outputs: a table for each kind, of rows that are its own and rows that several kinds share. What the values must be like
- * besides is checked in scene_output.c. */
+/* The kinds of outputs, each with its table of keys: rows of its own and rows that several kinds share. What the values must be
+ * like besides is checked in scene_output.c. */
 #include <math.h>
 
-#include "sim/scene/scene_output.h"
-
-#define OUTPUT(member) offsetof(struct bead_output, member)
+#include "sim/scene/output_rows.h"
 
 static const char *const plot_shows[] = {"sensors", "peaks", "setup", "contact", "cell", "modes", "profiles", NULL};
 static const unsigned plot_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_SETUP,   BEAD_SHOW_CONTACT,
@@ -34,27 +32,20 @@ const char *const *bead_output_field_names(void)
     return fields;
 }
 
-/* The first row of a kind: its key has the file as its value. */
-#define FILE_ROW(name, files, sample)                                                                       \
-    {                                                                                                       \
-        .key = name, .type = BEAD_OPTION_CUSTOM, .required = true, .shape = files, .example = sample,       \
-        .help = "name of the file, or a list of names for the same contents", .read = bead_output_read_path \
-    }
-
 /* ---- shared: what of the chains ---- */
 
-static const struct bead_option field_row[] = {
+const struct bead_option bead_field_row[1] = {
     {.key = "field",
      .type = BEAD_OPTION_CHOICE,
-     .offset = OUTPUT(shown.field),
+     .offset = BEAD_OF_OUTPUT(shown.field),
      .initial = "force",
      .choices = fields,
      .help = "the field to show; force is the bead force, the mean of the two contacts of a bead; strain is a field of equations"},
 };
-static const struct bead_option time_row[] = {
+const struct bead_option bead_time_row[1] = {
     {.key = "time",
      .type = BEAD_OPTION_PAIR,
-     .offset = OUTPUT(shown.time),
+     .offset = BEAD_OF_OUTPUT(shown.time),
      .unit = "s",
      .of_motion = true,
      .initial = "auto",
@@ -65,7 +56,7 @@ static const struct bead_option time_row[] = {
      .help = "the span of time; auto: the whole run",
      .example = "[0.5 ms, auto]"},
 };
-static const struct bead_option beads_row[] = {
+const struct bead_option bead_beads_row[1] = {
     {.key = "beads",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "all",
@@ -74,9 +65,9 @@ static const struct bead_option beads_row[] = {
      .example = "[0, 40]",
      .read = bead_output_read_beads},
 };
-static const struct bead_option every_row[] = {
+const struct bead_option bead_every_row[1] = {
     {.key = "every",
-     .offset = OUTPUT(shown.every),
+     .offset = BEAD_OF_OUTPUT(shown.every),
      .unit = "s",
      .of_motion = true,
      .initial = "auto",
@@ -86,10 +77,10 @@ static const struct bead_option every_row[] = {
      .help = "time between samples; auto: as short as the output needs",
      .example = "1 us"},
 };
-static const struct bead_option trust_row[] = {
+const struct bead_option bead_trust_row[1] = {
     {.key = "trust",
      .type = BEAD_OPTION_FLAG,
-     .offset = OUTPUT(shown.trust),
+     .offset = BEAD_OF_OUTPUT(shown.trust),
      .initial = "false",
      .help = "compute twice, to different accuracy, and mark when the two start to differ by more than 1 % of the range of the "
              "picture"},
@@ -97,16 +88,16 @@ static const struct bead_option trust_row[] = {
 
 /* ---- shared: how it looks ---- */
 
-static const struct bead_option page_rows[] = {
+const struct bead_option bead_page_rows[3] = {
     {.key = "style",
      .type = BEAD_OPTION_CHOICE,
-     .offset = OUTPUT(paper.style),
+     .offset = BEAD_OF_OUTPUT(paper.style),
      .initial = "auto",
      .choices = styles,
      .help = "preset; paper: 8 pt STIX, 86 mm wide (178 mm for several chains); slide: large type for a projector; movie: type and "
              "colours of movies; auto: paper where the size is a length, else screen"},
     {.key = "dpi",
-     .offset = OUTPUT(paper.dpi),
+     .offset = BEAD_OF_OUTPUT(paper.dpi),
      .initial = "600",
      .low = 10,
      .high = 4800,
@@ -120,41 +111,41 @@ static const struct bead_option page_rows[] = {
      .example = "[178 mm, 75 mm]",
      .read = bead_output_read_size},
 };
-static const struct bead_option theme_row[] = {
+const struct bead_option bead_theme_row[1] = {
     {.key = "theme",
      .type = BEAD_OPTION_CHOICE,
-     .offset = OUTPUT(paper.theme),
+     .offset = BEAD_OF_OUTPUT(paper.theme),
      .initial = "auto",
      .choices = themes,
      .help = "colours of background and text; auto: dark for movies, else light"},
 };
-static const struct bead_option caption_row[] = {
+const struct bead_option bead_caption_row[1] = {
     {.key = "caption",
      .type = BEAD_OPTION_TEXT,
-     .offset = OUTPUT(still.caption),
+     .offset = BEAD_OF_OUTPUT(still.caption),
      .help = "text below the picture; _x sets a subscript, ^{xy} a superscript, *x* italics",
      .example = "\"Peak force *F*_m of each contact\""},
 };
-static const struct bead_option colormap_row[] = {
+const struct bead_option bead_colormap_row[1] = {
     {.key = "colormap",
      .type = BEAD_OPTION_TEXT,
-     .offset = OUTPUT(colours.colormap),
+     .offset = BEAD_OF_OUTPUT(colours.colormap),
      .initial = "auto",
      .help = "colour map, one of --list colormaps; auto: vik for velocity and displacement, inferno for dark sheets, else viridis",
      .example = "batlow"},
 };
-static const struct bead_option square_root_row[] = {
+const struct bead_option bead_square_root_row[1] = {
     {.key = "scale",
      .type = BEAD_OPTION_CHOICE,
-     .offset = OUTPUT(colours.scale),
+     .offset = BEAD_OF_OUTPUT(colours.scale),
      .initial = "sqrt",
      .choices = scales,
      .help = "scale from values to colours"},
 };
-static const struct bead_option range_row[] = {
+const struct bead_option bead_range_row[1] = {
     {.key = "range",
      .type = BEAD_OPTION_CUSTOM,
-     .offset = OUTPUT(colours.range),
+     .offset = BEAD_OF_OUTPUT(colours.range),
      .initial = "auto",
      .shape = "auto, or [low, high] in the unit of the field",
      .word = "auto",
@@ -163,9 +154,9 @@ static const struct bead_option range_row[] = {
      .example = "[0, 45 N]",
      .read = bead_output_read_colour_range},
 };
-static const struct bead_option magnify_row[] = {
+const struct bead_option bead_magnify_row[1] = {
     {.key = "magnify",
-     .offset = OUTPUT(views.magnify),
+     .offset = BEAD_OF_OUTPUT(views.magnify),
      .initial = "auto",
      .low = 0,
      .high = 1e9,
@@ -174,10 +165,10 @@ static const struct bead_option magnify_row[] = {
      .help = "factor by which the view beads enlarges displacements",
      .example = "1000"},
 };
-static const struct bead_option axes_row[] = {
+const struct bead_option bead_axes_row[1] = {
     {.key = "axes",
      .type = BEAD_OPTION_FLAG,
-     .offset = OUTPUT(views.axes),
+     .offset = BEAD_OF_OUTPUT(views.axes),
      .initial = "true",
      .help = "axes, labels and colour bar around the picture; false: bare pixels"},
 };
@@ -192,14 +183,14 @@ static const struct bead_option panels_rows[] = {
      .read = bead_output_read_panels},
     {.key = "letters",
      .type = BEAD_OPTION_FLAG,
-     .offset = OUTPUT(still.letters),
+     .offset = BEAD_OF_OUTPUT(still.letters),
      .initial = "true",
      .help = "(a), (b), ... at the panels"},
 };
 static const struct bead_option panel_rows[] = {
     {.key = "chain",
      .type = BEAD_OPTION_CUSTOM,
-     .offset = OUTPUT(panel.chain),
+     .offset = BEAD_OF_OUTPUT(panel.chain),
      .initial = "all",
      .shape = "all, or the name of a chain",
      .help = "in panels: the chain whose waves are shown",
@@ -207,7 +198,7 @@ static const struct bead_option panel_rows[] = {
      .read = bead_output_read_chain},
     {.key = "title",
      .type = BEAD_OPTION_TEXT,
-     .offset = OUTPUT(panel.title),
+     .offset = BEAD_OF_OUTPUT(panel.title),
      .help = "in panels: heading, instead of the name of the chain; set like `caption`",
      .example = "Peak forces"},
 };
@@ -218,13 +209,13 @@ static const struct bead_option panel_rows[] = {
 static const struct bead_option image_rows[] = {
     {.key = "scale",
      .type = BEAD_OPTION_CHOICE,
-     .offset = OUTPUT(colours.scale),
+     .offset = BEAD_OF_OUTPUT(colours.scale),
      .initial = "linear",
      .choices = scales,
      .help = "scale from values to colours"},
     {.key = "sample",
      .type = BEAD_OPTION_CHOICE,
-     .offset = OUTPUT(image.sampling),
+     .offset = BEAD_OF_OUTPUT(image.sampling),
      .initial = "area",
      .choices = samplings,
      .help = "what a pixel of spacetime shows; area: the mean of its samples; max: the sample furthest from 0, so that thin pulses "
@@ -237,7 +228,7 @@ static const struct bead_option image_rows[] = {
      .example = "[beads, spacetime]",
      .read = bead_output_read_views},
     {.key = "at",
-     .offset = OUTPUT(image.at),
+     .offset = BEAD_OF_OUTPUT(image.at),
      .unit = "s",
      .of_motion = true,
      .initial = "auto",
@@ -249,27 +240,32 @@ static const struct bead_option image_rows[] = {
      .example = "0.8 ms"},
 };
 static const struct bead_option image_file[] = {
-    FILE_ROW("image", "FILE.png, .pdf or .svg", "force.png"),
+    BEAD_FILE_ROW("image", "FILE.png, .pdf or .svg", "force.png"),
 };
 static const struct bead_option_rows image_shared[] = {
-    {BEAD_OPTIONS(field_row)},   {BEAD_OPTIONS(time_row)},     {BEAD_OPTIONS(beads_row)},
-    {BEAD_OPTIONS(every_row)},   {BEAD_OPTIONS(colormap_row)}, {BEAD_OPTIONS(image_rows)},
-    {BEAD_OPTIONS(range_row)},   {BEAD_OPTIONS(magnify_row)},  {BEAD_OPTIONS(trust_row)},
-    {BEAD_OPTIONS(page_rows)},   {BEAD_OPTIONS(theme_row)},    {BEAD_OPTIONS(axes_row)},
-    {BEAD_OPTIONS(caption_row)}, {BEAD_OPTIONS(panels_rows)},  {NULL, 0}};
-const struct bead_options bead_image_options = {"image", "a field over the chain and time, or a still of other views",
-                                                BEAD_OPTIONS(image_file), image_shared, &bead_output_family};
+    {BEAD_OPTIONS(bead_field_row)},   {BEAD_OPTIONS(bead_time_row)},     {BEAD_OPTIONS(bead_beads_row)},
+    {BEAD_OPTIONS(bead_every_row)},   {BEAD_OPTIONS(bead_colormap_row)}, {BEAD_OPTIONS(image_rows)},
+    {BEAD_OPTIONS(bead_range_row)},   {BEAD_OPTIONS(bead_magnify_row)},  {BEAD_OPTIONS(bead_trust_row)},
+    {BEAD_OPTIONS(bead_page_rows)},   {BEAD_OPTIONS(bead_theme_row)},    {BEAD_OPTIONS(bead_axes_row)},
+    {BEAD_OPTIONS(bead_caption_row)}, {BEAD_OPTIONS(panels_rows)},       {NULL, 0}};
+static const struct bead_options image_options = {"image", "a field over the chain and time, or a still of other views",
+                                                  BEAD_OPTIONS(image_file), image_shared, &bead_output_family};
+const struct bead_output_type bead_image_output = {.options = &image_options,
+                                                   .checks = {bead_output_check_field, bead_output_check_still_views,
+                                                              bead_output_check_times, bead_output_check_moment,
+                                                              bead_output_check_trust, bead_output_check_panels},
+                                                   .draws = true};
 
-static const struct bead_option_rows image_panel_shared[] = {{BEAD_OPTIONS(field_row)},    {BEAD_OPTIONS(time_row)},
-                                                             {BEAD_OPTIONS(beads_row)},    {BEAD_OPTIONS(every_row)},
-                                                             {BEAD_OPTIONS(colormap_row)}, {BEAD_OPTIONS(image_rows)},
-                                                             {BEAD_OPTIONS(range_row)},    {BEAD_OPTIONS(magnify_row)},
-                                                             {BEAD_OPTIONS(trust_row)},    {NULL, 0}};
+static const struct bead_option_rows image_panel_shared[] = {{BEAD_OPTIONS(bead_field_row)},    {BEAD_OPTIONS(bead_time_row)},
+                                                             {BEAD_OPTIONS(bead_beads_row)},    {BEAD_OPTIONS(bead_every_row)},
+                                                             {BEAD_OPTIONS(bead_colormap_row)}, {BEAD_OPTIONS(image_rows)},
+                                                             {BEAD_OPTIONS(bead_range_row)},    {BEAD_OPTIONS(bead_magnify_row)},
+                                                             {BEAD_OPTIONS(bead_trust_row)},    {NULL, 0}};
 const struct bead_options bead_image_panel_options = {NULL, "a panel that is an image", BEAD_OPTIONS(panel_rows),
                                                       image_panel_shared, &bead_output_family};
 
 static const struct bead_option movie_rows[] = {
-    FILE_ROW("movie", "FILE.mp4, .mkv, .webm, .gif, .png or .apng", "waves.mp4"),
+    BEAD_FILE_ROW("movie", "FILE.mp4, .mkv, .webm, .gif, .png or .apng", "waves.mp4"),
     {.key = "size",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "[1920, 1080]",
@@ -279,7 +275,7 @@ static const struct bead_option movie_rows[] = {
      .read = bead_output_read_frame_size},
     {.key = "colormap",
      .type = BEAD_OPTION_TEXT,
-     .offset = OUTPUT(colours.colormap),
+     .offset = BEAD_OF_OUTPUT(colours.colormap),
      .initial = "auto",
      .help = "colour map, one of --list colormaps; auto: vik for velocity and displacement, else inferno",
      .example = "batlow"},
@@ -292,21 +288,21 @@ static const struct bead_option movie_rows[] = {
      .read = bead_output_read_views},
     {.key = "modes",
      .type = BEAD_OPTION_COUNT,
-     .offset = OUTPUT(movie.modes),
+     .offset = BEAD_OF_OUTPUT(movie.modes),
      .initial = "5",
      .low = 1,
      .high = BEAD_MODES,
      .help = "how many modes the view `modes` shows",
      .example = "4"},
     {.key = "fps",
-     .offset = OUTPUT(movie.fps),
+     .offset = BEAD_OF_OUTPUT(movie.fps),
      .initial = "60",
      .low = 1,
      .high = 240,
      .help = "frames per second",
      .example = "30"},
     {.key = "duration",
-     .offset = OUTPUT(movie.duration),
+     .offset = BEAD_OF_OUTPUT(movie.duration),
      .unit = "s",
      .initial = "10 s",
      .low = 0.01,
@@ -328,14 +324,14 @@ static const struct bead_option movie_rows[] = {
      .read = bead_output_read_card},
     {.key = "follow",
      .type = BEAD_OPTION_CHOICE,
-     .offset = OUTPUT(movie.follow),
+     .offset = BEAD_OF_OUTPUT(movie.follow),
      .initial = "all",
      .choices = follows,
      .help = "what beads and profile show: all beads, or a window that moves with the front of each chain; spacetime marks the "
              "window. Give long chains long movies: nobody can follow more than half a bead per frame"},
     {.key = "window",
      .type = BEAD_OPTION_COUNT,
-     .offset = OUTPUT(movie.window),
+     .offset = BEAD_OF_OUTPUT(movie.window),
      .initial = "40",
      .low = 4,
      .high = 1000,
@@ -349,7 +345,7 @@ static const struct bead_option movie_rows[] = {
      .example = "poster.png",
      .read = bead_output_read_poster},
     {.key = "poster-at",
-     .offset = OUTPUT(movie.poster_at),
+     .offset = BEAD_OF_OUTPUT(movie.poster_at),
      .unit = "s",
      .of_motion = true,
      .initial = "auto",
@@ -361,18 +357,23 @@ static const struct bead_option movie_rows[] = {
      .example = "0.8 ms"},
     {.key = "quality",
      .type = BEAD_OPTION_CHOICE,
-     .offset = OUTPUT(movie.quality),
+     .offset = BEAD_OF_OUTPUT(movie.quality),
      .initial = "standard",
      .choices = qualities,
      .help = "quality of the encoding; a draft has at most 30 pictures per second, each shown for several frames"},
 };
-static const struct bead_option_rows movie_shared[] = {{BEAD_OPTIONS(field_row)}, {BEAD_OPTIONS(time_row)},
-                                                       {BEAD_OPTIONS(beads_row)}, {BEAD_OPTIONS(square_root_row)},
-                                                       {BEAD_OPTIONS(range_row)}, {BEAD_OPTIONS(magnify_row)},
-                                                       {BEAD_OPTIONS(trust_row)}, {BEAD_OPTIONS(theme_row)},
-                                                       {BEAD_OPTIONS(axes_row)},  {NULL, 0}};
-const struct bead_options bead_movie_options = {"movie", "a movie; .png is an animated PNG", BEAD_OPTIONS(movie_rows), movie_shared,
-                                                &bead_output_family};
+static const struct bead_option_rows movie_shared[] = {{BEAD_OPTIONS(bead_field_row)}, {BEAD_OPTIONS(bead_time_row)},
+                                                       {BEAD_OPTIONS(bead_beads_row)}, {BEAD_OPTIONS(bead_square_root_row)},
+                                                       {BEAD_OPTIONS(bead_range_row)}, {BEAD_OPTIONS(bead_magnify_row)},
+                                                       {BEAD_OPTIONS(bead_trust_row)}, {BEAD_OPTIONS(bead_theme_row)},
+                                                       {BEAD_OPTIONS(bead_axes_row)},  {NULL, 0}};
+static const struct bead_options movie_options = {"movie", "a movie; .png is an animated PNG", BEAD_OPTIONS(movie_rows),
+                                                  movie_shared, &bead_output_family};
+const struct bead_output_type bead_movie_output = {.options = &movie_options,
+                                                   .checks = {bead_output_check_field, bead_output_check_views,
+                                                              bead_output_check_times, bead_output_check_trust,
+                                                              bead_output_check_movie},
+                                                   .draws = true};
 
 /* ---- plots and tables ---- */
 
@@ -380,7 +381,7 @@ const struct bead_options bead_movie_options = {"movie", "a movie; .png is an an
 static const struct bead_option curves_rows[] = {
     {.key = "modes",
      .type = BEAD_OPTION_COUNT,
-     .offset = OUTPUT(curves.modes),
+     .offset = BEAD_OF_OUTPUT(curves.modes),
      .initial = "5",
      .low = 1,
      .high = BEAD_MODES,
@@ -388,7 +389,7 @@ static const struct bead_option curves_rows[] = {
      .example = "4"},
     {.key = "field",
      .type = BEAD_OPTION_CHOICE,
-     .offset = OUTPUT(shown.field),
+     .offset = BEAD_OF_OUTPUT(shown.field),
      .initial = "force",
      .choices = fields,
      .help = "the field that `show: profiles` shows"},
@@ -407,7 +408,7 @@ static const struct bead_option curves_rows[] = {
 static const struct bead_option plot_rows[] = {
     {.key = "show",
      .type = BEAD_OPTION_CHOICE,
-     .offset = OUTPUT(curves.show),
+     .offset = BEAD_OF_OUTPUT(curves.show),
      .initial = "sensors",
      .choices = plot_shows,
      .values = plot_values,
@@ -416,20 +417,20 @@ static const struct bead_option plot_rows[] = {
              "experiment, of a contact or of the cells"},
     {.key = "scale",
      .type = BEAD_OPTION_CHOICE,
-     .offset = OUTPUT(plot.scale),
+     .offset = BEAD_OF_OUTPUT(plot.scale),
      .initial = "linear",
      .choices = scales,
      .help = "scale of the axis of peaks"},
     {.key = "normalise",
      .type = BEAD_OPTION_CHOICE,
-     .offset = OUTPUT(plot.normalise),
+     .offset = BEAD_OF_OUTPUT(plot.normalise),
      .initial = "none",
      .choices = normalisings,
      .help = "what the forces at sensors are divided by; first: the largest force at the first sensor of the same chain; max: the "
              "largest force at the same sensor"},
     {.key = "range",
      .type = BEAD_OPTION_CUSTOM,
-     .offset = OUTPUT(plot.range),
+     .offset = BEAD_OF_OUTPUT(plot.range),
      .initial = "auto",
      .shape = "auto, or [low, high] in N (plain numbers where forces are normalised)",
      .word = "auto",
@@ -439,10 +440,10 @@ static const struct bead_option plot_rows[] = {
      .read = bead_output_read_plot_range},
 };
 static const struct bead_option plot_file[] = {
-    FILE_ROW("plot", "FILE.png, .pdf or .svg", "[figure.pdf, figure.png]"),
+    BEAD_FILE_ROW("plot", "FILE.png, .pdf or .svg", "[figure.pdf, figure.png]"),
     {.key = "contact",
      .type = BEAD_OPTION_COUNT,
-     .offset = OUTPUT(plot.contact),
+     .offset = BEAD_OF_OUTPUT(plot.contact),
      .initial = "auto",
      .low = 0,
      .high = BEAD_SCENE_BEADS,
@@ -452,7 +453,7 @@ static const struct bead_option plot_file[] = {
              "striker",
      .example = "3"},
     {.key = "compression",
-     .offset = OUTPUT(plot.compression),
+     .offset = BEAD_OF_OUTPUT(plot.compression),
      .initial = "0.2",
      .low = 0,
      .high = 0.6,
@@ -460,18 +461,18 @@ static const struct bead_option plot_file[] = {
      .help = "with `show: contact`: how far the smaller bead is flattened, as a fraction of its radius",
      .example = "0.1"},
 };
-static const struct bead_option_rows plot_shared[] = {{BEAD_OPTIONS(curves_rows)}, {BEAD_OPTIONS(plot_rows)},
-                                                      {BEAD_OPTIONS(time_row)},    {BEAD_OPTIONS(every_row)},
-                                                      {BEAD_OPTIONS(trust_row)},   {BEAD_OPTIONS(page_rows)},
-                                                      {BEAD_OPTIONS(theme_row)},   {BEAD_OPTIONS(caption_row)},
-                                                      {BEAD_OPTIONS(panels_rows)}, {NULL, 0}};
-const struct bead_options bead_plot_options = {
+static const struct bead_option_rows plot_shared[] = {{BEAD_OPTIONS(curves_rows)},    {BEAD_OPTIONS(plot_rows)},
+                                                      {BEAD_OPTIONS(bead_time_row)},  {BEAD_OPTIONS(bead_every_row)},
+                                                      {BEAD_OPTIONS(bead_trust_row)}, {BEAD_OPTIONS(bead_page_rows)},
+                                                      {BEAD_OPTIONS(bead_theme_row)}, {BEAD_OPTIONS(bead_caption_row)},
+                                                      {BEAD_OPTIONS(panels_rows)},    {NULL, 0}};
+static const struct bead_options plot_options = {
     "plot", "curves of sensors against time, or of peaks along the chain; or a schematic drawing", BEAD_OPTIONS(plot_file),
     plot_shared, &bead_output_family};
 
-static const struct bead_option_rows plot_panel_shared[] = {{BEAD_OPTIONS(curves_rows)}, {BEAD_OPTIONS(plot_rows)},
-                                                            {BEAD_OPTIONS(time_row)},    {BEAD_OPTIONS(every_row)},
-                                                            {BEAD_OPTIONS(trust_row)},   {NULL, 0}};
+static const struct bead_option_rows plot_panel_shared[] = {{BEAD_OPTIONS(curves_rows)},    {BEAD_OPTIONS(plot_rows)},
+                                                            {BEAD_OPTIONS(bead_time_row)},  {BEAD_OPTIONS(bead_every_row)},
+                                                            {BEAD_OPTIONS(bead_trust_row)}, {NULL, 0}};
 const struct bead_options bead_plot_panel_options = {NULL, "a panel that is a plot", BEAD_OPTIONS(panel_rows), plot_panel_shared,
                                                      &bead_output_family};
 const struct bead_options bead_panel_options = {"outputs.panels",
@@ -479,10 +480,10 @@ const struct bead_options bead_panel_options = {"outputs.panels",
                                                 BEAD_OPTIONS(panel_rows), NULL, NULL};
 
 static const struct bead_option table_rows[] = {
-    FILE_ROW("table", "FILE.csv", "peaks.csv"),
+    BEAD_FILE_ROW("table", "FILE.csv", "peaks.csv"),
     {.key = "show",
      .type = BEAD_OPTION_CHOICE,
-     .offset = OUTPUT(curves.show),
+     .offset = BEAD_OF_OUTPUT(curves.show),
      .initial = "peaks",
      .choices = table_shows,
      .values = table_values,
@@ -491,14 +492,14 @@ static const struct bead_option table_rows[] = {
          "the energies of modes; profiles, a field along the chain at several times; or the beads and contacts of the chain"},
 };
 static const struct bead_option_rows table_shared[] = {
-    {BEAD_OPTIONS(curves_rows)}, {BEAD_OPTIONS(time_row)}, {BEAD_OPTIONS(every_row)}, {NULL, 0}};
-const struct bead_options bead_table_options = {"table", "numbers, as CSV", BEAD_OPTIONS(table_rows), table_shared,
-                                                &bead_output_family};
+    {BEAD_OPTIONS(curves_rows)}, {BEAD_OPTIONS(bead_time_row)}, {BEAD_OPTIONS(bead_every_row)}, {NULL, 0}};
+static const struct bead_options table_options = {"table", "numbers, as CSV", BEAD_OPTIONS(table_rows), table_shared,
+                                                  &bead_output_family};
 
 /* ---- trajectories ---- */
 
 static const struct bead_option trajectory_rows[] = {
-    FILE_ROW("trajectory", "FILE.h5", "run.h5"),
+    BEAD_FILE_ROW("trajectory", "FILE.h5", "run.h5"),
     {.key = "fields",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "[displacement, velocity, force]",
@@ -508,23 +509,26 @@ static const struct bead_option trajectory_rows[] = {
      .read = bead_output_read_fields},
 };
 static const struct bead_option_rows trajectory_shared[] = {
-    {BEAD_OPTIONS(time_row)}, {BEAD_OPTIONS(beads_row)}, {BEAD_OPTIONS(every_row)}, {NULL, 0}};
-const struct bead_options bead_trajectory_options = {"trajectory", "samples of fields in an H5MD file",
-                                                     BEAD_OPTIONS(trajectory_rows), trajectory_shared, &bead_output_family};
+    {BEAD_OPTIONS(bead_time_row)}, {BEAD_OPTIONS(bead_beads_row)}, {BEAD_OPTIONS(bead_every_row)}, {NULL, 0}};
+static const struct bead_options trajectory_options = {"trajectory", "samples of fields in an H5MD file",
+                                                       BEAD_OPTIONS(trajectory_rows), trajectory_shared, &bead_output_family};
+const struct bead_output_type bead_trajectory_output = {
+    .options = &trajectory_options, .checks = {bead_output_check_field_list, bead_output_check_times}, .stores_samples = true};
 
 /* ---- of scenes with sweeps ---- */
 
 static const struct bead_option sweep_rows[] = {
-    FILE_ROW("sweep", "FILE.h5", "sweep.h5"),
+    BEAD_FILE_ROW("sweep", "FILE.h5", "sweep.h5"),
 };
-const struct bead_options bead_sweep_file_options = {"sweep", "spins and results of each configuration of a sweep",
-                                                     BEAD_OPTIONS(sweep_rows), NULL, &bead_output_family};
+static const struct bead_options sweep_file_options = {"sweep", "spins and results of each configuration of a sweep",
+                                                       BEAD_OPTIONS(sweep_rows), NULL, &bead_output_family};
+const struct bead_output_type bead_sweep_output = {.sweep_options = &sweep_file_options, .stores_sweep = true};
 
 static const struct bead_option sheet_rows[] = {
-    FILE_ROW("sheet", "FILE.png, .pdf or .svg", "sheet.png"),
+    BEAD_FILE_ROW("sheet", "FILE.png, .pdf or .svg", "sheet.png"),
     {.key = "configurations",
      .type = BEAD_OPTION_COUNT,
-     .offset = OUTPUT(sheet.configurations),
+     .offset = BEAD_OF_OUTPUT(sheet.configurations),
      .initial = "auto",
      .low = 1,
      .high = 64,
@@ -540,16 +544,18 @@ static const struct bead_option sheet_rows[] = {
      .example = "[1, 0.9, 0.5, 0]",
      .read = bead_output_read_magnetism},
 };
-static const struct bead_option_rows sheet_shared[] = {{BEAD_OPTIONS(field_row)},
-                                                       {BEAD_OPTIONS(colormap_row)},
-                                                       {BEAD_OPTIONS(square_root_row)},
-                                                       {BEAD_OPTIONS(range_row)},
-                                                       {BEAD_OPTIONS(page_rows)},
-                                                       {BEAD_OPTIONS(theme_row)},
+static const struct bead_option_rows sheet_shared[] = {{BEAD_OPTIONS(bead_field_row)},
+                                                       {BEAD_OPTIONS(bead_colormap_row)},
+                                                       {BEAD_OPTIONS(bead_square_root_row)},
+                                                       {BEAD_OPTIONS(bead_range_row)},
+                                                       {BEAD_OPTIONS(bead_page_rows)},
+                                                       {BEAD_OPTIONS(bead_theme_row)},
                                                        {NULL, 0}};
-const struct bead_options bead_sheet_options = {
+static const struct bead_options sheet_options = {
     "sheet", "contact sheet of a sweep: small space-time images of many configurations, in rows by magnetism; only these run",
     BEAD_OPTIONS(sheet_rows), sheet_shared, &bead_output_family};
+const struct bead_output_type bead_sheet_output = {
+    .sweep_options = &sheet_options, .check_sweep = bead_output_check_sheet, .draws = true};
 
 static const struct bead_option threshold_row[] = {
     {.key = "threshold",
@@ -561,16 +567,16 @@ static const struct bead_option threshold_row[] = {
      .read = bead_output_read_threshold},
 };
 static const struct bead_option sweep_plot_rows[] = {
-    FILE_ROW("plot", "FILE.png, .pdf or .svg", "[figure.pdf, figure.png]"),
+    BEAD_FILE_ROW("plot", "FILE.png, .pdf or .svg", "[figure.pdf, figure.png]"),
     {.key = "show",
      .type = BEAD_OPTION_CHOICE,
-     .offset = OUTPUT(sweep_curves.show),
+     .offset = BEAD_OF_OUTPUT(sweep_curves.show),
      .initial = "both",
      .choices = sweep_plot_shows,
      .help = "force against magnetism, with median, mean, or both; or how peaks decay along the chain (measure: {decay: true})"},
     {.key = "range",
      .type = BEAD_OPTION_CUSTOM,
-     .offset = OUTPUT(plot.range),
+     .offset = BEAD_OF_OUTPUT(plot.range),
      .initial = "auto",
      .shape = "auto, or [low, high] in units of the clean chain's peak",
      .word = "auto",
@@ -579,21 +585,37 @@ static const struct bead_option sweep_plot_rows[] = {
      .example = "[0, 1.2]",
      .read = bead_output_read_sweep_range},
 };
-static const struct bead_option_rows sweep_plot_shared[] = {
-    {BEAD_OPTIONS(threshold_row)}, {BEAD_OPTIONS(page_rows)}, {BEAD_OPTIONS(theme_row)}, {BEAD_OPTIONS(caption_row)}, {NULL, 0}};
-const struct bead_options bead_sweep_plot_options = {"plot of a sweep", "force against magnetism, or peaks along the chain",
-                                                     BEAD_OPTIONS(sweep_plot_rows), sweep_plot_shared, &bead_output_family};
+static const struct bead_option_rows sweep_plot_shared[] = {{BEAD_OPTIONS(threshold_row)},
+                                                            {BEAD_OPTIONS(bead_page_rows)},
+                                                            {BEAD_OPTIONS(bead_theme_row)},
+                                                            {BEAD_OPTIONS(bead_caption_row)},
+                                                            {NULL, 0}};
+static const struct bead_options sweep_plot_options = {"plot of a sweep", "force against magnetism, or peaks along the chain",
+                                                       BEAD_OPTIONS(sweep_plot_rows), sweep_plot_shared, &bead_output_family};
+const struct bead_output_type bead_plot_output = {.options = &plot_options,
+                                                  .sweep_options = &sweep_plot_options,
+                                                  .checks = {bead_output_check_times, bead_output_check_drawing,
+                                                             bead_output_check_show, bead_output_check_trust,
+                                                             bead_output_check_panels},
+                                                  .check_sweep = bead_output_check_sweep_curves,
+                                                  .shows = true,
+                                                  .draws = true};
 
 static const struct bead_option sweep_table_rows[] = {
-    FILE_ROW("table", "FILE.csv", "peaks.csv"),
+    BEAD_FILE_ROW("table", "FILE.csv", "peaks.csv"),
     {.key = "show",
      .type = BEAD_OPTION_CHOICE,
-     .offset = OUTPUT(sweep_curves.show),
+     .offset = BEAD_OF_OUTPUT(sweep_curves.show),
      .initial = "magnetism",
      .choices = sweep_table_shows,
      .values = sweep_table_values,
      .help = "statistics of each magnetism, results of each configuration, or mean peaks along the chain"},
 };
 static const struct bead_option_rows sweep_table_shared[] = {{BEAD_OPTIONS(threshold_row)}, {NULL, 0}};
-const struct bead_options bead_sweep_table_options = {"table of a sweep", "numbers of a sweep, as CSV",
-                                                      BEAD_OPTIONS(sweep_table_rows), sweep_table_shared, &bead_output_family};
+static const struct bead_options sweep_table_options = {"table of a sweep", "numbers of a sweep, as CSV",
+                                                        BEAD_OPTIONS(sweep_table_rows), sweep_table_shared, &bead_output_family};
+const struct bead_output_type bead_table_output = {.options = &table_options,
+                                                   .sweep_options = &sweep_table_options,
+                                                   .checks = {bead_output_check_times, bead_output_check_show},
+                                                   .check_sweep = bead_output_check_sweep_curves,
+                                                   .shows = true};
