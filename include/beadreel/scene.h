@@ -200,7 +200,7 @@ struct bead_shown {
 /* What is drawn, from top to bottom: image, movie. */
 struct bead_views_asked {
     enum bead_view_kind kinds[8];
-    size_t count;
+    size_t count;   /* 0: of the kinds without the key `views`, such as plots, which draw curves */
     bool axes;      /* false: bare pixels */
     double magnify; /* factor on displacements; 0: automatic */
 };

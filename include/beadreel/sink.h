@@ -1,5 +1,5 @@
 /* Sinks: where samples go. A trajectory, a table, an image and a movie are each one const table
- * `struct bead_sink_type`, found by the kind of output and the extension of its file name.
+ * `struct bead_sink_type`, found by the kind of output. How its files may end, the kind says.
  *
  * Life of a sink, for outputs in the order of the scene:
  *   create   learns the output's settings and the run context (what is known before the run), decides what it needs,
@@ -95,8 +95,7 @@ struct bead_sink_type {
     const char *name; /* "image" */
     const char *help; /* one line */
     enum bead_output_kind kind;
-    const char *const *extensions; /* NULL-terminated, without the dot; NULL: any */
-    bool background;               /* works in threads of its own: ended after the others, which work meanwhile */
+    bool background; /* works in threads of its own: ended after the others, which work meanwhile */
     enum bead_error (*create)(const struct bead_output *output, const struct bead_run_context *context, struct bead_sink **sink,
                               struct bead_message *msg);
     void (*needs)(const struct bead_sink *sink, struct bead_needs *needs);

@@ -176,7 +176,6 @@ BEAD_API void bead_sweep_statistics_free(struct bead_sweep_statistics *statistic
 struct bead_sweep_sink {
     const char *name;
     enum bead_output_kind kind;
-    const char *const *extensions; /* NULL-terminated, without the dot */
     /* What is written, in words for --plan. */
     const char *(*why)(const struct bead_output *output);
     enum bead_error (*write)(const struct bead_output *output, const struct bead_sweep *sweep, const char *path, uint64_t *bytes,

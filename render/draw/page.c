@@ -9,8 +9,6 @@
 #include "render/draw/raster.h"
 #include "render/draw/warnings.h"
 
-const char *const bead_still_extensions[] = {"png", "pdf", "svg", NULL};
-
 static bool is_vector(const char *path)
 {
     const char *dot = strrchr(path, '.');
@@ -93,7 +91,7 @@ static const char *subject_of(const struct bead_output *output, const struct bea
         [BEAD_SHOW_PROFILES] = "profiles at several times"};
     if (scene->sweep_count > 0)
         return "results of a sweep";
-    if (output->kind == BEAD_OUTPUT_PLOT && output->curves.show < BEAD_SHOW_COUNT && plots[output->curves.show])
+    if (output->views.count == 0 && output->curves.show < BEAD_SHOW_COUNT && plots[output->curves.show])
         return plots[output->curves.show];
     return bead_field_info(output->shown.field)->title;
 }

@@ -19,9 +19,6 @@ struct bead_insets {
     double left, top, right, bottom;
 };
 
-/* Extensions of the files that a page can be written to, NULL-terminated. */
-extern const char *const bead_still_extensions[];
-
 /* Whether the page shows the scene's title: papers have captions instead, and low pictures no room. */
 bool bead_page_titled(const struct bead_page *page);
 /* Errors: SCENE (with the output's place). */

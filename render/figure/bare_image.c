@@ -28,8 +28,7 @@ struct bead_still {
 
 static bool bare_wanted(const struct bead_output *output)
 {
-    return output->kind == BEAD_OUTPUT_IMAGE && !output->views.axes && output->views.count == 1 &&
-           bead_views_any(output->views.kinds, 1, BEAD_SHOWS_IMAGE);
+    return !output->views.axes && output->views.count == 1 && bead_views_any(output->views.kinds, 1, BEAD_SHOWS_IMAGE);
 }
 
 static void bare_destroy(struct bead_still *b)

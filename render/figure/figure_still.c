@@ -15,7 +15,7 @@ struct bead_still {
 
 static bool figure_wanted(const struct bead_output *output)
 {
-    return output->kind == BEAD_OUTPUT_IMAGE;
+    return output->views.count > 0;
 }
 
 static void figure_destroy(struct bead_still *still)

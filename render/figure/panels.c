@@ -10,7 +10,7 @@
 
 static bool panels_wanted(const struct bead_output *output)
 {
-    return output->still.panel_count > 0 || (output->still.caption && output->kind == BEAD_OUTPUT_IMAGE);
+    return output->still.panel_count > 0 || (output->still.caption && output->views.count > 0);
 }
 
 static void panels_destroy(struct bead_still *still)
@@ -69,7 +69,7 @@ static enum bead_error panels_make_panel(struct bead_still *s, size_t index, str
     make_letter(s, index, panel->set.letter, sizeof panel->set.letter);
     if (panel->output->panel.title)
         snprintf(panel->title, sizeof panel->title, "%s", panel->output->panel.title);
-    if (panel->output->kind == BEAD_OUTPUT_PLOT)
+    if (panel->output->views.count == 0)
         return bead_plot_data_create(panel->output, &s->context, panel->set.chain, &panel->plot, msg);
     return bead_figure_create(panel->output, &s->context, &s->page, &s->look, &panel->set, &panel->figure, msg);
 }

@@ -14,12 +14,12 @@ struct bead_still {
 
 static bool drawing_wanted(const struct bead_output *output)
 {
-    return output->kind == BEAD_OUTPUT_PLOT && bead_schematic_is(output->curves.show);
+    return output->views.count == 0 && bead_schematic_is(output->curves.show);
 }
 
 static bool plot_wanted(const struct bead_output *output)
 {
-    return output->kind == BEAD_OUTPUT_PLOT;
+    return output->views.count == 0;
 }
 
 static void plot_destroy(struct bead_still *s)

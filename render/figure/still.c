@@ -89,11 +89,10 @@ static void still_result(const struct bead_sink *sink, uint64_t *bytes, uint64_t
     *items = 1;
 }
 
-#define STILL(title, words, of)                                                                                         \
-    {                                                                                                                   \
-        .name = title, .help = words, .kind = of, .extensions = bead_still_extensions, .create = still_create,          \
-        .needs = still_needs, .begin = still_begin, .sample = still_sample, .end = still_end, .destroy = still_destroy, \
-        .result = still_result, .makers = still_makers                                                                  \
+#define STILL(title, words, of)                                                                                            \
+    {                                                                                                                      \
+        .name = title, .help = words, .kind = of, .create = still_create, .needs = still_needs, .begin = still_begin,      \
+        .sample = still_sample, .end = still_end, .destroy = still_destroy, .result = still_result, .makers = still_makers \
     }
 
 const struct bead_sink_type bead_image_sink =

@@ -448,7 +448,6 @@ const struct bead_sink_type bead_movie_sink = {
     .name = "movie",
     .help = "beads, profile, space-time image and sensors in motion",
     .kind = BEAD_OUTPUT_MOVIE,
-    .extensions = NULL,
     .background = true,
     .create = movie_create,
     .needs = movie_needs,

@@ -282,13 +282,10 @@ static void table_result(const struct bead_sink *sink, uint64_t *bytes, uint64_t
     *items = sink->rows;
 }
 
-static const char *const extensions[] = {"csv", NULL};
-
 const struct bead_sink_type bead_table_sink = {
     .name = "table",
     .help = "peaks, forces at sensors, measures, modes, profiles or the beads of chains, as comma-separated values",
     .kind = BEAD_OUTPUT_TABLE,
-    .extensions = extensions,
     .create = table_create,
     .needs = table_needs,
     .begin = table_begin,

@@ -358,13 +358,10 @@ static void trajectory_result(const struct bead_sink *sink, uint64_t *bytes, uin
     *items = sink->chunk_first + sink->filled;
 }
 
-static const char *const extensions[] = {"h5", "hdf5", "h5md", NULL};
-
 const struct bead_sink_type bead_trajectory_sink = {
     .name = "trajectory",
     .help = "all samples, as an H5MD 1.1 file that explains itself and can be drawn again",
     .kind = BEAD_OUTPUT_TRAJECTORY,
-    .extensions = extensions,
     .create = trajectory_create,
     .needs = trajectory_needs,
     .begin = trajectory_begin,

@@ -79,7 +79,6 @@ bool bead_output_needs_end(const struct bead_output *output);
 BEAD_CHECK enum bead_error bead_session_list_outputs(struct bead_session *session, struct bead_message *msg);
 /* Is it the file of all results of a sweep? */
 bool bead_session_holds_sweep(const struct bead_made *made);
-bool bead_session_has_extension(const char *const *extensions, const char *path);
 /* Of the stored scene: which output does `-o file` draw again: the one of that name, else the first of that kind. */
 const struct bead_output *bead_session_find_again(const struct bead_scene *scene, const char *file);
 /* That output, number `index` of the source, goes to `-o file` and is the session's only one; `from` names what was read. */

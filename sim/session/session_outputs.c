@@ -17,22 +17,11 @@ static const char *extension(const char *path)
     return dot ? dot + 1 : "";
 }
 
-bool bead_session_has_extension(const char *const *extensions, const char *path)
-{
-    if (!extensions)
-        return true;
-    for (const char *const *e = extensions; *e; e++) {
-        if (strcasecmp(*e, extension(path)) == 0)
-            return true;
-    }
-    return false;
-}
-
 const struct bead_sink_type *bead_session_find_type(const struct bead_job *job, const struct bead_output *output)
 {
     for (const struct bead_sink_type *const *const *list = job->sinks; list && *list; list++) {
         for (const struct bead_sink_type *const *type = *list; *type; type++) {
-            if ((*type)->kind == output->kind && bead_session_has_extension((*type)->extensions, output->path))
+            if ((*type)->kind == output->kind)
                 return *type;
         }
     }

@@ -15,7 +15,7 @@ static const struct bead_sweep_sink *find_sink(const struct bead_job *job, const
 {
     for (const struct bead_sweep_sink *const *const *list = job->sweep_sinks; list && *list; list++) {
         for (const struct bead_sweep_sink *const *sink = *list; *sink; sink++) {
-            if ((*sink)->kind == output->kind && bead_session_has_extension((*sink)->extensions, output->path))
+            if ((*sink)->kind == output->kind)
                 return *sink;
         }
     }
