@@ -142,17 +142,17 @@ static enum bead_error finish_all(struct bead_session *s, struct bead_message *m
 
 static enum bead_error end(struct bead_session *s, bool stopped, struct bead_message *msg)
 {
-    enum bead_error err = collect_outcomes(s, msg);
+    enum bead_error err = collect_outcomes(s, msg), worst = BEAD_OK;
     s->results = calloc(2 * s->made_count + 1, sizeof *s->results); /* each with a second file, at most */
     if (!err && !s->results)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for results");
     if (!err && !stopped)
         return finish_all(s, msg);
     for (size_t i = 0; !err && i < s->made_count; i++) {
-        if (s->made[i].sink)
-            err = stop(s, &s->made[i], msg);
+        enum bead_error one = s->made[i].sink ? stop(s, &s->made[i], msg) : BEAD_OK;
+        worst = worst ? worst : one; /* one that has nothing to leave does not keep others from leaving theirs */
     }
-    return err;
+    return err ? err : worst;
 }
 
 static enum bead_error run(struct bead_session *s, struct bead_consumer *consumers, struct bead_message *msg)
@@ -162,10 +162,11 @@ static enum bead_error run(struct bead_session *s, struct bead_consumer *consume
         err = bead_session_claim(s, msg);
     if (!err)
         err = scout(s, consumers, msg);
+    if (err) /* stopped while scouting, too: no sink has begun */
+        return err;
     s->scout_steps = s->counts.steps;
     struct bead_driver p = bead_session_driver(s, s->trajectory ? "drawing" : "simulating");
-    if (!err)
-        err = begin(s, consumers, &p.consumer_count, msg);
+    err = begin(s, consumers, &p.consumer_count, msg);
     p.consumers = consumers;
     p.needed = s->needed;
     if (!err)

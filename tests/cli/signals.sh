@@ -75,6 +75,18 @@ ok "a link in the way is not followed" linked
 stopped KILL "$T/kill" "$beadsim"
 ok "SIGKILL: status 137" status_is 137
 
+# No output has begun while a run scouts for the range of colours.
+scouting() {
+    "$beadreel" "$T/long.yaml" --set "outputs=[{movie: m.mp4, size: [160, 120]}, {trajectory: run.h5}]" -o "$T/scout" >"$T/out" 2>"$T/err" &
+    local pid=$!
+    sleep 1
+    kill -TERM $pid
+    wait $pid
+    status=$?
+    status_is 143 && says "stopped by signal" && empty "$T/scout"
+}
+ok "stopped while scouting: nothing is left" scouting
+
 # A run that is stopped over the results of an earlier one.
 short=(--set simulate.until='1 ms')
 "$beadreel" "$T/long.yaml" "${short[@]}" -o "$T/again" >/dev/null
