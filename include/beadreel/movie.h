@@ -4,7 +4,11 @@
  *   bead_movie_check(path, &settings, &msg);          long before, where there is time to say no
  *   bead_movie_open(path, &settings, &movie, &msg);   writes path.part
  *   bead_movie_add(movie, &frame, &changes, &msg);    once a frame, in order
- *   bead_movie_close(movie, &bytes, &msg);            finishes, fsyncs, renames; or bead_movie_abort(movie)
+ *   bead_movie_close(movie, &bytes, &msg);            finishes, fsyncs, renames; or bead_movie_stop(movie, &bytes, &msg),
+ *                                                     which leaves path.part as far as it goes; or bead_movie_abort(movie)
+ *
+ * path.part plays while it grows, also where the program is killed: an mp4 file grows by fragments, which close copies into a plain
+ * file with its index in front.
  *
  * Only the changed rectangles are converted; a frame without changes is not encoded where the container
  * can show the one before for longer (the last one always is, so that the duration is exact). Encoder
@@ -60,6 +64,9 @@ BEAD_API uint64_t bead_movie_encoded(const struct bead_movie *movie);    /* give
 /* Frees the movie in any case; on failure no file is left. *bytes (may be NULL): size of the file. Errors: IO, CODEC
  * (also where an earlier add failed, or no frame was added). */
 BEAD_API BEAD_CHECK enum bead_error bead_movie_close(struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg);
+/* The movie ends here, unfinished: path.part stays and plays, and a file `path` of an earlier movie stays as it is. Frees the movie
+ * in any case; on failure no part is left. *bytes (may be NULL): size of the part. Errors: as of close. */
+BEAD_API BEAD_CHECK enum bead_error bead_movie_stop(struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg);
 /* Frees the movie and removes its file. NULL is allowed. */
 BEAD_API void bead_movie_abort(struct bead_movie *movie);
 

@@ -42,21 +42,31 @@ static const struct bead_preset gif[] = {{"gif", AV_PIX_FMT_PAL8, 1, false, ""},
                                          {"gif", AV_PIX_FMT_PAL8, 1, false, ""},
                                          {"gif", AV_PIX_FMT_PAL8, 1, false, ""}};
 
+/* The last chunk of a PNG file. */
+#define PNG_END "\0\0\0\0IEND\xae\x42\x60\x82"
+#define APNG \
+    .way = &bead_movie_libav, .muxer = "apng", .muxer_options = "plays=0", .ending = PNG_END, .presets = apng, .delay_unit = 1
+
 static const struct bead_codec codecs[] = {
-    {{"mp4", "H.264, plays everywhere (lossless: RGB, not in all players)"},
-     &bead_movie_libav,
-     "mp4",
-     "movflags=+faststart",
-     h264,
-     0,
-     true,
-     0},
-    {{"mkv", "H.264 in Matroska; lossless: FFV1"}, &bead_movie_libav, "matroska", "", h264_or_ffv1, 0, false, 0},
-    {{"webm", "VP9, plays in browsers (lossless: RGB)"}, &bead_movie_libav, "webm", "", vp9, 0, false, 0},
-    {{"gif", "animated GIF, 255 colours, at most 50 frames a second"}, &bead_movie_libav, "gif", "loop=0", gif, 100, false, 50},
-    {{"apng", "animated PNG, lossless"}, &bead_movie_libav, "apng", "plays=0", apng, 1, false, 0},
-    {{"png", "animated PNG, lossless"}, &bead_movie_libav, "apng", "plays=0", apng, 1, false, 0},
-    {{"hash", "a line per frame with the hash of its pixels, to compare runs"}, &bead_movie_hashes, NULL, NULL, NULL, 0, false, 0},
+    {.info = {"mp4", "H.264, plays everywhere (lossless: RGB, not in all players)"},
+     .way = &bead_movie_libav,
+     .muxer = "mp4",
+     .muxer_options = "movflags=+empty_moov+default_base_moof+frag_custom",
+     .plain_options = "movflags=+faststart",
+     .presets = h264,
+     .covers = true},
+    {.info = {"mkv", "H.264 in Matroska; lossless: FFV1"}, .way = &bead_movie_libav, .muxer = "matroska", .presets = h264_or_ffv1},
+    {.info = {"webm", "VP9, plays in browsers (lossless: RGB)"}, .way = &bead_movie_libav, .muxer = "webm", .presets = vp9},
+    {.info = {"gif", "animated GIF, 255 colours, at most 50 frames a second"},
+     .way = &bead_movie_libav,
+     .muxer = "gif",
+     .muxer_options = "loop=0",
+     .presets = gif,
+     .delay_unit = 100,
+     .most_fps = 50},
+    {.info = {"apng", "animated PNG, lossless"}, APNG},
+    {.info = {"png", "animated PNG, lossless"}, APNG},
+    {.info = {"hash", "a line per frame with the hash of its pixels, to compare runs"}, .way = &bead_movie_hashes},
 };
 
 enum { CODECS = sizeof codecs / sizeof *codecs };

@@ -4,13 +4,18 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "beadreel/file.h"
+#include "render/encode/av_file.h"
 #include "render/encode/libav.h"
 #include "render/encode/movie_private.h"
 #include "render/encode/pictures.h"
 
-enum { KEY_INTERVAL = 300 /* encoded frames from one that players can jump to, to the next */ };
+enum {
+    KEY_INTERVAL = 300 /* encoded frames from one that players can jump to, to the next */,
+    FLUSH_INTERVAL = 8 /* encoded frames: so many are lost when the run is killed */
+};
 
 struct bead_encoder {
     struct bead_av av;
@@ -21,6 +26,8 @@ struct bead_encoder {
     size_t now;                    /* the one added last */
     AVPacket *packet, *held;       /* a packet waits in `held` until the time of the next tells its duration */
     AVPacket *cover;               /* written at the end; NULL: none */
+    int file;                      /* descriptor of the part; -1: none */
+    int unflushed;                 /* packets */
     AVRational frame_time;         /* s: unit of all times here */
     int64_t group;                 /* frames shown as one, to stay below the container's rate; usually 1 */
     int64_t last;                  /* time of the picture encoded last */
@@ -142,22 +149,6 @@ static int open_stream(struct bead_movie *movie)
     return code;
 }
 
-/* A picture beside the movie is a stream of its own, of one packet. */
-static int open_cover(struct bead_movie *movie)
-{
-    struct bead_encoder *e = movie->encoder;
-    AVStream *stream = e->av.avformat_new_stream(e->format, NULL);
-    if (!stream)
-        return AVERROR(ENOMEM);
-    stream->time_base = e->frame_time;
-    stream->disposition = AV_DISPOSITION_ATTACHED_PIC;
-    stream->codecpar->codec_type = AVMEDIA_TYPE_VIDEO;
-    stream->codecpar->codec_id = AV_CODEC_ID_PNG;
-    stream->codecpar->width = movie->settings.width;
-    stream->codecpar->height = movie->settings.height;
-    return 0;
-}
-
 static enum bead_error libav_cover(struct bead_movie *movie, const uint8_t *png, size_t bytes, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
@@ -172,20 +163,26 @@ static enum bead_error libav_cover(struct bead_movie *movie, const uint8_t *png,
     return BEAD_OK;
 }
 
+/* On success e->format writes to the part. */
+static enum bead_error open_part(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    enum bead_error err = bead_av_file_create(movie->part, &e->file, msg);
+    if (err)
+        return err;
+    e->format->pb = bead_av_file_wrap(&e->av, e->file, true);
+    return e->format->pb ? BEAD_OK : no_memory(movie, msg);
+}
+
 static enum bead_error open_file(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
     int code = open_stream(movie);
-    if (code >= 0 && movie->settings.cover && movie->codec->covers)
-        code = open_cover(movie);
     if (code < 0)
         return fail(movie, "no stream", code, msg);
-    code = e->av.avio_open(&e->format->pb, e->format->url, AVIO_FLAG_WRITE);
-    if (code < 0) {
-        char text[AV_ERROR_MAX_STRING_SIZE] = "";
-        e->av.av_strerror(code, text, sizeof text);
-        return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be written: %s", movie->path, text);
-    }
+    enum bead_error err = open_part(movie, msg);
+    if (err)
+        return err;
     AVDictionary *options = NULL;
     code = parse_options(&e->av, movie->codec->muxer_options, &options);
     if (code >= 0)
@@ -197,21 +194,22 @@ static enum bead_error open_file(struct bead_movie *movie, struct bead_message *
     return code < 0 ? fail(movie, "the file cannot be started", code, msg) : BEAD_OK;
 }
 
-/* The name ends in .part: the container comes from the table; `file:` keeps libav from reading protocols into names. */
+/* Without a name: the container comes from the table, the file from open_part. */
+static int make_format(struct bead_encoder *e, const struct bead_movie *movie, AVFormatContext **format)
+{
+    int code = e->av.avformat_alloc_output_context2(format, NULL, movie->codec->muxer, NULL);
+    if (code < 0)
+        return code;
+    (*format)->flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_CUSTOM_IO; /* no dates, no random identifiers */
+    (*format)->flush_packets = 0;                                   /* but by `flush` */
+    return code;
+}
+
 static enum bead_error open_format(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    size_t size = strlen(movie->part) + sizeof "file:";
-    char *url = malloc(size);
-    if (!url)
-        return no_memory(movie, msg);
-    snprintf(url, size, "file:%s", movie->part);
-    int code = e->av.avformat_alloc_output_context2(&e->format, NULL, movie->codec->muxer, url);
-    free(url);
-    if (code < 0)
-        return fail(movie, "libavformat does not write this container", code, msg);
-    e->format->flags |= AVFMT_FLAG_BITEXACT; /* no dates, no random identifiers */
-    return BEAD_OK;
+    int code = make_format(e, movie, &e->format);
+    return code < 0 ? fail(movie, "libavformat does not write this container", code, msg) : BEAD_OK;
 }
 
 static enum bead_error libav_open(struct bead_movie *movie, struct bead_message *msg)
@@ -224,6 +222,7 @@ static enum bead_error libav_open(struct bead_movie *movie, struct bead_message 
     if (!e)
         return no_memory(movie, msg);
     e->av = av;
+    e->file = -1;
     silence(e);
     double fps = movie->settings.fps;
     e->frame_time = av_inv_q(e->av.av_d2q(fps, 100100));
@@ -237,9 +236,22 @@ static enum bead_error libav_open(struct bead_movie *movie, struct bead_message 
     return err ? err : open_file(movie, msg);
 }
 
-/* Write the packet that waited; the next one, or the end, comes at time `next`. */
-static int release(struct bead_encoder *e, int64_t next)
+/* What has been encoded can be read from the file. */
+static int flush(struct bead_encoder *e, const char *ending)
 {
+    int code = e->format->oformat->flags & AVFMT_ALLOW_FLUSH ? e->av.av_write_frame(e->format, NULL) : 0;
+    e->unflushed = 0;
+    e->av.avio_flush(e->format->pb);
+    /* The next packet overwrites it. */
+    if (code >= 0 && ending && pwrite(e->file, ending, BEAD_ENDING_BYTES, e->av.avio_seek(e->format->pb, 0, SEEK_CUR)) < 0)
+        code = AVERROR(errno);
+    return code;
+}
+
+/* Write the packet that waited; the next one, or the end, comes at time `next`. */
+static int release(const struct bead_movie *movie, int64_t next)
+{
+    struct bead_encoder *e = movie->encoder;
     if (!e->holding)
         return 0;
     e->holding = false;
@@ -248,7 +260,7 @@ static int release(struct bead_encoder *e, int64_t next)
     e->held->stream_index = 0;
     int code = e->av.av_write_frame(e->format, e->held);
     e->av.av_packet_unref(e->held);
-    return code;
+    return code >= 0 && ++e->unflushed == FLUSH_INTERVAL ? flush(e, movie->codec->ending) : code;
 }
 
 static enum bead_error drain(struct bead_movie *movie, struct bead_message *msg)
@@ -260,7 +272,7 @@ static enum bead_error drain(struct bead_movie *movie, struct bead_message *msg)
             return BEAD_OK;
         if (code < 0)
             return fail(movie, "encoding failed", code, msg);
-        code = release(e, e->packet->pts);
+        code = release(movie, e->packet->pts);
         if (code >= 0 && e->format->pb->error < 0)
             code = e->format->pb->error;
         if (code < 0)
@@ -353,23 +365,19 @@ static int set_final_delay(const struct bead_movie *movie)
     return e->av.av_opt_set_int(e->format->priv_data, "final_delay", end - last > least ? end - last : least, 0);
 }
 
-static enum bead_error libav_finish(struct bead_movie *movie, struct bead_message *msg)
+/* Everything encoded is in the file, and the container closed. */
+static enum bead_error end_part(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    enum bead_error err = last_frame(movie, msg);
-    if (err)
-        return err;
     int code = e->av.avcodec_send_frame(e->codec, NULL);
     if (code < 0)
         return fail(movie, "encoding failed", code, msg);
-    err = drain(movie, msg);
+    enum bead_error err = drain(movie, msg);
     if (err)
         return err;
-    code = release(e, (int64_t)movie->shown);
+    code = release(movie, (int64_t)movie->shown);
     if (code >= 0)
         code = set_final_delay(movie);
-    if (code >= 0 && e->cover)
-        code = e->av.av_write_frame(e->format, e->cover);
     if (code >= 0) {
         e->begun = false;
         code = e->av.av_write_trailer(e->format);
@@ -377,10 +385,61 @@ static enum bead_error libav_finish(struct bead_movie *movie, struct bead_messag
     e->av.avio_flush(e->format->pb);
     if (code >= 0)
         code = e->format->pb->error;
-    if (code < 0)
-        return fail(movie, "the file cannot be finished", code, msg);
-    code = e->av.avio_closep(&e->format->pb);
-    return code < 0 ? bead_fail(msg, BEAD_ERROR_IO, "%s: closing failed", movie->path) : BEAD_OK;
+    return code < 0 ? fail(movie, "the file cannot be finished", code, msg) : BEAD_OK;
+}
+
+static int copy_plain(struct bead_movie *movie, int descriptor)
+{
+    struct bead_encoder *e = movie->encoder;
+    AVFormatContext *plain = NULL;
+    AVDictionary *options = NULL;
+    int code = make_format(e, movie, &plain);
+    if (code >= 0)
+        code = e->av.av_dict_copy(&plain->metadata, e->format->metadata, 0);
+    if (code >= 0)
+        code = parse_options(&e->av, movie->codec->plain_options, &options);
+    if (code >= 0)
+        code = bead_av_copy(&e->av, e->file, plain, descriptor, &options, e->cover);
+    e->av.av_dict_free(&options);
+    e->av.avformat_free_context(plain);
+    return code;
+}
+
+/* Fragments are for the unfinished file: players seek faster in a plain one. */
+static enum bead_error make_plain(struct bead_movie *movie, struct bead_message *msg)
+{
+    int descriptor;
+    enum bead_error err = bead_file_part_name(movie->part, &movie->plain, msg);
+    if (!err)
+        err = bead_av_file_create(movie->plain, &descriptor, msg);
+    if (err) { /* what stands there is not ours */
+        free(movie->plain);
+        movie->plain = NULL;
+        return err;
+    }
+    int code = copy_plain(movie, descriptor);
+    if (close(descriptor) != 0 && code >= 0)
+        code = AVERROR(errno);
+    return code < 0 ? fail(movie, "the file cannot be finished", code, msg) : BEAD_OK;
+}
+
+static enum bead_error close_part(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    bead_av_file_unwrap(&e->av, &e->format->pb);
+    int descriptor = e->file;
+    e->file = -1;
+    return close(descriptor) == 0 ? BEAD_OK : bead_fail(msg, BEAD_ERROR_IO, "%s: closing failed", movie->path);
+}
+
+static enum bead_error libav_finish(struct bead_movie *movie, bool complete, struct bead_message *msg)
+{
+    enum bead_error err = last_frame(movie, msg);
+    if (!err)
+        err = end_part(movie, msg);
+    if (!err && complete && movie->codec->plain_options)
+        err = make_plain(movie, msg);
+    return err ? err : close_part(movie, msg);
 }
 
 static void libav_destroy(struct bead_movie *movie)
@@ -397,8 +456,10 @@ static void libav_destroy(struct bead_movie *movie)
     if (e->begun && movie->codec->delay_unit)
         e->av.av_write_trailer(e->format);
     if (e->format)
-        e->av.avio_closep(&e->format->pb);
+        bead_av_file_unwrap(&e->av, &e->format->pb);
     e->av.avformat_free_context(e->format);
+    if (e->file >= 0)
+        close(e->file);
     free(e);
 }
 

@@ -21,8 +21,9 @@ static enum bead_error hash_add(struct bead_movie *movie, const struct bead_fram
     return BEAD_OK;
 }
 
-static enum bead_error hash_finish(struct bead_movie *movie, struct bead_message *msg)
+static enum bead_error hash_finish(struct bead_movie *movie, bool complete, struct bead_message *msg)
 {
+    (void)complete;
     FILE *file = movie->lines;
     movie->lines = NULL;
     return bead_file_close(file, movie->part, msg);

@@ -20,6 +20,7 @@
 
 #define BEAD_AVUTIL_FUNCTIONS(X) \
     X(av_d2q)                    \
+    X(av_dict_copy)              \
     X(av_dict_count)             \
     X(av_dict_free)              \
     X(av_dict_parse_string)      \
@@ -32,8 +33,10 @@
     X(av_frame_is_writable)      \
     X(av_frame_move_ref)         \
     X(av_frame_unref)            \
+    X(av_free)                   \
     X(av_log_get_level)          \
     X(av_log_set_level)          \
+    X(av_malloc)                 \
     X(av_mul_q)                  \
     X(av_opt_set_int)            \
     X(av_opt_set_q)              \
@@ -52,20 +55,26 @@
     X(avcodec_find_encoder_by_name)    \
     X(avcodec_free_context)            \
     X(avcodec_open2)                   \
+    X(avcodec_parameters_copy)         \
     X(avcodec_parameters_from_context) \
     X(avcodec_receive_packet)          \
     X(avcodec_send_frame)
 
 #define BEAD_AVFORMAT_FUNCTIONS(X)    \
+    X(av_read_frame)                  \
     X(av_write_frame)                 \
     X(av_write_trailer)               \
+    X(avformat_alloc_context)         \
     X(avformat_alloc_output_context2) \
+    X(avformat_close_input)           \
     X(avformat_free_context)          \
     X(avformat_new_stream)            \
+    X(avformat_open_input)            \
     X(avformat_write_header)          \
-    X(avio_closep)                    \
+    X(avio_alloc_context)             \
+    X(avio_context_free)              \
     X(avio_flush)                     \
-    X(avio_open)
+    X(avio_seek)
 
 #define BEAD_AV_FUNCTIONS(X)  \
     BEAD_AVUTIL_FUNCTIONS(X)  \

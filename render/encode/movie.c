@@ -82,6 +82,7 @@ enum bead_error bead_movie_check(const char *path, const struct bead_movie_setti
 static void destroy(struct bead_movie *movie)
 {
     movie->codec->way->destroy(movie);
+    free(movie->plain);
     free(movie->part);
     free(movie->path);
     free(movie);
@@ -183,19 +184,30 @@ uint64_t bead_movie_encoded(const struct bead_movie *movie)
     return movie->encoded;
 }
 
-static enum bead_error finish(struct bead_movie *movie, struct bead_message *msg)
+static enum bead_error finish(struct bead_movie *movie, bool complete, struct bead_message *msg)
 {
     if (movie->failed)
-        return bead_fail(msg, BEAD_ERROR_CODEC, "%s: not finished, because a frame could not be written", movie->path);
+        return bead_fail(msg, BEAD_ERROR_CODEC, "%s: not finished, for a frame could not be written", movie->path);
     if (!movie->shown)
         return bead_fail(msg, BEAD_ERROR_CODEC, "%s: a movie without frames", movie->path);
-    enum bead_error err = movie->codec->way->finish(movie, msg);
-    return err ? err : bead_file_commit(movie->part, movie->path, msg);
+    return movie->codec->way->finish(movie, complete, msg);
+}
+
+static enum bead_error commit(struct bead_movie *movie, struct bead_message *msg)
+{
+    if (!movie->plain)
+        return bead_file_commit(movie->part, movie->path, msg);
+    enum bead_error err = bead_file_commit(movie->plain, movie->path, msg);
+    if (!err)
+        bead_file_discard(movie->part);
+    return err;
 }
 
 enum bead_error bead_movie_close(struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg)
 {
-    enum bead_error err = finish(movie, msg);
+    enum bead_error err = finish(movie, true, msg);
+    if (!err)
+        err = commit(movie, msg);
     if (err) {
         bead_movie_abort(movie);
         return err;
@@ -206,10 +218,24 @@ enum bead_error bead_movie_close(struct bead_movie *movie, uint64_t *bytes, stru
     return BEAD_OK;
 }
 
+enum bead_error bead_movie_stop(struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg)
+{
+    enum bead_error err = finish(movie, false, msg);
+    if (err) {
+        bead_movie_abort(movie);
+        return err;
+    }
+    if (bytes)
+        *bytes = bead_file_bytes(movie->part);
+    destroy(movie);
+    return BEAD_OK;
+}
+
 void bead_movie_abort(struct bead_movie *movie)
 {
     if (!movie)
         return;
+    bead_file_discard(movie->plain);
     bead_file_discard(movie->part);
     destroy(movie);
 }

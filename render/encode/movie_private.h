@@ -24,8 +24,9 @@ struct bead_movie_way {
                                 struct bead_message *msg);
     /* The movie's cover; NULL: movies of this kind have none. */
     enum bead_error (*cover)(struct bead_movie *movie, const uint8_t *png, size_t bytes, struct bead_message *msg);
-    /* Everything that was added is in the file, and the file closed. */
-    enum bead_error (*finish)(struct bead_movie *movie, struct bead_message *msg);
+    /* Everything that was added is in the part, and the part closed. Of complete movies the finished file may be another one,
+     * `plain`. */
+    enum bead_error (*finish)(struct bead_movie *movie, bool complete, struct bead_message *msg);
     void (*destroy)(struct bead_movie *movie);
 };
 
@@ -40,11 +41,15 @@ struct bead_preset {
     const char *options; /* of the encoder, as libav has them: "key=value key=value" */
 };
 
+enum { BEAD_ENDING_BYTES = 12 };
+
 struct bead_codec {
     struct bead_codec_info info;
     const struct bead_movie_way *way;
     const char *muxer;                 /* libav's name; NULL, like all behind it, where the way has no codec */
-    const char *muxer_options;         /* "key=value key=value" */
+    const char *muxer_options;         /* "key=value key=value"; the file can be read while it grows */
+    const char *plain_options;         /* of the finished file; NULL: it is what has grown */
+    const char *ending;                /* BEAD_ENDING_BYTES that end a growing file for those who read it; NULL: it needs none */
     const struct bead_preset *presets; /* by enum bead_quality */
     int delay_unit;                    /* 1/s: of the muxer's option final_delay; 0: durations are the packets' own */
     bool covers;                       /* the container has room for a picture beside the movie */
@@ -58,6 +63,7 @@ struct bead_movie {
     const struct bead_codec *codec;
     struct bead_movie_settings settings; /* title and comment: only within open */
     char *path, *part;
+    char *plain; /* the finished file, on its way; NULL: the part */
     char encoded_by[48];
     struct bead_encoder *encoder; /* bead_movie_libav */
     FILE *lines;                  /* bead_movie_hashes */

@@ -427,6 +427,19 @@ static enum bead_error movie_end(struct bead_sink *s, const struct bead_outcome 
     return bead_movie_close(movie, &s->bytes, msg);
 }
 
+/* Without its poster, which may lie ahead. */
+static enum bead_error movie_stop(struct bead_sink *s, const struct bead_outcome *outcomes, struct bead_message *msg)
+{
+    (void)outcomes;
+    enum bead_error err = finish_pipes(s, msg);
+    if (err)
+        return err;
+    credit(s);
+    struct bead_movie *movie = s->movie;
+    s->movie = NULL;
+    return bead_movie_stop(movie, &s->bytes, msg);
+}
+
 static void movie_result(const struct bead_sink *s, uint64_t *bytes, uint64_t *items)
 {
     *bytes = s->bytes;
@@ -454,6 +467,7 @@ const struct bead_sink_type bead_movie_sink = {
     .begin = movie_begin,
     .sample = movie_sample,
     .end = movie_end,
+    .stop = movie_stop,
     .destroy = movie_destroy,
     .result = movie_result,
     .makers = movie_makers,

@@ -1,0 +1,217 @@
+/* Files of libav: contexts over open descriptors, and the last step of an mp4 movie, which copies the fragments it grew by into a
+ * plain file. */
+#include "render/encode/av_file.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "beadreel/file.h"
+
+/* Written out when it is full or flushed: large enough for what is flushed at once, so that a killed run is rarely cut within it.
+ */
+enum { BUFFER_BYTES = 1 << 20 };
+
+struct place {
+    int descriptor;
+    int64_t at;
+};
+
+enum bead_error bead_av_file_create(const char *part, int *descriptor, struct bead_message *msg)
+{
+    bool created;
+    enum bead_error err = bead_file_open(part, descriptor, &created, msg);
+    if (err || ftruncate(*descriptor, 0) == 0)
+        return err;
+    err = bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be written: it cannot be emptied", part);
+    close(*descriptor);
+    *descriptor = -1;
+    if (created)
+        bead_file_discard(part);
+    return err;
+}
+
+static int read_bytes(void *opaque, uint8_t *bytes, int size)
+{
+    struct place *p = opaque;
+    ssize_t got;
+    do {
+        got = pread(p->descriptor, bytes, (size_t)size, p->at);
+    } while (got < 0 && errno == EINTR);
+    if (got <= 0)
+        return got < 0 ? AVERROR(errno) : AVERROR_EOF;
+    p->at += got;
+    return (int)got;
+}
+
+/* Libavformat 61 promises not to change the bytes. */
+#if LIBAVFORMAT_VERSION_MAJOR >= 61
+static int write_bytes(void *opaque, const uint8_t *bytes, int size)
+#else
+static int write_bytes(void *opaque, uint8_t *bytes, int size)
+#endif
+{
+    struct place *p = opaque;
+    for (int done = 0; done < size;) {
+        ssize_t put = pwrite(p->descriptor, bytes + done, (size_t)(size - done), p->at);
+        if (put < 0 && errno != EINTR)
+            return AVERROR(errno);
+        done += put > 0 ? (int)put : 0;
+        p->at += put > 0 ? put : 0;
+    }
+    return size;
+}
+
+static int64_t seek_to(void *opaque, int64_t offset, int whence)
+{
+    struct place *p = opaque;
+    struct stat status;
+    if (whence != SEEK_SET && whence != SEEK_CUR && fstat(p->descriptor, &status) != 0)
+        return AVERROR(errno);
+    if (whence == AVSEEK_SIZE)
+        return status.st_size;
+    int64_t at = offset + (whence == SEEK_CUR ? p->at : whence == SEEK_END ? status.st_size : 0);
+    if (at < 0)
+        return AVERROR(EINVAL);
+    return p->at = at;
+}
+
+AVIOContext *bead_av_file_wrap(const struct bead_av *av, int descriptor, bool writes)
+{
+    struct place *place = malloc(sizeof *place);
+    uint8_t *buffer = av->av_malloc(BUFFER_BYTES);
+    AVIOContext *context = NULL;
+    if (place && buffer) {
+        *place = (struct place){descriptor, 0};
+        context = av->avio_alloc_context(buffer, BUFFER_BYTES, writes, place, read_bytes, write_bytes, seek_to);
+    }
+    if (!context) {
+        av->av_free(buffer);
+        free(place);
+    }
+    return context;
+}
+
+void bead_av_file_unwrap(const struct bead_av *av, AVIOContext **context)
+{
+    if (!context || !*context)
+        return;
+    free((*context)->opaque);
+    av->av_free((*context)->buffer);
+    av->avio_context_free(context);
+}
+
+/* ---- from one file into another ---- */
+
+/* What the muxer needs to read its own file a second time, when it moves the index to the front. */
+struct again {
+    const struct bead_av *av;
+    int descriptor;
+};
+
+static int open_again(AVFormatContext *format, AVIOContext **context, const char *url, int flags, AVDictionary **options)
+{
+    const struct again *again = format->opaque;
+    (void)url, (void)options;
+    if (flags & AVIO_FLAG_WRITE)
+        return AVERROR(EINVAL);
+    *context = bead_av_file_wrap(again->av, again->descriptor, false);
+    return *context ? 0 : AVERROR(ENOMEM);
+}
+
+static int close_again(AVFormatContext *format, AVIOContext *context)
+{
+    const struct again *again = format->opaque;
+    bead_av_file_unwrap(again->av, &context);
+    return 0;
+}
+
+static int copy_stream(const struct bead_av *av, const AVStream *from, AVFormatContext *to)
+{
+    AVStream *stream = av->avformat_new_stream(to, NULL);
+    if (!stream)
+        return AVERROR(ENOMEM);
+    stream->time_base = from->time_base;
+    stream->avg_frame_rate = from->avg_frame_rate;
+    int code = av->avcodec_parameters_copy(stream->codecpar, from->codecpar);
+    stream->sample_aspect_ratio = stream->codecpar->sample_aspect_ratio = (AVRational){1, 1}; /* not read where they are 1 */
+    stream->codecpar->codec_tag = 0;
+    stream->codecpar->bit_rate = 0; /* of the first fragment only */
+    return code;
+}
+
+/* A picture beside the movie is a stream of its own, of one packet. */
+static int add_cover(const struct bead_av *av, AVFormatContext *to)
+{
+    AVStream *stream = av->avformat_new_stream(to, NULL);
+    if (!stream)
+        return AVERROR(ENOMEM);
+    const AVStream *movie = to->streams[0];
+    stream->time_base = movie->time_base;
+    stream->disposition = AV_DISPOSITION_ATTACHED_PIC;
+    stream->codecpar->codec_type = AVMEDIA_TYPE_VIDEO;
+    stream->codecpar->codec_id = AV_CODEC_ID_PNG;
+    stream->codecpar->width = movie->codecpar->width;
+    stream->codecpar->height = movie->codecpar->height;
+    return 0;
+}
+
+static int copy_packets(const struct bead_av *av, AVFormatContext *from, AVFormatContext *to)
+{
+    AVPacket *packet = av->av_packet_alloc();
+    int code = packet ? 0 : AVERROR(ENOMEM);
+    while (code >= 0) {
+        code = av->av_read_frame(from, packet);
+        if (code < 0)
+            break;
+        av->av_packet_rescale_ts(packet, from->streams[0]->time_base, to->streams[0]->time_base);
+        packet->pos = -1;
+        code = av->av_write_frame(to, packet);
+        av->av_packet_unref(packet);
+        if (code >= 0)
+            code = to->pb->error;
+    }
+    av->av_packet_free(&packet);
+    return code == AVERROR_EOF ? from->pb->error : code;
+}
+
+static int copy_all(const struct bead_av *av, AVFormatContext *from, AVFormatContext *to, AVDictionary **options, AVPacket *cover)
+{
+    int code = copy_stream(av, from->streams[0], to);
+    if (code >= 0 && cover)
+        code = add_cover(av, to);
+    if (code >= 0)
+        code = av->avformat_write_header(to, options);
+    if (code >= 0)
+        code = copy_packets(av, from, to);
+    if (code >= 0 && cover)
+        code = av->av_write_frame(to, cover);
+    if (code >= 0)
+        code = av->av_write_trailer(to);
+    av->avio_flush(to->pb);
+    return code >= 0 ? to->pb->error : code;
+}
+
+int bead_av_copy(const struct bead_av *av, int from, AVFormatContext *to, int descriptor, AVDictionary **options, AVPacket *cover)
+{
+    struct again again = {av, descriptor};
+    AVIOContext *reader = bead_av_file_wrap(av, from, false);
+    AVFormatContext *grown = av->avformat_alloc_context();
+    to->pb = bead_av_file_wrap(av, descriptor, true);
+    int code = reader && grown && to->pb ? 0 : AVERROR(ENOMEM);
+    if (code >= 0) {
+        to->opaque = &again;
+        to->io_open = open_again;
+        to->io_close2 = close_again;
+        grown->pb = reader;
+        code = av->avformat_open_input(&grown, NULL, NULL, NULL); /* frees it on failure, but not its pb */
+    }
+    if (code >= 0)
+        code = grown->nb_streams == 1 ? copy_all(av, grown, to, options, cover) : AVERROR_INVALIDDATA;
+    if (grown)
+        av->avformat_close_input(&grown);
+    bead_av_file_unwrap(av, &reader);
+    bead_av_file_unwrap(av, &to->pb);
+    return code;
+}
