@@ -10,7 +10,7 @@
 
 static const struct bead_colormap_info maps[] = {
     {"viridis", "dark violet, green, yellow; even lightness"},
-    {"cividis", "blue, grey, yellow; looks alike to the colour-blind"},
+    {"cividis", "blue, grey, yellow; looks the same to the colour-blind"},
     {"inferno", "black, red, yellow, white"},
     {"magma", "black, violet, pink, cream"},
     {"batlow", "dark blue, green, orange, pink; even lightness"},

@@ -76,7 +76,7 @@ void bead_number(double number, int decimals, char *out, size_t size)
         append(out, size, "\u2212");
     for (size_t i = 0; i < whole; i++) {
         if (i > 0 && (whole - i) % 3 == 0 && whole >= 5)
-            append(out, size, "\u2009");
+            append(out, size, THIN_SPACE);
         append(out, size, (char[]){digits[i], '\0'});
     }
     append(out, size, digits + whole);

@@ -1,4 +1,4 @@
-/* Frames into a file through libavcodec and libavformat: one video stream, times in frames, pictures kept and changed in place.
+/* Writes frames to a file with libavcodec and libavformat: one video stream, times in frames, pictures kept and changed in place.
  * The sink's encoding thread calls these functions; pictures.c converts the pixels before. */
 #include <errno.h>
 #include <limits.h>
@@ -36,7 +36,7 @@ struct bead_encoder {
     bool begun; /* the header is written, the trailer not */
 };
 
-/* One clear line out of libav's number. Where the file could not be written, that is the reason for all else. */
+/* One clear line from libav's error number. If the file could not be written, that caused all the rest. */
 static enum bead_error fail(const struct bead_movie *movie, const char *what, int code, struct bead_message *msg)
 {
     const struct bead_encoder *e = movie->encoder;
@@ -56,7 +56,7 @@ static enum bead_error no_memory(const struct bead_movie *movie, struct bead_mes
     return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", movie->path);
 }
 
-/* Libav's log has no place for its owner: it is the process's. Ours are messages. */
+/* libav's log belongs to the process, not to this library: errors go into messages instead. */
 static void silence(struct bead_encoder *e)
 {
     if (e->av.av_log_get_level() > AV_LOG_QUIET)

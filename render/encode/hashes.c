@@ -10,7 +10,7 @@ static enum bead_error hash_open(struct bead_movie *movie, struct bead_message *
     return bead_file_create(movie->part, &movie->lines, msg);
 }
 
-/* Always of the whole frame: what `changes` leaves out by mistake shall be seen. */
+/* Always over the whole frame, so that anything `changes` leaves out by mistake is noticed. */
 static enum bead_error hash_add(struct bead_movie *movie, const struct bead_frame *frame, const struct bead_changes *changes,
                                 struct bead_message *msg)
 {

@@ -1,4 +1,4 @@
-/* Movies: checks, and the steps from open to close. The way of a format (encoder.c, hashes.c) does the rest. */
+/* Movies: checks, and the steps from open to close. The functions of the format (encoder.c, hashes.c) do the rest. */
 #include "beadreel/movie.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Bare pixels, `axes: false`: they lie as those of imagesc, bead 0 in the top row, beads downwards, time to the right; several
+/* Bare pixels, `axes: false`: they lie as in Octave's imagesc, bead 0 in the top row, beads downwards, time to the right; several
  * chains stand one below the other. The picture has exactly the size asked for, and its palette is the colour map. */
 #include "render/figure/still.h"
 

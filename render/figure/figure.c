@@ -1,4 +1,5 @@
-/* A figure is made and fed here; figure_write.c ends it. A still of its own (figure_still.c), or a panel of several. */
+/* Creates a figure and feeds it samples; figure_write.c finishes it. It is a still of its own (figure_still.c) or one of several
+ * panels. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

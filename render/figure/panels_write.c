@@ -1,4 +1,4 @@
-/* The end of a still of panels: ranges are known, everything is drawn. */
+/* Finishes a still of several panels: the ranges are known now, and everything is drawn. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

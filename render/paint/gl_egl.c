@@ -1,4 +1,4 @@
-/* EGL without any surface: the same software renderer as OSMesa's, which Mesa keeps. */
+/* Makes an OpenGL context with EGL, without a surface: OSMesa's software renderer, for Mesa 25.1 and later, which lack OSMesa. */
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <stdlib.h>
@@ -40,7 +40,7 @@ struct bead_context {
     bool counted; /* the display counts its users: the last one's Terminate ends it */
 };
 
-/* In a list of words between blanks. */
+/* Is the word in a list separated by blanks? */
 static bool lists(const char *words, const char *word)
 {
     size_t length = strlen(word);

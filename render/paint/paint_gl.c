@@ -25,7 +25,7 @@ struct bead_painter {
     bool ready;                  /* the shaders are there; made when first painted */
     int margin; /* px: OpenGL drops points whose centre is not in the viewport, which is wider by this on all sides */
     GLuint buffer;
-    struct brush balls, large_balls, marks[MARK_BRUSHES]; /* large: not to be had as points */
+    struct brush balls, large_balls, marks[MARK_BRUSHES]; /* large: larger than points can be */
 };
 
 /* One attribute of an instance. Canvases keep their pixels as frames do, blue first, in what OpenGL takes for red: read back, they

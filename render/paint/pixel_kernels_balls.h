@@ -1,6 +1,6 @@
 /* Included by pixel_kernels_body.h: assets/shaders/ball.frag, row by row along the chords of the disc. */
 
-/* A ball, as every of its pixels needs it. */
+/* What every pixel of a ball needs to know. */
 struct sphere {
     float x, y, r, curvature, left, right;
     float bgr[3];
@@ -20,7 +20,7 @@ static inline __attribute__((always_inline)) void shade(const struct sphere *s, 
 {
     reals nx = dx * s->curvature, nz = ROOT_OF(LARGER(1.0f - square * s->curvature * s->curvature, all(0)));
     float ny = dy * s->curvature;
-    reals shine = LARGER(along(halfway, nx, ny, nz), all(0.1f)); /* less would not be seen, but be slow: its power underflows */
+    reals shine = LARGER(along(halfway, nx, ny, nz), all(0.1f)); /* less would not be seen but be slow: its power underflows */
     for (int i = 0; i < 5; i++)
         shine *= shine;
     reals lit = 0.34f + 0.74f * along(light, nx, ny, nz), gloss = 0.30f * shine;
@@ -50,8 +50,8 @@ static inline __attribute__((always_inline)) void paint_edge(const struct sphere
     blend(pixels, bgr, level_of(cover), false);
 }
 
-/* Of some rows: the pixels that are covered, and those that are covered wholly beyond doubt, as that they are painted in another
- * way must not show. */
+/* For some rows: the pixels that are covered, and those that are certainly covered wholly; these are painted in another way, which
+ * must not show. */
 enum { ROWS = 64 };
 struct chords {
     struct run_lanes {

@@ -1,5 +1,5 @@
-/* Areas: samples into sums of pixels as they come, and their columns out again. The space-time view, bare images and contact sheets
- * are made of them. */
+/* Areas: add samples to sums of pixels as they come, and give finished columns out again. The space-time view, bare images and
+ * contact sheets are made of them. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Where row and lens lie, and what never changes around them: names, wall, frame of the lens. Done once per picture. */
+/* Places the row of beads and the lens, and draws what never changes around them: names, wall, lens frame. Once per picture. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -25,7 +25,7 @@ struct worker {
     struct bead_message message;
 };
 
-/* A job is begun after all below it: the lowest that fails is always among those found. */
+/* Jobs begin in ascending order, so the lowest one that fails is always among those found. */
 static void *work(void *context)
 {
     struct worker *w = context;

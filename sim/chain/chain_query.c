@@ -1,4 +1,4 @@
-/* Accessors of a chain, its energy and the bound of its frequencies, from which the step is chosen. */
+/* What others ask a chain: its beads and contacts, its energy, and the bound on its frequencies from which the step follows. */
 #include <math.h>
 
 #include "sim/chain/chain_data.h"

@@ -1,4 +1,4 @@
-/* Draws the spins of random cells, from counters, so that they depend on seed and configuration only. */
+/* Draws the spins of random cells with counter-based random numbers, so that they depend on seed and configuration only. */
 #include "sim/chain/spins.h"
 
 #include <math.h>

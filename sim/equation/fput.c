@@ -1,4 +1,4 @@
-/* The equation `fput`: makes a row of equation.c of the string in fput_string.h; its modes, and the return of the first one. */
+/* The equation `fput`: turns the string of fput_string.h into a row of equation.c; its modes, and the return of the first one. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,7 +22,7 @@ struct bead_motion {
     struct bead_string_stepper stepper;
     double h;
     double *u, *v; /* [points] between steps */
-    double *shape; /* [points] of the mode it started from, normed; NULL: it started otherwise */
+    double *shape; /* [points] of the mode it started from, normalised; NULL: it started otherwise */
     double omega2; /* of that mode */
     struct returns returns;
     double energy_start, momentum_start, energy_error;
@@ -339,7 +339,7 @@ static enum bead_error step(struct bead_motion *m, struct bead_message *msg)
 {
     struct bead_string_stepper *s = &m->stepper;
     double t = (double)(s->steps + 1) * m->h, end = m->settings.end;
-    if (t > end - last_sliver * m->h) /* the last, and where it misses the end but for rounding */
+    if (t > end - last_sliver * m->h) /* the last step, or one that misses the end only by rounding */
         bead_string_step(s, end - s->end.t, end);
     else
         bead_string_step(s, m->h, t);

@@ -1,4 +1,4 @@
-/* The equation `kdv`: makes a row of equation.c of the solver in kdv_solver.h; its settings, integrals, recurrence and measures. */
+/* The equation `kdv`: makes the solver of kdv_solver.h a row of equation.c; its settings, integrals, recurrence and measures. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* The Korteweg-de Vries equation on a ring: its start, number of points and steps. kdv.c makes a row of equation.c of it. */
+/* The Korteweg-de Vries equation on a ring: its start, number of points and steps. kdv.c turns it into a row of equation.c. */
 #include "sim/equation/kdv_solver.h"
 
 #include <math.h>
@@ -25,7 +25,7 @@ static double wave_number(const struct bead_equation_spec *spec, size_t i)
     return sqrt(spec->solitons[i].speed / spec->dispersion);
 }
 
-/* ln((k - l) / (k + l))^2: what a pair is apart in phase when one has passed the other. */
+/* ln((k - l) / (k + l))^2: the phase shift of a pair of solitons once one has passed the other. */
 static double pair_shift(const struct bead_equation_spec *spec, size_t i, size_t j)
 {
     double k = wave_number(spec, i), l = wave_number(spec, j), part = (k - l) / (k + l);
@@ -269,8 +269,8 @@ static double tail_of(const struct bead_kdv *kdv)
     return most > 0 ? sqrt(high / most) : 0;
 }
 
-/* All errors together are as large as the accuracy allows if each step makes its part by time. A step's longest length: that in
- * which the nonlinearity could turn the phase of the shortest waves by one. */
+/* All errors together meet the accuracy if each step makes no more than its share by time. No step is longer than the time in which
+ * the nonlinearity could turn the phase of the shortest waves by one. */
 static void choose_step(struct bead_kdv *kdv, const struct bead_motion_settings *settings)
 {
     const struct bead_equation_spec *spec = kdv->spec;
@@ -356,7 +356,7 @@ static double compare(struct bead_kdv *kdv)
     return most > 0 ? 16. / 15 * sqrt(error / most) : 0;
 }
 
-/* Change the length of steps until one makes as little error as it may, and not sixteen times less. */
+/* Change the length of steps until the error of one is within its bound, but not sixteen times below it. */
 static void adapt(struct bead_kdv *kdv)
 {
     double spare = notch * notch * notch * notch * 0.5;

@@ -47,7 +47,7 @@ static double find_invariants(const struct bead_shock_watch *w, const struct bea
     return variation;
 }
 
-/* k of below where the invariants are v - g and v + g. */
+/* The factor k of the comment on characteristics below, where the invariants are v - g and v + g. */
 static double steepening(const struct bead_equation_spec *spec, double right, double left)
 {
     double c = spec->speed, a = c * cbrt(1 + 0.75 * spec->epsilon * (left - right) / c);

@@ -98,7 +98,7 @@ alignas(64) const double bead_gauss_twice_square[BEAD_GAUSS_NODES][BEAD_GAUSS_NO
 };
 
 enum { POWER_MAX = 5 };
-/* Exponents are given by people, 1.4 rather than 7/5 to the bit. */
+/* People write an exponent as 1.4, which is not 7/5 to the last bit. */
 static const double same_exponent = 1e-9;
 
 struct bead_patch_rule bead_patch_rule_make(const struct bead_law *law, const struct bead_law_spec *spec)

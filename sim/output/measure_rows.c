@@ -114,7 +114,7 @@ static double follower(const struct reading *r, int n)
     return NAN;
 }
 
-/* ---- how many take part at the end: (sum e)^2 / sum e^2 ---- */
+/* ---- participation at the end: (sum e)^2 / sum e^2 ---- */
 
 static double force_of(const struct bead_measures *m, size_t k)
 {

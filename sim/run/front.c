@@ -6,8 +6,8 @@
 #include "sim/integrate/dense.h"
 
 static const double part = 1e-4;
-/* The front grows doubly exponentially, which no polynomial over a whole step follows: the step in which it arrives is made again
- * in SUBSTEPS parts, the part in which it does so again, REFINEMENTS times. */
+/* The front grows doubly exponentially, which no polynomial over a whole step follows: the step in which it arrives is repeated in
+ * SUBSTEPS parts, then the part in which it arrives in turn, REFINEMENTS times. */
 enum { SUBSTEPS = 8, REFINEMENTS = 3 };
 
 struct threshold {

@@ -134,7 +134,7 @@ static double curve_rate(const void *context, double x)
     double rate = 0;
     if (curve->stepper->closed)
         return damped_rate(curve, x);
-    /* Of one contact alone the sign is that of d', also where its force vanishes. */
+    /* For a single contact the sign is that of d', even where its force vanishes. */
     if (curve->count == 1)
         return bead_polynomial_slope(&curve->compression[0], x);
     for (size_t i = 0; i < curve->count; i++) {

@@ -23,7 +23,7 @@ static const double energy_limit = 1e-2;
 /* Small steps in a stiff spring lose a little energy each; in units of the accuracy asked, so much may go before steps become
  * shorter, and twice what has gone before they do again. */
 static const double drift_part = 2;
-/* A step ends at the end of the run where it would miss it by this part of itself only. */
+/* A step that would miss the end of the run by no more than this part of itself ends there. */
 static const double last_sliver = 1e-6;
 
 struct bead_run {
@@ -226,7 +226,7 @@ static enum bead_error check_energy(struct bead_run *run, double error, struct b
         *name ? " " : "", name, s->t1, error, s->h, s->method->info.name, advice);
 }
 
-/* At fixed steps only, so that what the run knows of its errors does not depend on the outputs. */
+/* At fixed steps only, so that the errors reported do not depend on the outputs. */
 static enum bead_error note_errors(struct bead_run *run, struct bead_message *msg)
 {
     double error = energy_off(run);
@@ -322,7 +322,7 @@ enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields,
         return err;
     size_t last = span.last < c->beads ? span.last : c->beads - 1, first = span.first < last ? span.first : last;
     sample->time = t;
-    /* Beads that static forces compress are never nothing. */
+    /* Beads under static compression carry force even at rest: all count as active. */
     sample->active = c->static_force[0] > 0 || c->static_force[c->contacts - 1] > 0 ? c->beads : s->active;
     if (last >= sample->active)
         last = sample->active - 1; /* at rest behind: zeros since the start */

@@ -1,4 +1,4 @@
-/* The generic reader of option tables. */
+/* Reads a map of a scene into a structure, key by key, by the rows of an option table. */
 #include "sim/scene/options.h"
 
 #include <math.h>

@@ -40,7 +40,7 @@ const struct bead_option bead_field_row[1] = {
      .offset = BEAD_OF_OUTPUT(shown.field),
      .initial = "force",
      .choices = fields,
-     .help = "the field to show; force is the bead force, the mean of the two contacts of a bead; strain is a field of equations"},
+     .help = "the field to show; force is the bead force, the mean of the two contacts of a bead; strain: of fput and shock"},
 };
 const struct bead_option bead_time_row[1] = {
     {.key = "time",
@@ -504,7 +504,7 @@ static const struct bead_option trajectory_rows[] = {
      .type = BEAD_OPTION_CUSTOM,
      .initial = "[displacement, velocity, force]",
      .shape = "a list of " FIELDS "or all",
-     .help = "the fields to store; strain is a field of equations",
+     .help = "the fields to store; strain: of fput and shock",
      .example = "[displacement, force]",
      .read = bead_output_read_fields},
 };

@@ -1,4 +1,4 @@
-/* Ready scenes: assets/scenes/NAME.yaml, in folders too. */
+/* Finds and lists ready scenes: assets/scenes/NAME.yaml, in folders too. */
 #include <dirent.h>
 #include <errno.h>
 #include <limits.h>
@@ -177,7 +177,7 @@ static bool find_in_folders(const char *name, char *path, size_t size)
     return good && count == 1;
 }
 
-/* One that can be read has been taken for what it is before. */
+/* A file that can be read was recognised before this. */
 static bool is_unfinished(const char *name)
 {
     static const char ending[] = ".part";

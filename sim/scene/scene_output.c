@@ -253,7 +253,7 @@ BEAD_OUTPUT_CHECK(bead_output_check_field_list)
     return check_fields(reader, &where, output->trajectory.fields);
 }
 
-/* Trust shows in views of all times, and needs room for its words. */
+/* `trust` shows in views of all times, and needs room for its words. */
 BEAD_OUTPUT_CHECK(bead_output_check_trust)
 {
     struct bead_at where = bead_at_key(at, "trust");
@@ -269,7 +269,7 @@ BEAD_OUTPUT_CHECK(bead_output_check_trust)
     return shows ? BEAD_OK : bead_wrong(reader, &where, "is set, but no view shows all times: add spacetime or sensors to `views`");
 }
 
-/* Past any `./` and `/` that name nothing. */
+/* Skips every `./` and `/` that adds nothing to a path. */
 static const char *skip(const char *path)
 {
     while (path[0] == '.' && path[1] == '/')

@@ -1,4 +1,4 @@
-/* What outputs of sweeps have of their own. */
+/* Checks of outputs that only sweeps have, or that a sweep must fit. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Claims of a session on the files it is going to write: of two runs with a file in common the second is refused as it begins. */
+/* Claims of a session on the files it is going to write: of two runs that share a file the second is refused at its start. */
 #include "beadreel/file.h"
 #include "sim/session/session_data.h"
 

@@ -1,5 +1,5 @@
-/* The journal of a sweep: a head, then one record for each finished chain, in the order of finishing. A process that is killed
- * at any moment leaves whole records and at most one torn one, which is cut off when the next process goes on. */
+/* The journal of a sweep: a head, then one record for each finished chain, in the order they finished. A process that is killed
+ * at any moment leaves whole records and at most one torn one, which the next process cuts off. */
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>

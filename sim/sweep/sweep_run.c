@@ -82,7 +82,7 @@ static enum bead_error watch_energies(struct measure *m, struct bead_run *run, s
     return BEAD_OK;
 }
 
-/* The chain as the run ends, to where the front is. */
+/* The chain at the end of the run, up to the front. */
 static enum bead_error keep_last(const struct measure *m, struct bead_run *run, double end, struct bead_message *msg)
 {
     static const unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_ENERGY);
