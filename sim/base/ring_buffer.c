@@ -99,7 +99,7 @@ static int start_thread(struct bead_ring_buffer *pipe)
     return failed;
 }
 
-static enum bead_error start(struct bead_ring_buffer *pipe, struct bead_message *msg)
+static enum bead_error ring_start(struct bead_ring_buffer *pipe, struct bead_message *msg)
 {
     if (!pipe->threaded) {
         struct bead_message message;
@@ -139,7 +139,7 @@ enum bead_error bead_ring_buffer_create(size_t slots, size_t slot_bytes, int thr
     }
     p->slot_bytes = p->slot_bytes / ALIGN * ALIGN;
     memset(p->memory, 0, bytes);
-    enum bead_error err = start(p, msg);
+    enum bead_error err = ring_start(p, msg);
     if (err) {
         free(p->memory);
         free(p);
@@ -189,7 +189,7 @@ void bead_ring_buffer_submit(struct bead_ring_buffer *pipe)
     pipe->finished++;
 }
 
-static void end(struct bead_ring_buffer *pipe, bool abandon)
+static void ring_end(struct bead_ring_buffer *pipe, bool abandon)
 {
     if (pipe->ended)
         return;
@@ -212,7 +212,7 @@ static void end(struct bead_ring_buffer *pipe, bool abandon)
 
 enum bead_error bead_ring_buffer_finish(struct bead_ring_buffer *pipe, struct bead_message *msg)
 {
-    end(pipe, false);
+    ring_end(pipe, false);
     if (pipe->error && msg)
         *msg = pipe->message;
     return pipe->error;
@@ -222,7 +222,7 @@ void bead_ring_buffer_destroy(struct bead_ring_buffer *pipe)
 {
     if (!pipe)
         return;
-    end(pipe, true);
+    ring_end(pipe, true);
     free(pipe->memory);
     free(pipe);
 }

@@ -43,7 +43,7 @@ static void *work(void *context)
 }
 
 /* Signals are for the program's own threads. Returns how many could be started. */
-static size_t start(struct worker *worker, size_t count)
+static size_t pool_start(struct worker *worker, size_t count)
 {
     sigset_t all, before;
     size_t started = 0;
@@ -64,7 +64,7 @@ enum bead_error bead_thread_pool_run(size_t count, int threads, bead_thread_pool
     struct worker *worker = others > 0 ? calloc(others, sizeof *worker) : NULL;
     for (size_t i = 0; worker && i < others; i++)
         worker[i].pool = &pool;
-    size_t started = worker ? start(worker, others) : 0;
+    size_t started = worker ? pool_start(worker, others) : 0;
     work(&self);
     const struct worker *lowest = self.error ? &self : NULL;
     for (size_t i = 0; i < started; i++) {

@@ -155,7 +155,7 @@ static void compress(struct bead_chain *chain)
     chain->striker_force = chain->mass[0] * slope;
 }
 
-static enum bead_error check(const struct bead_chain *chain, struct bead_message *msg)
+static enum bead_error chain_check(const struct bead_chain *chain, struct bead_message *msg)
 {
     for (size_t k = 0; k < chain->contacts; k++) {
         if (!(chain->stiffness[k] > 0) || !isfinite(chain->stiffness[k]) || !isfinite(chain->static_compression[k]))
@@ -188,7 +188,7 @@ static enum bead_error fill_points(struct bead_chain *chain, struct bead_message
     return BEAD_OK;
 }
 
-static enum bead_error fill(struct bead_chain *chain, struct bead_message *msg)
+static enum bead_error chain_fill(struct bead_chain *chain, struct bead_message *msg)
 {
     const struct bead_chain_spec *spec = chain->spec;
     if (chain->system)
@@ -205,7 +205,7 @@ static enum bead_error fill(struct bead_chain *chain, struct bead_message *msg)
     for (size_t k = 0; k < chain->contacts; k++)
         chain->stiffness[k] = stiffness_of(chain, k);
     compress(chain);
-    return check(chain, msg);
+    return chain_check(chain, msg);
 }
 
 enum bead_error bead_chain_create(const struct bead_scene *scene, size_t index, struct bead_chain **chain, struct bead_message *msg)
@@ -227,7 +227,7 @@ enum bead_error bead_chain_create_of(const struct bead_scene *scene, const struc
     made->spec = spec;
     made->law = spec->law.row;
     made->system = made->spec->equation.system;
-    enum bead_error err = fill(made, msg);
+    enum bead_error err = chain_fill(made, msg);
     if (err)
         bead_chain_destroy(made);
     else

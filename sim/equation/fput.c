@@ -50,7 +50,7 @@ static size_t highest_mode(const struct bead_equation_spec *spec)
     return spec->ends == BEAD_ENDS_FIXED ? spec->points : spec->points / 2;
 }
 
-static const char *check(const struct bead_equation_spec *spec, const char **key)
+static const char *fput_check(const struct bead_equation_spec *spec, const char **key)
 {
     *key = "points";
     if (spec->ends == BEAD_ENDS_PERIODIC && spec->points < 3)
@@ -251,7 +251,7 @@ static enum bead_error choose_step(struct bead_motion *m, struct bead_message *m
     return BEAD_OK;
 }
 
-static void destroy(struct bead_motion *m)
+static void fput_destroy(struct bead_motion *m)
 {
     if (!m)
         return;
@@ -274,7 +274,8 @@ static double energy(const struct bead_motion *m)
     return bead_string_energy(&m->stepper.string, m->stepper.end.u, m->stepper.end.v);
 }
 
-static enum bead_error create(const struct bead_motion_settings *settings, struct bead_motion **motion, struct bead_message *msg)
+static enum bead_error fput_create(const struct bead_motion_settings *settings, struct bead_motion **motion,
+                                   struct bead_message *msg)
 {
     const char *name = strcmp(settings->method, "auto") == 0 ? "rkn12" : settings->method;
     const struct bead_method *method = bead_method_row(name);
@@ -300,7 +301,7 @@ static enum bead_error create(const struct bead_motion_settings *settings, struc
     if (!err)
         err = begin_watch(m, msg);
     if (err)
-        destroy(m);
+        fput_destroy(m);
     else
         *motion = m;
     return err;
@@ -335,7 +336,7 @@ static enum bead_error check_energy(struct bead_motion *m, struct bead_message *
         m->stepper.end.t, error, m->h, m->stepper.method->info.name);
 }
 
-static enum bead_error step(struct bead_motion *m, struct bead_message *msg)
+static enum bead_error fput_step(struct bead_motion *m, struct bead_message *msg)
 {
     struct bead_string_stepper *s = &m->stepper;
     double t = (double)(s->steps + 1) * m->h, end = m->settings.end;
@@ -348,8 +349,8 @@ static enum bead_error step(struct bead_motion *m, struct bead_message *msg)
     return s->steps % CHECK_EVERY == 0 || s->end.t >= end ? check_energy(m, msg) : BEAD_OK;
 }
 
-static enum bead_error sample(struct bead_motion *m, double t, unsigned wanted, double *const value[BEAD_FIELD_COUNT],
-                              struct bead_message *msg)
+static enum bead_error fput_sample(struct bead_motion *m, double t, unsigned wanted, double *const value[BEAD_FIELD_COUNT],
+                                   struct bead_message *msg)
 {
     (void)msg;
     const struct bead_string *s = &m->stepper.string;
@@ -431,13 +432,13 @@ const struct bead_equation bead_equation_fput = {
             .modes = modes,
         },
     .methods = methods,
-    .check = check,
-    .create = create,
-    .destroy = destroy,
+    .check = fput_check,
+    .create = fput_create,
+    .destroy = fput_destroy,
     .pace = pace,
     .time = time_of,
-    .step = step,
-    .sample = sample,
+    .step = fput_step,
+    .sample = fput_sample,
     .evaluations = evaluations,
     .state = state,
     .energy = energy,

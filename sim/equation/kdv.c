@@ -41,7 +41,7 @@ static const struct bead_field_info *field(const struct bead_equation_spec *spec
     return &infos[field];
 }
 
-static const char *check(const struct bead_equation_spec *spec, const char **key)
+static const char *kdv_check(const struct bead_equation_spec *spec, const char **key)
 {
     *key = "variable";
     if (spec->variable == BEAD_FIELD_CONTACT_FORCE)
@@ -275,7 +275,7 @@ static size_t all_measures(const struct watch *w, const struct bead_kdv *kdv, st
 
 /* ---- a motion ---- */
 
-static void destroy(struct bead_motion *m)
+static void kdv_destroy(struct bead_motion *m)
 {
     if (!m)
         return;
@@ -283,7 +283,8 @@ static void destroy(struct bead_motion *m)
     free(m);
 }
 
-static enum bead_error create(const struct bead_motion_settings *settings, struct bead_motion **motion, struct bead_message *msg)
+static enum bead_error kdv_create(const struct bead_motion_settings *settings, struct bead_motion **motion,
+                                  struct bead_message *msg)
 {
     struct bead_motion *m = calloc(1, sizeof *m);
     *motion = NULL;
@@ -314,7 +315,7 @@ static double time_of(const struct bead_motion *m)
     return m->kdv.end.t;
 }
 
-static enum bead_error step(struct bead_motion *m, struct bead_message *msg)
+static enum bead_error kdv_step(struct bead_motion *m, struct bead_message *msg)
 {
     enum bead_error err = bead_kdv_step(&m->kdv, msg);
     if (!err)
@@ -322,8 +323,8 @@ static enum bead_error step(struct bead_motion *m, struct bead_message *msg)
     return err;
 }
 
-static enum bead_error sample(struct bead_motion *m, double t, unsigned wanted, double *const value[BEAD_FIELD_COUNT],
-                              struct bead_message *msg)
+static enum bead_error kdv_sample(struct bead_motion *m, double t, unsigned wanted, double *const value[BEAD_FIELD_COUNT],
+                                  struct bead_message *msg)
 {
     (void)msg;
     enum bead_field shown = m->kdv.spec->variable;
@@ -396,13 +397,13 @@ const struct bead_equation bead_equation_kdv = {
             .mode_title = "mean square of the mode",
             .modes = modes,
         },
-    .check = check,
-    .create = create,
-    .destroy = destroy,
+    .check = kdv_check,
+    .create = kdv_create,
+    .destroy = kdv_destroy,
     .pace = pace,
     .time = time_of,
-    .step = step,
-    .sample = sample,
+    .step = kdv_step,
+    .sample = kdv_sample,
     .evaluations = evaluations,
     .state = state,
     .energy = energy,

@@ -224,7 +224,7 @@ static enum bead_error allocate(struct bead_kdv *kdv, size_t points, struct bead
 }
 
 /* Returns the part of the integral of u^2 that the modes kept do not have. */
-static double begin(struct bead_kdv *kdv)
+static double kdv_solver_begin(struct bead_kdv *kdv)
 {
     const struct bead_equation_spec *spec = kdv->spec;
     struct bead_spectral *s = &kdv->spectral;
@@ -283,7 +283,7 @@ static void choose_step(struct bead_kdv *kdv, const struct bead_motion_settings 
     use_step(kdv, kdv->fixed ? settings->step : kdv->longest);
 }
 
-static enum bead_error check(struct bead_kdv *kdv, struct bead_message *msg)
+static enum bead_error kdv_solver_check(struct bead_kdv *kdv, struct bead_message *msg)
 {
     double change = kdv->momentum > 0 ? fabs(sum_of_squares(kdv) / kdv->momentum - 1) : 0;
     if (!(change <= momentum_limit))
@@ -308,7 +308,7 @@ enum bead_error bead_kdv_create(const struct bead_motion_settings *settings, str
     enum bead_error err = allocate(kdv, settings->points, msg);
     if (err)
         return err;
-    double lost = begin(kdv);
+    double lost = kdv_solver_begin(kdv);
     if (!(lost <= momentum_limit)) {
         bead_kdv_destroy(kdv);
         return bead_fail(msg, BEAD_ERROR_NUMBERS,
@@ -318,7 +318,7 @@ enum bead_error bead_kdv_create(const struct bead_motion_settings *settings, str
     kdv->momentum = sum_of_squares(kdv);
     kdv->tail_limit = settings->spec->points ? tail_limit : fmin(tail_limit, tail_by_accuracy * settings->accuracy);
     choose_step(kdv, settings);
-    err = check(kdv, msg);
+    err = kdv_solver_check(kdv, msg);
     if (err)
         bead_kdv_destroy(kdv);
     return err;
@@ -391,7 +391,7 @@ enum bead_error bead_kdv_step(struct bead_kdv *kdv, struct bead_message *msg)
     move(kdv, with, kdv->start.u, kdv->end.u);
     slope(kdv, kdv->end.u, kdv->end.slope);
     kdv->steps++;
-    return check(kdv, msg);
+    return kdv_solver_check(kdv, msg);
 }
 
 void bead_kdv_values(struct bead_kdv *kdv, double t)

@@ -37,7 +37,7 @@ static const struct bead_field_info *field(const struct bead_equation_spec *spec
     return &infos[field];
 }
 
-static const char *check(const struct bead_equation_spec *spec, const char **key)
+static const char *shock_check(const struct bead_equation_spec *spec, const char **key)
 {
     double strongest = spec->epsilon * spec->amplitude;
     *key = "points";
@@ -101,7 +101,7 @@ static void combine(const struct bead_motion *m, double x, const struct bead_sho
     }
 }
 
-static void destroy(struct bead_motion *m)
+static void shock_destroy(struct bead_motion *m)
 {
     if (!m)
         return;
@@ -143,7 +143,8 @@ static double find_faces(const struct bead_motion *m, const double *r)
     return sum / (double)m->cells;
 }
 
-static enum bead_error create(const struct bead_motion_settings *settings, struct bead_motion **motion, struct bead_message *msg)
+static enum bead_error shock_create(const struct bead_motion_settings *settings, struct bead_motion **motion,
+                                    struct bead_message *msg)
 {
     struct bead_motion *m = calloc(1, sizeof *m);
     *motion = NULL;
@@ -167,7 +168,7 @@ static enum bead_error create(const struct bead_motion_settings *settings, struc
                             courant_limit * m->dx / fastest(m, &m->end));
     }
     if (err)
-        destroy(m);
+        shock_destroy(m);
     else
         *motion = m;
     return err;
@@ -185,7 +186,7 @@ static double time_of(const struct bead_motion *m)
     return m->end.t;
 }
 
-static enum bead_error step(struct bead_motion *m, struct bead_message *msg)
+static enum bead_error shock_step(struct bead_motion *m, struct bead_message *msg)
 {
     struct bead_shock_state old = m->start;
     m->start = m->end;
@@ -238,8 +239,8 @@ static void displacements(const struct bead_motion *m, double t, double *u)
     }
 }
 
-static enum bead_error sample(struct bead_motion *m, double t, unsigned wanted, double *const value[BEAD_FIELD_COUNT],
-                              struct bead_message *msg)
+static enum bead_error shock_sample(struct bead_motion *m, double t, unsigned wanted, double *const value[BEAD_FIELD_COUNT],
+                                    struct bead_message *msg)
 {
     (void)msg;
     size_t bytes = m->cells * sizeof(double);
@@ -289,13 +290,13 @@ const struct bead_equation bead_equation_shock = {
             .points = points,
             .places = places,
         },
-    .check = check,
-    .create = create,
-    .destroy = destroy,
+    .check = shock_check,
+    .create = shock_create,
+    .destroy = shock_destroy,
     .pace = pace,
     .time = time_of,
-    .step = step,
-    .sample = sample,
+    .step = shock_step,
+    .sample = shock_sample,
     .evaluations = evaluations,
     .state = state,
     .energy = energy,

@@ -109,7 +109,7 @@ static bool pass(struct bead_run *run, const struct bead_chain *chain)
     return true;
 }
 
-static enum bead_error measure(const struct bead_chain *chain, double *clean, struct bead_message *msg)
+static enum bead_error participation_measure(const struct bead_chain *chain, double *clean, struct bead_message *msg)
 {
     struct bead_simulate asked = chain->scene->simulate;
     asked.step = 0;
@@ -149,7 +149,7 @@ enum bead_error bead_participation_clean(const struct bead_chain *chain, double 
     spec.segment_count = 1;
     enum bead_error err = bead_chain_create_of(chain->scene, &spec, &made, msg);
     if (!err)
-        err = measure(made, clean, msg);
+        err = participation_measure(made, clean, msg);
     bead_chain_destroy(made);
     free(cell);
     return err == BEAD_ERROR_MEMORY ? err : BEAD_OK; /* else there is no clean wave */

@@ -1,13 +1,13 @@
 /* Tables of chains as they are at rest: a row for each bead, with the contact behind it. Nothing is computed for them. */
 #include "sim/output/table.h"
 
-static void needs(const struct bead_sink *sink, struct bead_needs *needs)
+static void chain_needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
     (void)sink;
     needs->until = 0;
 }
 
-static void header(struct bead_sink *sink)
+static void chain_header(struct bead_sink *sink)
 {
     fprintf(sink->file, "%sbead,material,mass_kg,radius_m,position_m,sensor,stiffness,static_force_N\n",
             sink->context.chain_count > 1 ? "chain," : "");
@@ -41,7 +41,7 @@ static void write_bead(struct bead_sink *sink, const struct bead_chain *chain, s
     sink->rows++;
 }
 
-static void end(struct bead_sink *sink, const struct bead_outcome *outcomes)
+static void chain_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
 {
     (void)outcomes;
     for (size_t c = 0; c < sink->context.chain_count; c++) {
@@ -50,4 +50,4 @@ static void end(struct bead_sink *sink, const struct bead_outcome *outcomes)
     }
 }
 
-const struct table bead_table_chain = {"beads and contacts as in the scene", NULL, needs, header, NULL, end};
+const struct table bead_table_chain = {"beads and contacts as in the scene", NULL, chain_needs, chain_header, NULL, chain_end};

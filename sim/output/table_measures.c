@@ -14,7 +14,7 @@ static bool of_beads(const struct bead_chain *chain)
     return bead_chain_spec(chain)->equation.name == NULL;
 }
 
-static enum bead_error prepare(struct bead_sink *sink, struct bead_message *msg)
+static enum bead_error measures_prepare(struct bead_sink *sink, struct bead_message *msg)
 {
     size_t count = sink->context.chain_count, watched = 0;
     char every[32];
@@ -38,7 +38,7 @@ static enum bead_error prepare(struct bead_sink *sink, struct bead_message *msg)
     return err;
 }
 
-static void needs(const struct bead_sink *sink, struct bead_needs *needs)
+static void measures_needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
     needs->until = INFINITY;
     if (!(sink->grid.every > 0))
@@ -49,12 +49,12 @@ static void needs(const struct bead_sink *sink, struct bead_needs *needs)
     needs->beads = (struct bead_span){0, SIZE_MAX};
 }
 
-static void header(struct bead_sink *sink)
+static void measures_header(struct bead_sink *sink)
 {
     fprintf(sink->file, "%sname,value,unit\n", sink->context.chain_count > 1 ? "chain," : "");
 }
 
-static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error measures_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
 {
     struct bead_measures *measures = sink->measures[sample->chain];
     return measures ? bead_measures_feed(measures, sample, msg) : BEAD_OK;
@@ -71,7 +71,7 @@ static void write_row(struct bead_sink *sink, size_t chain, const struct bead_me
     sink->rows++;
 }
 
-static void end(struct bead_sink *sink, const struct bead_outcome *outcomes)
+static void measures_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
 {
     struct bead_measure found[MOST_MEASURES];
     for (size_t c = 0; c < sink->context.chain_count; c++) {
@@ -84,4 +84,5 @@ static void end(struct bead_sink *sink, const struct bead_outcome *outcomes)
     }
 }
 
-const struct table bead_table_measures = {"measures of the run", prepare, needs, header, sample, end};
+const struct table bead_table_measures = {"measures of the run", measures_prepare, measures_needs,
+                                          measures_header,       measures_sample,  measures_end};

@@ -5,7 +5,7 @@
 #include "sim/output/sink_grid.h"
 #include "sim/output/table.h"
 
-static enum bead_error prepare(struct bead_sink *sink, struct bead_message *msg)
+static enum bead_error modes_prepare(struct bead_sink *sink, struct bead_message *msg)
 {
     size_t chains = sink->context.chain_count, modes = sink->output->curves.modes;
     char every[32], word[32];
@@ -25,7 +25,7 @@ static enum bead_error prepare(struct bead_sink *sink, struct bead_message *msg)
     return err;
 }
 
-static void needs(const struct bead_sink *sink, struct bead_needs *needs)
+static void modes_needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
     for (size_t c = 0; c < sink->context.chain_count; c++)
         needs->fields |= bead_chain_mode_fields(sink->context.chains[c]);
@@ -34,12 +34,12 @@ static void needs(const struct bead_sink *sink, struct bead_needs *needs)
     needs->beads = (struct bead_span){0, SIZE_MAX};
 }
 
-static void header(struct bead_sink *sink)
+static void modes_header(struct bead_sink *sink)
 {
     bead_table_columns(sink, "time");
 }
 
-static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error modes_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
 {
     double energy[BEAD_MODES];
     size_t modes = sink->output->curves.modes;
@@ -52,4 +52,4 @@ static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *
     return BEAD_OK;
 }
 
-const struct table bead_table_modes = {"energies of modes", prepare, needs, header, sample, NULL};
+const struct table bead_table_modes = {"energies of modes", modes_prepare, modes_needs, modes_header, modes_sample, NULL};

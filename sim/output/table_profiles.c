@@ -2,7 +2,7 @@
 #include "beadreel/profile_times.h"
 #include "sim/output/table.h"
 
-static enum bead_error prepare(struct bead_sink *sink, struct bead_message *msg)
+static enum bead_error profiles_prepare(struct bead_sink *sink, struct bead_message *msg)
 {
     enum bead_error err = bead_profile_times_create(sink->output, &sink->context, &sink->moments, msg);
     if (!err)
@@ -10,12 +10,12 @@ static enum bead_error prepare(struct bead_sink *sink, struct bead_message *msg)
     return err;
 }
 
-static void needs(const struct bead_sink *sink, struct bead_needs *needs)
+static void profiles_needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
     *needs = bead_profile_times_needs(sink->moments);
 }
 
-static void header(struct bead_sink *sink)
+static void profiles_header(struct bead_sink *sink)
 {
     const struct bead_chain *chain = sink->context.chains[0];
     const struct bead_field_info *field = bead_chain_field(chain, sink->output->shown.field);
@@ -26,12 +26,12 @@ static void header(struct bead_sink *sink)
             bead_chain_axis(chain, field->of_contacts).title, column, *field->unit ? "_" : "", field->unit);
 }
 
-static enum bead_error sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error profiles_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
 {
     return bead_profile_times_feed(sink->moments, sample, msg);
 }
 
-static void end(struct bead_sink *sink, const struct bead_outcome *outcomes)
+static void profiles_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
 {
     (void)outcomes;
     for (size_t c = 0; c < sink->context.chain_count; c++) {
@@ -50,4 +50,5 @@ static void end(struct bead_sink *sink, const struct bead_outcome *outcomes)
     }
 }
 
-const struct table bead_table_profiles = {"a field at some times", prepare, needs, header, sample, end};
+const struct table bead_table_profiles = {"a field at some times", profiles_prepare, profiles_needs,
+                                          profiles_header,         profiles_sample,  profiles_end};

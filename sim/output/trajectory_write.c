@@ -49,7 +49,7 @@ static enum bead_error no_rows(const struct bead_sink *sink, const char *what, s
 }
 
 /* Lengths of the axes, samples a chunk, and a few words for the plan. */
-static enum bead_error measure(struct bead_sink *sink, struct bead_message *msg)
+static enum bead_error trajectory_measure(struct bead_sink *sink, struct bead_message *msg)
 {
     bead_trajectory_rows(sink->context.chains, sink->context.chain_count, sink->output->shown.beads, sink->rows, &sink->beads,
                          &sink->contacts);
@@ -96,7 +96,7 @@ static enum bead_error trajectory_create(const struct bead_output *output, const
     if (!error)
         error = bead_sink_grid(output, context, &sink->grid, msg);
     if (!error)
-        error = measure(sink, msg);
+        error = trajectory_measure(sink, msg);
     if (error)
         trajectory_destroy(sink);
     else

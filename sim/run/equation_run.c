@@ -64,7 +64,7 @@ static enum bead_error pace(const struct bead_chain *chain, const struct bead_si
     return BEAD_OK;
 }
 
-static void destroy(struct bead_run *run)
+static void equation_run_destroy(struct bead_run *run)
 {
     if (!run)
         return;
@@ -74,7 +74,8 @@ static void destroy(struct bead_run *run)
     free(run);
 }
 
-static enum bead_error create(const struct bead_run_settings *settings, struct bead_run **made, struct bead_message *msg)
+static enum bead_error equation_run_create(const struct bead_run_settings *settings, struct bead_run **made,
+                                           struct bead_message *msg)
 {
     struct bead_pace pace;
     size_t n = settings->chain->beads;
@@ -90,7 +91,7 @@ static enum bead_error create(const struct bead_run_settings *settings, struct b
     run->equation = equation_of(settings->chain);
     enum bead_error err = create_motion(settings->chain, settings->simulate, settings->tolerance_factor, &run->motion, msg);
     if (err) {
-        destroy(run);
+        equation_run_destroy(run);
         return err;
     }
     run->equation->pace(run->motion, &pace);
@@ -126,7 +127,7 @@ static void hash_state(struct bead_run *run)
     }
 }
 
-static enum bead_error step(struct bead_run *run, struct bead_message *msg)
+static enum bead_error equation_run_step(struct bead_run *run, struct bead_message *msg)
 {
     const char *name = bead_chain_name(run->settings.chain);
     struct bead_message inner;
@@ -142,8 +143,8 @@ static enum bead_error step(struct bead_run *run, struct bead_message *msg)
     return BEAD_OK;
 }
 
-static enum bead_error sample(struct bead_run *run, double t, unsigned fields, struct bead_span span, struct bead_sample *sample,
-                              struct bead_message *msg)
+static enum bead_error equation_run_sample(struct bead_run *run, double t, unsigned fields, struct bead_span span,
+                                           struct bead_sample *sample, struct bead_message *msg)
 {
     (void)span; /* all points: an equation has no front with points at rest ahead of it */
     if (!(t >= run->start && t <= time_of(run)))
@@ -163,7 +164,7 @@ static uint64_t evaluations(const struct bead_run *run)
     return run->equation->evaluations ? run->equation->evaluations(run->motion) : 0;
 }
 
-static void finish(struct bead_run *run, double end, struct bead_outcome *outcome)
+static void equation_run_finish(struct bead_run *run, double end, struct bead_outcome *outcome)
 {
     size_t count = run->equation->measures(run->motion, run->measures, MOST_MEASURES);
     run->measure_count = count < MOST_MEASURES ? count : MOST_MEASURES;
@@ -195,13 +196,13 @@ static uint64_t hash(const struct bead_run *run)
 }
 
 const struct bead_run_kind bead_run_of_equation = {
-    .create = create,
-    .destroy = destroy,
+    .create = equation_run_create,
+    .destroy = equation_run_destroy,
     .time = time_of,
     .arrival = arrival,
-    .step = step,
-    .sample = sample,
-    .finish = finish,
+    .step = equation_run_step,
+    .sample = equation_run_sample,
+    .finish = equation_run_finish,
     .evaluations = evaluations,
     .steps = steps,
     .hash = hash,

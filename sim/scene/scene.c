@@ -167,7 +167,7 @@ static enum bead_error read_outputs(struct bead_reader *reader, const struct bea
 }
 
 /* What every reader needs, and the ready materials. */
-static enum bead_error prepare(struct bead_reader *reader)
+static enum bead_error scene_prepare(struct bead_reader *reader)
 {
     reader->units = bead_units_create();
     if (!reader->units)
@@ -176,7 +176,7 @@ static enum bead_error prepare(struct bead_reader *reader)
     return err ? err : bead_scene_add_ready_materials(reader);
 }
 
-static void finish(struct bead_reader *reader)
+static void scene_finish(struct bead_reader *reader)
 {
     bead_units_free(reader->units);
     bead_yaml_free(reader->scratch);
@@ -191,12 +191,12 @@ enum bead_error bead_scene_materials(struct bead_scene **scene, struct bead_mess
     if (!err && !(reader.scene = calloc(1, sizeof *reader.scene)))
         err = bead_no_memory(&reader);
     if (!err)
-        err = prepare(&reader);
+        err = scene_prepare(&reader);
     if (err)
         bead_scene_free(reader.scene);
     else
         *scene = reader.scene;
-    finish(&reader);
+    scene_finish(&reader);
     return err;
 }
 
@@ -233,7 +233,7 @@ static enum bead_error read_scene(struct bead_reader *reader, const char *text, 
         return bead_no_memory(reader);
     enum bead_error err = keep_text(reader, text, length, changed);
     if (!err)
-        err = prepare(reader);
+        err = scene_prepare(reader);
     if (!err)
         err = bead_options_read(reader, &root, &bead_scene_options, reader->scene);
     return err || reader->scene->sweep_count == 0 ? err : find_fingerprint(reader);
@@ -265,7 +265,7 @@ enum bead_error bead_scene_parse(const char *name, const char *text, size_t leng
         bead_scene_free(reader.scene);
     else
         *scene = reader.scene;
-    finish(&reader);
+    scene_finish(&reader);
     return err;
 }
 

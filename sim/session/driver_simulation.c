@@ -200,7 +200,7 @@ static enum bead_error complete(void *context, size_t chain, bool calling, struc
     return err;
 }
 
-static void finish(struct pass *pass)
+static void pass_finish(struct pass *pass)
 {
     struct bead_passed *passed = pass->passed;
     double end = pass->driver->end;
@@ -245,7 +245,7 @@ enum bead_error bead_drive_simulation(const struct bead_driver *driver, struct b
     if (!err)
         err = bead_thread_pool_run(driver->chain_count, driver->threads, complete, &pass, msg);
     passed->stopped = err == BEAD_ERROR_STOPPED;
-    finish(&pass);
+    pass_finish(&pass);
     return err;
 }
 

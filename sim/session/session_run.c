@@ -49,7 +49,8 @@ static enum bead_error give_to_sink(struct bead_consumer *consumer, const struct
     return consumer->made->type->sample(consumer->made->sink, sample, msg);
 }
 
-static enum bead_error begin(struct bead_session *s, struct bead_consumer *consumers, size_t *count, struct bead_message *msg)
+static enum bead_error session_begin(struct bead_session *s, struct bead_consumer *consumers, size_t *count,
+                                     struct bead_message *msg)
 {
     *count = 0;
     for (size_t i = 0; i < s->made_count; i++) {
@@ -90,7 +91,7 @@ static void add_result(struct bead_session *s, const struct bead_made *m, const 
 }
 
 /* The run was stopped: finished files of earlier runs stay, and so do the parts that can be read. */
-static enum bead_error stop(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
+static enum bead_error session_stop(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
     if (!m->type->stop)
         return BEAD_OK;
@@ -103,7 +104,7 @@ static enum bead_error stop(struct bead_session *s, struct bead_made *m, struct 
     return err;
 }
 
-static enum bead_error finish(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
+static enum bead_error session_finish(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
     enum bead_error err = m->type->end(m->sink, s->outcomes, msg);
     m->ended = !err;
@@ -130,7 +131,7 @@ static enum bead_error finish_all(struct bead_session *s, struct bead_message *m
         for (size_t i = 0; !err && i < s->made_count; i++) {
             struct bead_made *m = &s->made[i];
             if (m->sink && m->type->background == background)
-                err = finish(s, m, msg);
+                err = session_finish(s, m, msg);
         }
     }
     for (size_t i = 0; i < s->made_count; i++) {
@@ -140,7 +141,7 @@ static enum bead_error finish_all(struct bead_session *s, struct bead_message *m
     return err;
 }
 
-static enum bead_error end(struct bead_session *s, bool stopped, struct bead_message *msg)
+static enum bead_error session_end(struct bead_session *s, bool stopped, struct bead_message *msg)
 {
     enum bead_error err = collect_outcomes(s, msg), worst = BEAD_OK;
     s->results = calloc(2 * s->made_count + 1, sizeof *s->results); /* each with a second file, at most */
@@ -149,13 +150,13 @@ static enum bead_error end(struct bead_session *s, bool stopped, struct bead_mes
     if (!err && !stopped)
         return finish_all(s, msg);
     for (size_t i = 0; !err && i < s->made_count; i++) {
-        enum bead_error one = s->made[i].sink ? stop(s, &s->made[i], msg) : BEAD_OK;
+        enum bead_error one = s->made[i].sink ? session_stop(s, &s->made[i], msg) : BEAD_OK;
         worst = worst ? worst : one; /* one that has nothing to leave does not keep others from leaving theirs */
     }
     return err ? err : worst;
 }
 
-static enum bead_error run(struct bead_session *s, struct bead_consumer *consumers, struct bead_message *msg)
+static enum bead_error session_run(struct bead_session *s, struct bead_consumer *consumers, struct bead_message *msg)
 {
     enum bead_error err = s->trajectory ? BEAD_OK : bead_file_make_directory(s->job.output, msg);
     if (!err)
@@ -166,7 +167,7 @@ static enum bead_error run(struct bead_session *s, struct bead_consumer *consume
         return err;
     s->scout_steps = s->counts.steps;
     struct bead_driver p = bead_session_driver(s, s->trajectory ? "drawing" : "simulating");
-    err = begin(s, consumers, &p.consumer_count, msg);
+    err = session_begin(s, consumers, &p.consumer_count, msg);
     p.consumers = consumers;
     p.needed = s->needed;
     if (!err)
@@ -176,7 +177,7 @@ static enum bead_error run(struct bead_session *s, struct bead_consumer *consume
     if (s->passage && !s->trajectory && !err && !isfinite(s->end))
         s->end = s->passed.end;
     struct bead_message unused;
-    enum bead_error closing = end(s, err != BEAD_OK, err ? &unused : msg);
+    enum bead_error closing = session_end(s, err != BEAD_OK, err ? &unused : msg);
     return err ? err : closing;
 }
 
@@ -187,7 +188,7 @@ enum bead_error bead_session_run(struct bead_session *s, struct bead_message *ms
     struct bead_consumer *consumers = calloc(s->made_count + 1, sizeof *consumers);
     if (!consumers)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for outputs");
-    enum bead_error err = run(s, consumers, msg);
+    enum bead_error err = session_run(s, consumers, msg);
     free(consumers);
     /* Sinks that did not finish go now, and their unfinished files with them. */
     for (size_t i = 0; err && i < s->made_count; i++) {

@@ -174,7 +174,7 @@ static enum bead_error check_head(struct bead_sweep_journal *j, const struct bea
     return BEAD_OK;
 }
 
-static enum bead_error begin(struct bead_sweep_journal *j, struct bead_sweep *sweep, struct bead_message *msg)
+static enum bead_error journal_begin(struct bead_sweep_journal *j, struct bead_sweep *sweep, struct bead_message *msg)
 {
     bool fresh = false;
     struct head head = head_of(sweep);
@@ -211,7 +211,7 @@ enum bead_error bead_sweep_journal_open(struct bead_sweep *sweep, const char *pa
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a journal");
     }
     j->synced = now();
-    enum bead_error err = begin(j, sweep, msg);
+    enum bead_error err = journal_begin(j, sweep, msg);
     if (err)
         bead_sweep_journal_close(j);
     else

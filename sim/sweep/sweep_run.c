@@ -150,8 +150,8 @@ static void collect(const struct measure *m, const struct bead_peak *found)
         profile_of(m, PROFILE_FORCE)[j] = found[j].value;
 }
 
-static enum bead_error measure(struct measure *m, const struct bead_kernels *kernels, const volatile sig_atomic_t *stop,
-                               struct bead_message *msg)
+static enum bead_error sweep_measure(struct measure *m, const struct bead_kernels *kernels, const volatile sig_atomic_t *stop,
+                                     struct bead_message *msg)
 {
     const double until = m->sweep->scene->simulate.until;
     find_span(m);
@@ -192,7 +192,7 @@ static enum bead_error compute(struct bead_sweep *sweep, size_t job, const struc
     if (err)
         return err;
     m.chain = bead_sweep_chain_of(chain);
-    err = measure(&m, kernels, stop, msg);
+    err = sweep_measure(&m, kernels, stop, msg);
     bead_sweep_chain_destroy(chain);
     return err;
 }

@@ -160,12 +160,12 @@ static const struct kind *kind_of(const struct bead_output *output)
     return &kinds[i];
 }
 
-static const char *why(const struct bead_output *output)
+static const char *sweep_table_why(const struct bead_output *output)
 {
     return kind_of(output)->why;
 }
 
-static enum bead_error fill(void *context, FILE *file, const char *part, struct bead_message *msg)
+static enum bead_error sweep_table_fill(void *context, FILE *file, const char *part, struct bead_message *msg)
 {
     (void)part;
     struct out *o = context;
@@ -187,10 +187,10 @@ static enum bead_error write_table(const struct bead_output *output, const struc
     struct out o = {.sweep = sweep, .output = output, .several = bead_sweep_panels(sweep) > 1};
     for (size_t p = 0; p < bead_sweep_panels(sweep); p++)
         o.places = o.places || (kind_of(output)->of_places && bead_sweep_panel(sweep, p)->spec->measures.sensor_count > 0);
-    return bead_file_write(path, fill, &o, bytes, msg);
+    return bead_file_write(path, sweep_table_fill, &o, bytes, msg);
 }
 
-static const struct bead_sweep_sink table = {"table", BEAD_OUTPUT_TABLE, why, write_table, NULL};
+static const struct bead_sweep_sink table = {"table", BEAD_OUTPUT_TABLE, sweep_table_why, write_table, NULL};
 static const struct bead_sweep_sink *const sinks[] = {&table, NULL};
 
 const struct bead_sweep_sink *const *bead_sweep_data_sinks(void)

@@ -47,7 +47,7 @@ static enum bead_error give_samples(struct watched *w, struct bead_message *msg)
 }
 
 /* At the front's arrival, which lies in the step just made. */
-static enum bead_error measure(struct watched *w, struct bead_message *msg)
+static enum bead_error watched_measure(struct watched *w, struct bead_message *msg)
 {
     const unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY);
     struct bead_sweep_watch *watch = w->watch;
@@ -67,7 +67,7 @@ static enum bead_error play(struct watched *w, struct bead_message *msg)
     for (uint64_t step = 0;; step++) {
         enum bead_error err = w->watch->take ? give_samples(w, msg) : BEAD_OK;
         if (!err && !w->measured && !isnan(bead_run_arrival(w->run)))
-            err = measure(w, msg);
+            err = watched_measure(w, msg);
         double now = bead_run_time(w->run);
         if (err || now >= w->end || (isinf(w->end) && w->measured))
             return err;
