@@ -20,8 +20,10 @@ status_is() { [ "$status" -eq "$1" ] || { echo "status $status"; cat "$T/err"; r
 ended() {
     "$beadreel" "$T/long.yaml" --only "m.$2" --canvas plain -o "$3" >"$T/out" 2>"$T/err" &
     local pid=$! i
-    for ((i = 0; i < 300; i++)); do
-        [ "$(stat -c %s "$3/m.$2.part" 2>/dev/null || echo 0)" -gt 20000 ] && break
+    local enough=20000 # bytes of more than 16 frames
+    case $2 in gif | apng) enough=200000 ;; esac
+    for ((i = 0; i < 600; i++)); do
+        [ "$(stat -c %s "$3/m.$2.part" 2>/dev/null || echo 0)" -gt $enough ] && break
         kill -0 $pid 2>/dev/null || break
         sleep 0.1
     done
