@@ -6,6 +6,7 @@
 
 #include <sys/stat.h>
 
+#include "beadreel/render.h"
 #include "beadreel/trajectory.h"
 #include "sessions.h"
 
@@ -129,6 +130,25 @@ static void bad_names_are_refused(void **state)
     assert_int_equal(bead_session_open(&job, &session, &msg), BEAD_ERROR_USAGE);
 }
 
+/* A signal may come before any output has begun: while the ranges of a movie are looked for. */
+static void a_run_may_stop_while_scouting(void **state)
+{
+    (void)state;
+    const struct bead_sink_type *const *const sinks[] = {bead_render_sinks(), NULL};
+    volatile sig_atomic_t stop = 0;
+    char path[512];
+    write_scene(ONE_MS "outputs: [{movie: beads.mp4, duration: 0.2 s, size: [160, 120], fps: 10}]\n", path);
+    const struct bead_job job = {.input = path, .output = directory, .sinks = sinks, .threads = 1, .stop = &stop};
+    struct bead_session *session = NULL;
+    struct bead_message msg = {""};
+    assert_int_equal(bead_session_open(&job, &session, &msg), BEAD_OK);
+    stop = 1;
+    assert_int_equal(bead_session_run(session, &msg), BEAD_ERROR_STOPPED);
+    bead_session_close(session);
+    assert_false(is_there("beads.mp4"));
+    assert_false(is_there("beads.mp4.part"));
+}
+
 /* A step far too long is refused; one that is too long but stable for a while stops with a message, not with nonsense. */
 static void nonsense_is_stopped(void **state)
 {
@@ -167,6 +187,7 @@ int main(void)
         cmocka_unit_test(the_window_skips_what_is_at_rest),
         cmocka_unit_test(grids_that_meet_share_samples),
         cmocka_unit_test(bad_names_are_refused),
+        cmocka_unit_test(a_run_may_stop_while_scouting),
         cmocka_unit_test(nonsense_is_stopped),
     };
     return cmocka_run_group_tests_name("session", tests, make_directory, remove_directory);
