@@ -44,7 +44,8 @@ bool bead_file_is_inside(const char *path)
         if (path[0] == '.' && path[1] == '.' && (path[2] == '/' || path[2] == '\0'))
             return false;
         path = strchr(path, '/');
-        path += path ? strspn(path, "/") : 0;
+        if (path)
+            path += strspn(path, "/");
     }
     return true;
 }
