@@ -12,6 +12,8 @@ WERROR  ?=
 VERSION := $(shell sed -n 's/^\#define BEADREEL_VERSION "\(.*\)"/\1/p' include/beadreel/api.h)
 SOVERSION = 0
 SUITE   ?= bookworm
+KILLS   ?= 60
+ALLOCATIONS ?= 60
 STRICT_LINK ?= -Wl,-z,defs
 
 .DEFAULT_GOAL = all
@@ -67,6 +69,7 @@ TEST_SUPPORT = $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(filter-out tests/test_%
 EXAMPLES     = $(patsubst tests/examples/%.c,$(BUILD)/tests/examples/%,$(wildcard tests/examples/*.c))
 BENCHES      = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench/*.c))
 STRESSES     = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/stress/*.c))
+FAIL_ALLOC   = $(BUILD)/tests/fail_alloc.so
 STATIC       = $(BUILD)/libbeadreel.a $(BUILD)/libbeadsim.a
 FORMATTED    = $(wildcard include/beadreel/*.h sim/*/*.[ch] render/*.[ch] render/*/*.[ch] tests/*.[ch] tests/*/*.[ch])
 
@@ -191,10 +194,10 @@ $(BENCHES) $(STRESSES): $(BUILD)/tests/%: tests/%.c $(STATIC)
 	@mkdir -p $(@D)
 	$(call say,TEST,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(STATIC) $(render_libs) $(sim_libs) $(movie_libs) $(peer_$(@F))
 
-test: all $(TESTS) $(EXAMPLES) ## unit tests and tests of the programs; ends with `N passed, M failed`
+test: all $(TESTS) $(EXAMPLES) $(FAIL_ALLOC) ## unit tests and tests of the programs; ends with `N passed, M failed`
 	@tests/run.sh $(BUILD)
 
-compile: all $(TESTS) $(EXAMPLES) $(BENCHES) $(STRESSES) ## everything, tests and benchmarks too, without running it
+compile: all $(TESTS) $(EXAMPLES) $(BENCHES) $(STRESSES) $(FAIL_ALLOC) ## everything, tests and benchmarks too, without running it
 
 fresh: ## README's commands on a bare Debian: make fresh SUITE=bookworm|trixie (root, debootstrap; minutes)
 	@tests/fresh.sh $(SUITE)
@@ -205,6 +208,12 @@ golden: all $(BUILD)/tests/test_golden ## make the golden pictures of the tests 
 asan: ## the tests under address and undefined-behaviour sanitizers
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)-asan STRICT_LINK= \
 	    CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all" test
+
+$(FAIL_ALLOC): tests/torture/fail_alloc.c
+	@mkdir -p $(@D)
+	$(call say,TEST,$<) $(run) $(CC) -std=c17 -D_GNU_SOURCE -O1 -g -fPIC -fno-builtin $(WARN) -shared -o $@ $<
+torture: all $(FAIL_ALLOC) ## kills, full disks, signals, failing allocations; KILLS=60, ALLOCATIONS=60 or all; ends with `N passed, M failed`
+	@tests/torture/torture.sh $(BUILD) $(KILLS) $(ALLOCATIONS)
 
 # The programs and scripts of a folder of tests, one after the other; a script x.sh itself runs the programs x_*.
 scripts  = $(wildcard tests/$(1)/*.sh)
@@ -273,6 +282,6 @@ sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: all help deps deps-ci demo thesis gallery test fresh golden asan bench stress lint man doc install uninstall clean always compile
+.PHONY: all help deps deps-ci demo thesis gallery test fresh golden asan torture bench stress lint man doc install uninstall clean always compile
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -180,6 +180,7 @@ static size_t list_materials(const struct bead_drafting *d, struct bead_piece *p
     const struct bead_scene *scene = d->context->scene;
     bool *used = calloc(scene->material_count + 1, sizeof *used);
     size_t count = 0;
+    d->sketch->failed = d->sketch->failed || !used;
     for (size_t c = 0; used && c < d->context->chain_count; c++) {
         for (size_t j = 0; j < bead_chain_beads(d->context->chains[c]); j++)
             used[bead_chain_material(d->context->chains[c])[j]] = true;

@@ -206,11 +206,9 @@ bool bead_labels_spread(struct bead_label *labels, size_t count, double gap, dou
         total += labels[i].width + gap;
     if (count == 0)
         return true;
-    struct cluster *cluster = calloc(count, sizeof *cluster);
-    if (!cluster || total > high - low) {
-        free(cluster);
+    struct cluster cluster[BEAD_LABELS];
+    if (count > BEAD_LABELS || total > high - low)
         return false;
-    }
     size_t used = 0;
     for (size_t i = 0; i < count; i++) {
         cluster[used] = (struct cluster){i, i, 0, 0};
@@ -227,6 +225,5 @@ bool bead_labels_spread(struct bead_label *labels, size_t count, double gap, dou
             x += labels[i].width + gap;
         }
     }
-    free(cluster);
     return true;
 }

@@ -48,6 +48,7 @@ struct bead_label {
     double anchor, width; /* px */
     double x;             /* found: left end */
 };
+enum { BEAD_LABELS = 64 }; /* beside each other, at most */
 /* `labels` in the order of their anchors; false: they do not fit. */
 bool bead_labels_spread(struct bead_label *labels, size_t count, double gap, double low, double high);
 

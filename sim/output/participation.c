@@ -97,16 +97,14 @@ static size_t find_cell(const struct bead_chain *chain, size_t *cell)
     return usual->cell_beads;
 }
 
-/* Until the front arrives; false: it does not. */
-static bool pass(struct bead_run *run, const struct bead_chain *chain)
+/* Until the front arrives, or patience ends. */
+static enum bead_error pass(struct bead_run *run, const struct bead_chain *chain, struct bead_message *msg)
 {
     const double limit = patience * bead_chain_passage(chain, bead_chain_energy(chain));
-    struct bead_message msg;
-    while (isnan(bead_run_arrival(run))) {
-        if (!(bead_run_time(run) < limit) || bead_run_step(run, &msg))
-            return false;
-    }
-    return true;
+    enum bead_error err = BEAD_OK;
+    while (!err && isnan(bead_run_arrival(run)) && bead_run_time(run) < limit)
+        err = bead_run_step(run, msg);
+    return err;
 }
 
 static enum bead_error participation_measure(const struct bead_chain *chain, double *clean, struct bead_message *msg)
@@ -120,7 +118,9 @@ static enum bead_error participation_measure(const struct bead_chain *chain, dou
     struct bead_run *run = NULL;
     struct bead_sample sample = {0};
     enum bead_error err = bead_run_create(&settings, &run, msg);
-    if (!err && pass(run, chain)) {
+    if (!err)
+        err = pass(run, chain, msg);
+    if (!err && !isnan(bead_run_arrival(run))) {
         err = bead_run_sample(run, bead_run_arrival(run), fields, (struct bead_span){0, chain->beads - 1}, &sample, msg);
         if (!err)
             *clean = bead_chain_participation(chain, sample.field[BEAD_FIELD_DISPLACEMENT], sample.field[BEAD_FIELD_VELOCITY]);
@@ -145,12 +145,13 @@ enum bead_error bead_participation_clean(const struct bead_chain *chain, double 
     struct bead_segment segment = {.cell = cell, .cell_beads = beads, .count = (all + beads - 1) / beads, .spins = BEAD_SPINS_UP};
     struct bead_chain_spec spec = *chain->spec;
     struct bead_chain *made = NULL;
+    struct bead_message why = {""};
     spec.segments = &segment;
     spec.segment_count = 1;
-    enum bead_error err = bead_chain_create_of(chain->scene, &spec, &made, msg);
+    enum bead_error err = bead_chain_create_of(chain->scene, &spec, &made, &why);
     if (!err)
-        err = participation_measure(made, clean, msg);
+        err = participation_measure(made, clean, &why);
     bead_chain_destroy(made);
     free(cell);
-    return err == BEAD_ERROR_MEMORY ? err : BEAD_OK; /* else there is no clean wave */
+    return err == BEAD_ERROR_MEMORY ? bead_fail(msg, err, "%s", why.text) : BEAD_OK; /* else there is no clean wave */
 }

@@ -1,0 +1,39 @@
+#!/bin/bash
+# Failing allocations: each that the program's own code makes fails once. The result is the same as ever, or there is a message and none.
+source "$(dirname "$0")/../shell.bash"
+cat >"$T/scene.yaml" <<'YAML'
+chain:
+  striker: {bead: large-steel, velocity: 0.443 m/s}
+  beads:
+    - {cell: [large-steel, aluminium], count: 3, spins: random, magnetism: 0.3, seed: 7}
+    - {bead: small-steel, sensor: first}
+simulate: {until: 100 us}
+outputs:
+  - {table: measures.csv, show: measures}
+  - {plot: setup.svg, show: setup}
+YAML
+nm -D "$beadsim" 2>/dev/null | grep -q __asan_ && sanitized=1
+# each PROGRAM NAME
+each() {
+    local k all
+    "$1" "$T/scene.yaml" --threads 1 --only "$2" -o "$T/whole" >/dev/null || return 1
+    LD_PRELOAD=$BUILD/tests/fail_alloc.so FAIL_COUNT=$T/count "$1" "$T/scene.yaml" --threads 1 --only "$2" -o "$T/whole" >/dev/null
+    all=$(cat "$T/count")
+    [ "$all" -gt 50 ] || { echo "only $all allocations"; return 1; }
+    for ((k = 1; k <= all; k++)); do
+        rm -rf "$T/few"
+        LD_PRELOAD=$BUILD/tests/fail_alloc.so FAIL_AT=$k run "$1" "$T/scene.yaml" --threads 1 --only "$2" -o "$T/few"
+        case $status in
+        0) cmp "$T/few/$2" "$T/whole/$2" || { echo "allocation $k of $all"; return 1; } ;;
+        1 | 2) [ "$(wc -l <"$T/err")" -eq 1 ] && empty "$T/few" || { echo "allocation $k of $all"; cat "$T/err"; return 1; } ;;
+        *) echo "allocation $k of $all: status $status"; return 1 ;;
+        esac
+    done
+}
+if [ "${sanitized:-}" ]; then
+    skip "a build without sanitizers" "allocations that fail"
+else
+    ok "a table of measures" each "$beadsim" measures.csv
+    ok "a drawing" each "$beadreel" setup.svg
+fi
+finish

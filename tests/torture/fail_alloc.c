@@ -1,0 +1,130 @@
+/* Loaded before a program (LD_PRELOAD): its FAIL_AT-th allocation fails, once. Only those made by the program's own code count, by
+ * the address of the caller: libraries abort on their own. FAIL_AT=0 fails none; FAIL_COUNT names a file for how many there were.
+ */
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <link.h>
+#include <stdarg.h>
+#include <stdatomic.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* What glibc calls its own. */
+extern void *__libc_malloc(size_t size), *__libc_calloc(size_t count, size_t size), *__libc_realloc(void *old, size_t size),
+    *__libc_memalign(size_t alignment, size_t size);
+
+static uintptr_t code_from, code_to; /* the program's own code */
+static atomic_long made;
+static long fail_at;
+
+/* The first object is the program itself. */
+static int find_code(struct dl_phdr_info *info, size_t size, void *nothing)
+{
+    (void)size;
+    (void)nothing;
+    for (int i = 0; i < info->dlpi_phnum; i++) {
+        const ElfW(Phdr) *segment = &info->dlpi_phdr[i];
+        if (segment->p_type == PT_LOAD && (segment->p_flags & PF_X)) {
+            code_from = info->dlpi_addr + segment->p_vaddr;
+            code_to = code_from + segment->p_memsz;
+        }
+    }
+    return 1;
+}
+
+__attribute__((constructor)) static void begin(void)
+{
+    const char *at = getenv("FAIL_AT");
+    fail_at = at ? atol(at) : 0;
+    dl_iterate_phdr(find_code, NULL);
+}
+
+__attribute__((destructor)) static void finish(void)
+{
+    char text[32];
+    const char *path = getenv("FAIL_COUNT");
+    int file = path ? open(path, O_WRONLY | O_CREAT | O_TRUNC, 0600) : -1,
+        length = snprintf(text, sizeof text, "%ld\n", (long)made);
+    if (file >= 0 && (write(file, text, (size_t)length) != length || close(file) != 0))
+        _exit(99);
+}
+
+static int fails(const void *caller)
+{
+    uintptr_t from = (uintptr_t)caller;
+    if (from < code_from || from >= code_to || atomic_fetch_add(&made, 1) + 1 != fail_at)
+        return 0;
+    errno = ENOMEM;
+    return 1;
+}
+
+#define CALLER __builtin_return_address(0)
+#define EXPORT __attribute__((visibility("default")))
+
+EXPORT void *malloc(size_t size)
+{
+    return fails(CALLER) ? NULL : __libc_malloc(size);
+}
+
+EXPORT void *calloc(size_t count, size_t size)
+{
+    return fails(CALLER) ? NULL : __libc_calloc(count, size);
+}
+
+EXPORT void *realloc(void *old, size_t size)
+{
+    return fails(CALLER) ? NULL : __libc_realloc(old, size);
+}
+
+EXPORT void *reallocarray(void *old, size_t count, size_t size)
+{
+    size_t bytes;
+    if (fails(CALLER))
+        return NULL;
+    if (__builtin_mul_overflow(count, size, &bytes)) {
+        errno = ENOMEM;
+        return NULL;
+    }
+    return __libc_realloc(old, bytes);
+}
+
+EXPORT void *aligned_alloc(size_t alignment, size_t size)
+{
+    return fails(CALLER) ? NULL : __libc_memalign(alignment, size);
+}
+
+EXPORT int asprintf(char **text, const char *format, ...)
+{
+    *text = NULL;
+    if (fails(CALLER))
+        return -1;
+    va_list values;
+    va_start(values, format);
+    int length = vasprintf(text, format, values);
+    va_end(values);
+    return length;
+}
+
+static char *copy_of(const char *text, size_t length, const void *caller)
+{
+    char *copy = fails(caller) ? NULL : __libc_malloc(length + 1);
+    if (copy) {
+        memcpy(copy, text, length);
+        copy[length] = '\0';
+    }
+    return copy;
+}
+
+EXPORT char *strdup(const char *text)
+{
+    return copy_of(text, strlen(text), CALLER);
+}
+
+EXPORT char *strndup(const char *text, size_t size)
+{
+    return copy_of(text, strnlen(text, size), CALLER);
+}
