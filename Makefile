@@ -12,6 +12,7 @@ WERROR  ?=
 VERSION := $(shell sed -n 's/^\#define BEADREEL_VERSION "\(.*\)"/\1/p' include/beadreel/api.h)
 SOVERSION = 0
 SUITE   ?= bookworm
+FUZZ_SECONDS ?= 30
 KILLS   ?= 60
 ALLOCATIONS ?= 60
 STRICT_LINK ?= -Wl,-z,defs
@@ -28,7 +29,7 @@ BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev li
 TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py man-db mandoc
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
 WISHED_DEPS = libosmesa6
-CI_DEPS    = clang clang-format cppcheck shellcheck debootstrap
+CI_DEPS    = clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap
 
 # Asked once, when a recipe first needs it: after `deps` has run in `make deps all`.
 once              = $(eval $(1) := $(2))$($(1))
@@ -70,6 +71,8 @@ EXAMPLES     = $(patsubst tests/examples/%.c,$(BUILD)/tests/examples/%,$(wildcar
 BENCHES      = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench/*.c))
 STRESSES     = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/stress/*.c))
 FAIL_ALLOC   = $(BUILD)/tests/fail_alloc.so
+FUZZERS      = $(patsubst tests/fuzz/%.c,$(BUILD)/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c))
+FUZZ_SUPPORT = $(filter-out tests/fuzz/fuzz_%.c,$(wildcard tests/fuzz/*.c))
 STATIC       = $(BUILD)/libbeadreel.a $(BUILD)/libbeadsim.a
 FORMATTED    = $(wildcard include/beadreel/*.h sim/*/*.[ch] render/*.[ch] render/*/*.[ch] tests/*.[ch] tests/*/*.[ch])
 
@@ -215,6 +218,16 @@ $(FAIL_ALLOC): tests/torture/fail_alloc.c
 torture: all $(FAIL_ALLOC) ## kills, full disks, signals, failing allocations; KILLS=60, ALLOCATIONS=60 or all; ends with `N passed, M failed`
 	@tests/torture/torture.sh $(BUILD) $(KILLS) $(ALLOCATIONS)
 
+# Each target for FUZZ_SECONDS: in a build of its own, with clang's libFuzzer and sanitizers in all of the project's code.
+$(FUZZERS): $(BUILD)/fuzz/%: tests/fuzz/%.c $(FUZZ_SUPPORT) tests/fuzz/fuzz.h $(STATIC)
+	@mkdir -p $(@D)
+	$(call say,FUZZ,$<) $(run) $(filter-out -MMD -MP,$(compile_test)) -fsanitize=fuzzer -o $@ $< $(FUZZ_SUPPORT) $(STATIC) $(render_libs) $(sim_libs)
+fuzzers: $(BUILD)/beadsim $(FUZZERS)
+fuzz: ## random scenes, settings and files, FUZZ_SECONDS each; ends with `N passed, M failed`
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)-fuzz CC=$(if $(findstring clang,$(CC)),"$(CC)",clang) \
+	    CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" fuzzers
+	@tests/fuzz/run.sh $(BUILD)-fuzz $(FUZZ_SECONDS) $(TARGETS)
+
 # The programs and scripts of a folder of tests, one after the other; a script x.sh itself runs the programs x_*.
 scripts  = $(wildcard tests/$(1)/*.sh)
 alone    = $(filter-out $(addprefix $(BUILD)/,$(addsuffix _%,$(basename $(scripts)))),$(2))
@@ -275,13 +288,13 @@ uninstall: ## remove what `make install` put there
 	rm -rf $(DESTDIR)$(PREFIX)/include/beadreel $(SHARE)/beadreel
 
 clean: ## remove what was built
-	rm -rf $(BUILD) $(BUILD)-asan
+	rm -rf $(BUILD) $(BUILD)-asan $(BUILD)-fuzz
 
 # Sources that have moved or gone: dependencies of an older build may still name them.
 sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: all help deps deps-ci demo thesis gallery test fresh golden asan torture bench stress lint man doc install uninstall clean always compile
+.PHONY: all help deps deps-ci demo thesis gallery test fresh golden asan fuzz fuzzers torture bench stress lint man doc install uninstall clean always compile
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
