@@ -3,9 +3,11 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
 #include "sim/chain/spins.h"
 #include "sim/chain/system.h"
@@ -41,9 +43,21 @@ static size_t count_spins(const struct bead_chain_spec *spec)
     return spins;
 }
 
+/* Arrays of all beads are filled at once: rather refuse what does not fit than be ended by the system halfway. */
+static enum bead_error check_memory(const struct bead_chain *chain, struct bead_message *msg)
+{
+    char what[128];
+    struct bead_place place = chain->spec->place;
+    snprintf(what, sizeof what, "%.64s:%zu:%zu: chain: %zu beads", chain->scene->file, place.line, place.column, chain->beads);
+    return bead_memory_check(chain->beads * (sizeof *chain->material + 7 * sizeof(double)), what, msg);
+}
+
 static enum bead_error allocate(struct bead_chain *chain, struct bead_message *msg)
 {
     size_t n = chain->beads, spins = count_spins(chain->spec), sensors = 0;
+    enum bead_error err = check_memory(chain, msg);
+    if (err)
+        return err;
     for (size_t s = 0; s < chain->spec->segment_count; s++)
         sensors += chain->spec->segments[s].sensor != NULL;
     chain->material = calloc(n, sizeof *chain->material);
@@ -148,7 +162,9 @@ static void compress(struct bead_chain *chain)
     for (size_t k = 0; k < chain->contacts; k++) {
         weight += k > 0 ? chain->mass[k] * slope : 0;
         double force = chain->spec->precompression + weight, a = chain->stiffness[k];
-        double d = force > 0 ? chain->law->compression(a, &chain->spec->law, force) : 0;
+        if (!(force > 0)) /* zero already: pages that nobody writes to cost nothing */
+            continue;
+        double d = chain->law->compression(a, &chain->spec->law, force);
         chain->static_compression[k] = d;
         chain->static_force[k] = chain->law->force(a, &chain->spec->law, d);
     }

@@ -1,0 +1,64 @@
+/* How much memory is left, asked before large arrays are made. */
+#include "sim/base/memory.h"
+
+#include <inttypes.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+/* Less is not worth asking for. */
+static const uint64_t small = 64u << 20;
+
+/* What can be had without ending other programs: free and cached memory, and free swap. */
+static uint64_t machine_left(void)
+{
+    FILE *file = fopen("/proc/meminfo", "re");
+    if (!file)
+        return UINT64_MAX;
+    char line[128];
+    uint64_t kilobytes, sum = 0;
+    bool found = false;
+    while (fgets(line, sizeof line, file)) {
+        if (sscanf(line, "MemAvailable: %" SCNu64, &kilobytes) == 1)
+            found = true;
+        else if (sscanf(line, "SwapFree: %" SCNu64, &kilobytes) != 1)
+            continue;
+        sum += kilobytes * 1024;
+    }
+    fclose(file);
+    return found ? sum : UINT64_MAX;
+}
+
+static uint64_t limit_left(void)
+{
+    struct rlimit limit;
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+        return UINT64_MAX;
+    uint64_t pages = 0;
+    FILE *file = fopen("/proc/self/statm", "re");
+    if (file && fscanf(file, "%" SCNu64, &pages) != 1)
+        pages = 0;
+    if (file)
+        fclose(file);
+    uint64_t used = pages * (uint64_t)sysconf(_SC_PAGESIZE);
+    return limit.rlim_cur > used ? limit.rlim_cur - used : 0;
+}
+
+uint64_t bead_memory_left(void)
+{
+    uint64_t machine = machine_left(), limit = limit_left();
+    return machine < limit ? machine : limit;
+}
+
+enum bead_error bead_memory_check(uint64_t bytes, const char *what, struct bead_message *msg)
+{
+    if (bytes <= small)
+        return BEAD_OK;
+    uint64_t left = bead_memory_left();
+    if (bytes <= left)
+        return BEAD_OK;
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "%s need %.3g GB of memory; %.3g GB are free", what, 1e-9 * (double)bytes,
+                     1e-9 * (double)left);
+}
