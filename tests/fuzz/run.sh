@@ -8,11 +8,15 @@ build=$1 seconds=$2
 shift 2
 [ $# -gt 0 ] || set -- scene plan set trajectory sweep journal
 export BEADREEL_ASSETS=$PWD/assets
-export LSAN_OPTIONS="suppressions=$PWD/tests/lsan.txt:print_suppressions=0" UBSAN_OPTIONS=print_stacktrace=1
 passed=0 failed=0 lines=()
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export TMPDIR=$work
+# HDF5 1.10 itself leaks over damaged bytes; what the program leaves open in it is found by the targets.
+{ cat tests/lsan.txt; echo leak:libhdf5; } >"$work/lsan.txt"
+# Sizes in damaged files may be any: malloc refuses them as it does without sanitizers.
+export ASAN_OPTIONS=allocator_may_return_null=1
+export LSAN_OPTIONS="suppressions=$work/lsan.txt:print_suppressions=0" UBSAN_OPTIONS=print_stacktrace=1
 mkdir -p "$build/faults"
 tests/fuzz/seeds.sh "$build" "$build/seeds" || { echo "0 passed, 1 failed"; exit 1; }
 
