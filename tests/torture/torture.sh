@@ -87,7 +87,7 @@ judge_files() { # WHAT DIRECTORY REFERENCE...
         for reference; do cmp -s "$file" "$reference/$name" && same=1; done
         if [ -n "$same" ]; then
             add "$what" whole
-        elif [[ $name == *.part ]]; then
+        elif [[ $name == *.part || $name == sweep.h5.new ]]; then # .new: a sweep's results, as its .part is the journal
             add "$what" parts
             case $name in *.h5.part) readable "$file" || fault "$what" unreadable "$name: $(head -n 1 "$T/info")" ;; esac
         else
