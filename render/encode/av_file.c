@@ -201,7 +201,7 @@ int bead_av_copy(const struct bead_av *av, int from, AVFormatContext *to, int de
     to->pb = bead_av_file_wrap(av, descriptor, true);
     int code = reader && grown && to->pb ? 0 : AVERROR(ENOMEM);
     if (code >= 0) {
-        to->opaque = &again;
+        to->opaque = &again; /* until the end of this function; cppcheck-suppress autoVariables */
         to->io_open = open_again;
         to->io_close2 = close_again;
         grown->pb = reader;
@@ -209,6 +209,7 @@ int bead_av_copy(const struct bead_av *av, int from, AVFormatContext *to, int de
     }
     if (code >= 0)
         code = grown->nb_streams == 1 ? copy_all(av, grown, to, options, cover) : AVERROR_INVALIDDATA;
+    to->opaque = NULL;
     if (grown)
         av->avformat_close_input(&grown);
     bead_av_file_unwrap(av, &reader);

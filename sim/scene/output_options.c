@@ -16,16 +16,12 @@ static const unsigned sweep_table_values[] = {BEAD_SWEEP_MAGNETISM, BEAD_SWEEP_C
 static const char *const scales[] = {"linear", "sqrt", "log", NULL};
 static const char *const normalisings[] = {"none", "first", "max", NULL};
 static const char *const samplings[] = {"area", "max", NULL};
-static const char *const qualities[] = {"draft", "standard", "high", "lossless", NULL};
 static const char *const styles[] = {"auto", "paper", "slide", "movie", NULL};
 static const char *const themes[] = {"auto", "light", "dark", NULL};
-static const char *const follows[] = {"all", "front", NULL};
 #define FIELD_NAME(id, name, unit, title, place) name,
 static const char *const fields[] = {BEAD_FIELDS(FIELD_NAME) NULL};
 #define FIELD_LISTED(id, name, unit, title, place) name ", "
 #define FIELDS                                     BEAD_FIELDS(FIELD_LISTED)
-#define VIEW_LISTED(ID, view, ...)                 #view ", "
-#define VIEWS                                      BEAD_VIEWS(VIEW_LISTED)
 
 const char *const *bead_output_field_names(void)
 {
@@ -223,7 +219,7 @@ static const struct bead_option image_rows[] = {
     {.key = "views",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "[spacetime]",
-     .shape = VIEWS "in a list",
+     .shape = BEAD_VIEWS_LISTED "in a list",
      .help = "the views, from top to bottom",
      .example = "[beads, spacetime]",
      .read = bead_output_read_views},
@@ -263,117 +259,6 @@ static const struct bead_option_rows image_panel_shared[] = {{BEAD_OPTIONS(bead_
                                                              {BEAD_OPTIONS(bead_trust_row)},    {NULL, 0}};
 const struct bead_options bead_image_panel_options = {NULL, "a panel that is an image", BEAD_OPTIONS(panel_rows),
                                                       image_panel_shared, &bead_output_family};
-
-static const struct bead_option movie_rows[] = {
-    BEAD_FILE_ROW("movie", "FILE.mp4, .mkv, .webm, .gif, .png or .apng", "waves.mp4"),
-    {.key = "size",
-     .type = BEAD_OPTION_CUSTOM,
-     .initial = "[1920, 1080]",
-     .shape = "[width, height] in pixels, 1 to 32768",
-     .help = "size of the frame",
-     .example = "[1280, 720]",
-     .read = bead_output_read_frame_size},
-    {.key = "colormap",
-     .type = BEAD_OPTION_TEXT,
-     .offset = BEAD_OF_OUTPUT(colours.colormap),
-     .initial = "auto",
-     .help = "colour map, one of --list colormaps; auto: vik for velocity and displacement, else inferno",
-     .example = "batlow"},
-    {.key = "views",
-     .type = BEAD_OPTION_CUSTOM,
-     .initial = "[beads, profile, spacetime]",
-     .shape = VIEWS "in a list",
-     .help = "the views, from top to bottom",
-     .example = "[beads, spacetime]",
-     .read = bead_output_read_views},
-    {.key = "modes",
-     .type = BEAD_OPTION_COUNT,
-     .offset = BEAD_OF_OUTPUT(movie.modes),
-     .initial = "5",
-     .low = 1,
-     .high = BEAD_MODES,
-     .help = "how many modes the view `modes` shows",
-     .example = "4"},
-    {.key = "fps",
-     .offset = BEAD_OF_OUTPUT(movie.fps),
-     .initial = "60",
-     .low = 1,
-     .high = 240,
-     .help = "frames per second",
-     .example = "30"},
-    {.key = "duration",
-     .offset = BEAD_OF_OUTPUT(movie.duration),
-     .unit = "s",
-     .initial = "10 s",
-     .low = 0.01,
-     .high = 36000,
-     .help = "how long the movie shows the motion; a title card adds to it",
-     .example = "15 s"},
-    {.key = "captions",
-     .type = BEAD_OPTION_CUSTOM,
-     .shape = "a list such as [{at: 0.2 ms, text: The front has left the striker}]",
-     .help = "texts below the picture: see outputs.captions",
-     .example = "[{at: 0.2 ms, text: The front has left the striker}]",
-     .read = bead_output_read_captions},
-    {.key = "card",
-     .type = BEAD_OPTION_CUSTOM,
-     .initial = "false",
-     .shape = "true, false, a time such as 3 s, or a map",
-     .help = "title card before the motion; true: for 3 s. See outputs.card",
-     .example = "true",
-     .read = bead_output_read_card},
-    {.key = "follow",
-     .type = BEAD_OPTION_CHOICE,
-     .offset = BEAD_OF_OUTPUT(movie.follow),
-     .initial = "all",
-     .choices = follows,
-     .help = "what beads and profile show: all beads, or a window that moves with the front of each chain; spacetime marks the "
-             "window. Give long chains long movies: nobody can follow more than half a bead per frame"},
-    {.key = "window",
-     .type = BEAD_OPTION_COUNT,
-     .offset = BEAD_OF_OUTPUT(movie.window),
-     .initial = "40",
-     .low = 4,
-     .high = 1000,
-     .help = "most beads that `follow: front` shows",
-     .example = "30"},
-    {.key = "poster",
-     .type = BEAD_OPTION_CUSTOM,
-     .initial = "none",
-     .shape = "none or FILE.png",
-     .help = "one frame as a picture; in mp4 files also the cover",
-     .example = "poster.png",
-     .read = bead_output_read_poster},
-    {.key = "poster-at",
-     .offset = BEAD_OF_OUTPUT(movie.poster_at),
-     .unit = "s",
-     .of_motion = true,
-     .initial = "auto",
-     .low = 0,
-     .high = 1e6,
-     .word = "auto",
-     .word_value = NAN,
-     .help = "time of the motion that the poster shows; auto: when there is most to see",
-     .example = "0.8 ms"},
-    {.key = "quality",
-     .type = BEAD_OPTION_CHOICE,
-     .offset = BEAD_OF_OUTPUT(movie.quality),
-     .initial = "standard",
-     .choices = qualities,
-     .help = "quality of the encoding; a draft has at most 30 pictures per second, each shown for several frames"},
-};
-static const struct bead_option_rows movie_shared[] = {{BEAD_OPTIONS(bead_field_row)}, {BEAD_OPTIONS(bead_time_row)},
-                                                       {BEAD_OPTIONS(bead_beads_row)}, {BEAD_OPTIONS(bead_square_root_row)},
-                                                       {BEAD_OPTIONS(bead_range_row)}, {BEAD_OPTIONS(bead_magnify_row)},
-                                                       {BEAD_OPTIONS(bead_trust_row)}, {BEAD_OPTIONS(bead_theme_row)},
-                                                       {BEAD_OPTIONS(bead_axes_row)},  {NULL, 0}};
-static const struct bead_options movie_options = {"movie", "a movie; .png is an animated PNG", BEAD_OPTIONS(movie_rows),
-                                                  movie_shared, &bead_output_family};
-const struct bead_output_type bead_movie_output = {.options = &movie_options,
-                                                   .checks = {bead_output_check_field, bead_output_check_views,
-                                                              bead_output_check_times, bead_output_check_trust,
-                                                              bead_output_check_movie},
-                                                   .draws = true};
 
 /* ---- plots and tables ---- */
 

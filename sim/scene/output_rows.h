@@ -13,6 +13,10 @@
         .help = "name of the file, or a list of names for the same contents", .read = bead_output_read_path \
     }
 
+/* The names of all views, for the shape of a value: "beads, profile, ". */
+#define BEAD_VIEW_LISTED(ID, view, ...) #view ", "
+#define BEAD_VIEWS_LISTED               BEAD_VIEWS(BEAD_VIEW_LISTED)
+
 /* Rows that kinds share. What of the chains: */
 extern const struct bead_option bead_field_row[1], bead_time_row[1], bead_beads_row[1], bead_every_row[1], bead_trust_row[1];
 /* How it looks: style, dpi, size; colours of the paper; text below; and of values as colours. */
