@@ -116,6 +116,21 @@ enum bead_error bead_read_choice(const struct bead_reader *reader, const struct 
                       bead_suggest_text(&search, near, sizeof near));
 }
 
+/* U+0080 to U+009F in UTF-8. */
+static bool is_c1_control(const unsigned char *c)
+{
+    return c[0] == 0xC2 && c[1] >= 0x80 && c[1] <= 0x9F;
+}
+
+/* U+FDD0 to U+FDEF, and the last two code points of every plane. `c` is the first byte of a character of valid UTF-8. */
+static bool is_noncharacter(const unsigned char *c)
+{
+    bool arabic = c[0] == 0xEF && c[1] == 0xB7 && c[2] >= 0x90 && c[2] <= 0xAF;
+    bool basic = c[0] == 0xEF && c[1] == 0xBF && c[2] >= 0xBE;
+    bool other = c[0] >= 0xF0 && (c[1] & 0x0F) == 0x0F && c[2] == 0xBF && c[3] >= 0xBE;
+    return arabic || basic || other;
+}
+
 enum bead_error bead_read_text(const struct bead_reader *reader, const struct bead_at *at, char **text)
 {
     const char *read = NULL;
@@ -124,9 +139,11 @@ enum bead_error bead_read_text(const struct bead_reader *reader, const struct be
         return err;
     if (strlen(read) > LONGEST_TEXT)
         return bead_wrong(reader, at, "is too long: at most %d bytes are allowed", LONGEST_TEXT);
-    for (const char *c = read; *c; c++) {
-        if ((unsigned char)*c < ' ' || *c == 127)
+    for (const unsigned char *c = (const unsigned char *)read; *c; c++) {
+        if (*c < ' ' || *c == 127 || is_c1_control(c))
             return bead_wrong(reader, at, "contains a line break or another control character; must be one line of text");
+        if (is_noncharacter(c))
+            return bead_wrong(reader, at, "contains a code point that Unicode reserves as no character, such as U+FFFF");
     }
     free(*text);
     *text = strdup(read);
