@@ -1,5 +1,5 @@
-/* The sink of `table:` outputs: comma-separated values as RFC 4180 has them, numbers with 17 digits, which give the same
- * double when read again. */
+/* The sink of `table:` outputs: comma-separated values as RFC 4180 has them, numbers with the fewest digits that give
+ * the same double when read again. */
 #include <locale.h>
 #include <math.h>
 #include <stdio.h>
@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "beadreel/file.h"
+#include "sim/base/number.h"
 #include "sim/output/data_sinks.h"
 #include "sim/output/sink_grid.h"
 #include "sim/output/table.h"
@@ -26,6 +27,14 @@ void bead_table_text(FILE *file, const char *text)
         fputc(*text, file);
     }
     fputc('"', file);
+}
+
+void bead_table_numbers(FILE *file, size_t count, const double *numbers)
+{
+    for (size_t i = 0; i < count; i++) {
+        fputc(',', file);
+        bead_write_number(file, numbers[i]);
+    }
 }
 
 static bool several(const struct bead_sink *sink)
@@ -48,13 +57,11 @@ static void peaks_header(struct bead_sink *sink)
             sink->output->curves.show == BEAD_SHOW_PEAKS ? "contact" : "bead");
 }
 
-/* Contacts that the wave has not reached are many; a short row does for them. */
 static void write_peak(FILE *file, size_t index, const struct bead_peak *peak)
 {
-    if (peak->value == 0 && isnan(peak->time))
-        fprintf(file, "%zu,0,nan,\n", index);
-    else
-        fprintf(file, "%zu,%.17g,%.17g,%s\n", index, peak->value, peak->time, peak->open ? "open" : "");
+    fprintf(file, "%zu", index);
+    bead_table_numbers(file, 2, (const double[]){peak->value, peak->time});
+    fprintf(file, ",%s\n", peak->open ? "open" : "");
 }
 
 static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
@@ -140,9 +147,9 @@ void bead_table_columns(struct bead_sink *sink, const char *time)
 
 void bead_table_row(struct bead_sink *sink, double time)
 {
-    fprintf(sink->file, "%.17g", time);
+    bead_write_number(sink->file, time);
     for (size_t i = 0; i < sink->column_count; i++)
-        fprintf(sink->file, ",%.17g", sink->columns[i].value);
+        bead_table_numbers(sink->file, 1, &sink->columns[i].value);
     fputc('\n', sink->file);
     sink->rows++;
 }

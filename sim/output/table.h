@@ -44,6 +44,8 @@ struct table {
 
 /* A text, in quotes where it has a comma, a quote or a line break. */
 void bead_table_text(FILE *file, const char *text);
+/* ",a,b" for the numbers a and b: the fewest digits that read back as the same. */
+void bead_table_numbers(FILE *file, size_t count, const double *numbers);
 
 /* A line of the columns' names behind that of the time, and one of their values. */
 void bead_table_columns(struct bead_sink *sink, const char *time);

@@ -31,13 +31,17 @@ static void write_bead(struct bead_sink *sink, const struct bead_chain *chain, s
     }
     fprintf(sink->file, "%zu,", bead);
     bead_table_text(sink->file, bead_chain_scene(chain)->materials[bead_chain_material(chain)[bead]].name);
-    fprintf(sink->file, ",%.17g,%.17g,%.17g,", bead_chain_mass(chain)[bead], bead_chain_radius(chain)[bead],
-            bead_chain_position(chain)[bead]);
+    bead_table_numbers(
+        sink->file, 3,
+        (const double[]){bead_chain_mass(chain)[bead], bead_chain_radius(chain)[bead], bead_chain_position(chain)[bead]});
+    fputc(',', sink->file);
     write_sensor(sink->file, chain, bead);
     if (bead < bead_chain_contacts(chain))
-        fprintf(sink->file, ",%.17g,%.17g\n", bead_chain_stiffness(chain)[bead], bead_chain_static_force(chain)[bead]);
+        bead_table_numbers(sink->file, 2,
+                           (const double[]){bead_chain_stiffness(chain)[bead], bead_chain_static_force(chain)[bead]});
     else
-        fputs(",,\n", sink->file);
+        fputs(",,", sink->file);
+    fputc('\n', sink->file);
     sink->rows++;
 }
 

@@ -67,7 +67,8 @@ static void write_row(struct bead_sink *sink, size_t chain, const struct bead_me
         fputc(',', sink->file);
     }
     bead_table_text(sink->file, measure->name);
-    fprintf(sink->file, ",%.17g,%s\n", measure->value, measure->unit);
+    bead_table_numbers(sink->file, 1, &measure->value);
+    fprintf(sink->file, ",%s\n", measure->unit);
     sink->rows++;
 }
 

@@ -1,5 +1,6 @@
 /* Tables of profiles: a row for each time and place. */
 #include "beadreel/profile_times.h"
+#include "sim/base/number.h"
 #include "sim/output/table.h"
 
 static enum bead_error profiles_prepare(struct bead_sink *sink, struct bead_message *msg)
@@ -43,7 +44,9 @@ static void profiles_end(struct bead_sink *sink, const struct bead_outcome *outc
                     bead_table_text(sink->file, bead_chain_name(sink->context.chains[c]));
                     fputc(',', sink->file);
                 }
-                fprintf(sink->file, "%.17g,%.17g,%.17g\n", sink->output->curves.profile_times[m], places[i], values[i]);
+                bead_write_number(sink->file, sink->output->curves.profile_times[m]);
+                bead_table_numbers(sink->file, 2, (const double[]){places[i], values[i]});
+                fputc('\n', sink->file);
                 sink->rows++;
             }
         }

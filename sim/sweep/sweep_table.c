@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "beadreel/file.h"
+#include "sim/base/number.h"
 #include "sim/output/table.h"
 #include "sim/sweep/sweep_data.h"
 
@@ -17,10 +18,9 @@ struct out {
 
 static void number(FILE *file, double value)
 {
+    fputc(',', file);
     if (isfinite(value))
-        fprintf(file, ",%.17g", value);
-    else
-        fputc(',', file);
+        bead_write_number(file, value);
 }
 
 static void head(const struct out *o, const char *columns)
@@ -44,7 +44,8 @@ static void write_row(const struct out *o, const struct bead_sweep_statistics *s
 {
     const struct bead_summary *m = &row->summary;
     const double normalised[] = {m->mean, m->standard_error, m->median, m->low, m->high, m->quartile[0], m->quartile[1]};
-    fprintf(o->file, "%.17g,%zu", row->magnetism, row->count);
+    bead_write_number(o->file, row->magnetism);
+    fprintf(o->file, ",%zu", row->count);
     for (size_t i = 0; i < 7; i++)
         number(o->file, normalised[i]);
     for (size_t i = 0; i < 3; i++)
@@ -91,7 +92,8 @@ static enum bead_error write_configurations(const struct out *o, struct bead_mes
             for (size_t place = 0; place < panel->places; place++) {
                 const struct bead_sweep_peak *peak = &c.peaks[place];
                 names(o, p, place);
-                fprintf(o->file, "%zu,%.17g", i, c.magnetism);
+                fprintf(o->file, "%zu", i);
+                number(o->file, c.magnetism);
                 number(o->file, normal ? peak->force / clean.peaks[place].force : NAN);
                 number(o->file, peak->force);
                 number(o->file, peak->time);
@@ -130,7 +132,8 @@ static enum bead_error write_decay(const struct out *o, struct bead_message *msg
                                    d->energy_participation};
             for (size_t j = 0; j < bead_sweep_panel(o->sweep, p)->beads; j++) {
                 names(o, p, 0);
-                fprintf(o->file, "%.17g,%zu,%zu", d->magnetism, d->count, j);
+                bead_write_number(o->file, d->magnetism);
+                fprintf(o->file, ",%zu,%zu", d->count, j);
                 number(o->file, d->force[j]);
                 number(o->file, d->energy[j]);
                 for (size_t k = 0; k < sizeof fits / sizeof *fits; k++)

@@ -65,7 +65,7 @@ static void peaks_of_two_chains_and_some_beads(void **state)
     finish_with_peaks(&s);
     char *text = read_all(s.path);
     assert_true(strncmp(text, "chain,bead,peak_force_N,time_s,state\n\"a, b\",0,0,0,\n", 50) == 0);
-    assert_non_null(strstr(text, "\nc,6,2.3333333333333335,6.0000000000000002e-06,open\n"));
+    assert_non_null(strstr(text, "\nc,6,2.3333333333333335,6e-06,open\n"));
     uint64_t bytes, items;
     s.type->result(s.sink, &bytes, &items);
     assert_int_equal(items, 11 + 7);

@@ -1,0 +1,58 @@
+/* Numbers as text: see number.h. */
+#include "sim/base/number.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* 17 digits identify every double; a text of 15 or fewer survives the way there and back, so that %.15g is the shortest wherever
+ * it reads back. Denormal numbers have fewer digits. */
+enum { SURE = DBL_DIG, MOST = DBL_DECIMAL_DIG, ROOM = 32 };
+
+/* Add one to the last digit of "d.ddde-dd"; false where that carries past the first. */
+static bool bump(char *text)
+{
+    char *digit = strchr(text, 'e');
+    while (digit-- > text) {
+        if (*digit < '0' || *digit > '9')
+            continue;
+        if (*digit < '9') {
+            ++*digit;
+            return true;
+        }
+        *digit = '0';
+    }
+    return false;
+}
+
+/* Below a power of two the doubles are twice as dense as above it: the nearest text of 16 digits may lie below, next to another
+ * double, where the next one up reads back. */
+static bool next_up(char *text, double value)
+{
+    int exponent;
+    if (fabs(frexp(value, &exponent)) != 0.5)
+        return false;
+    snprintf(text, ROOM, "%.*e", MOST - 2, value);
+    return bump(text) && strtod(text, NULL) == value;
+}
+
+static void shortest(char *text, double value)
+{
+    for (int digits = fabs(value) < DBL_MIN ? 1 : SURE; digits < MOST; digits++) {
+        snprintf(text, ROOM, "%.*g", digits, value);
+        if (strtod(text, NULL) == value)
+            return;
+    }
+    if (!next_up(text, value))
+        snprintf(text, ROOM, "%.*g", MOST, value);
+}
+
+void bead_write_number(FILE *file, double value)
+{
+    char text[ROOM] = "nan";
+    if (!isnan(value))
+        shortest(text, value);
+    fputs(text, file);
+}

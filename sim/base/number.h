@@ -1,0 +1,10 @@
+/* Numbers as text: the fewest digits that read back as the same double. */
+#ifndef BEADREEL_SIM_BASE_NUMBER_H
+#define BEADREEL_SIM_BASE_NUMBER_H
+
+#include <stdio.h>
+
+/* As %g writes it, "1e-06", "0.1", "nan", "-inf"; the decimal point is that of the locale in use. */
+void bead_write_number(FILE *file, double value);
+
+#endif
