@@ -25,6 +25,7 @@ struct bead_law {
     /* The coefficient a of a contact between two beads, or of a bead and a wall; right NULL: a rigid wall. */
     double (*coefficient)(const struct bead_law_spec *spec, const struct bead_material *left, const struct bead_material *right,
                           bool wall);
+    double (*coefficient_power)(const struct bead_law_spec *spec);                      /* p of its unit, N/m^p */
     double (*energy)(double a, const struct bead_law_spec *spec, double d);             /* J */
     double (*force)(double a, const struct bead_law_spec *spec, double d);              /* N */
     double (*stiffness)(double a, const struct bead_law_spec *spec, double d);          /* N/m, df/dd */

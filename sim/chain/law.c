@@ -11,6 +11,12 @@ static double three_halves(const struct bead_law_spec *spec)
     return 1.5;
 }
 
+static double one(const struct bead_law_spec *spec)
+{
+    (void)spec;
+    return 1;
+}
+
 static double power_exponent(const struct bead_law_spec *spec)
 {
     return spec->power;
@@ -150,6 +156,7 @@ static const struct bead_law laws[] = {
      .hertz = true,
      .exponent = three_halves,
      .coefficient = hertz_coefficient,
+     .coefficient_power = three_halves,
      .energy = hertz_energy,
      .force = hertz_force,
      .stiffness = hertz_stiffness,
@@ -160,6 +167,7 @@ static const struct bead_law laws[] = {
      .one_sided = true,
      .exponent = power_exponent,
      .coefficient = power_coefficient,
+     .coefficient_power = power_exponent,
      .energy = power_energy,
      .force = power_force,
      .stiffness = power_stiffness,
@@ -168,6 +176,7 @@ static const struct bead_law laws[] = {
     {.name = "fpu-alpha",
      .description = "k d (1 - alpha d), two-sided (Fermi, Pasta, Ulam, Tsingou 1955; thesis Eq. 5)",
      .coefficient = fpu_coefficient,
+     .coefficient_power = one,
      .energy = fpu_energy,
      .force = fpu_force,
      .stiffness = fpu_stiffness,
@@ -181,6 +190,7 @@ static const struct bead_law laws[] = {
      .as_printed = true,
      .exponent = three_halves,
      .coefficient = printed_coefficient,
+     .coefficient_power = three_halves,
      .energy = hertz_energy,
      .force = printed_force,
      .stiffness = hertz_stiffness,

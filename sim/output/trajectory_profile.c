@@ -58,6 +58,35 @@ static void write_constant(struct bead_sink *sink, const char *name, const char 
     free(all);
 }
 
+/* The unit of the contacts' coefficients. UDUNITS-2 knows no fractional powers and reads "m-1.5" as 0.5 m-1; it refuses this
+ * spelling, as it should where it cannot convert. */
+static void coefficient_unit(const struct bead_sink *sink, char *unit, size_t size)
+{
+    double power = 0;
+    for (size_t c = 0; c < sink->context.chain_count; c++) {
+        const struct bead_law_spec *spec = &bead_chain_spec(sink->context.chains[c])->law;
+        const double p = spec->row->coefficient_power(spec);
+        if (c > 0 && p != power) {
+            snprintf(unit, size, "N/m^p, with the power p of each chain");
+            return;
+        }
+        power = p;
+    }
+    if (power == floor(power))
+        snprintf(unit, size, "N m-%g", power);
+    else if (2 * power == floor(2 * power))
+        snprintf(unit, size, "N m^(-%g/2)", 2 * power);
+    else
+        snprintf(unit, size, "N m^(-%g)", power);
+}
+
+static void write_stiffness(struct bead_sink *sink)
+{
+    char unit[48];
+    coefficient_unit(sink, unit, sizeof unit);
+    write_constant(sink, "/contacts/stiffness", units_of(sink, unit), bead_chain_stiffness, true);
+}
+
 /* Integers that tell the rows of an axis apart. */
 static int64_t number_of(const struct bead_sink *sink, size_t chain, size_t index, size_t before)
 {
@@ -353,7 +382,7 @@ void bead_trajectory_lay_out(struct bead_sink *sink)
     write_constant(sink, "/particles/chain/rest_position", units_of(sink, "m"), bead_chain_position, false);
     if (sink->contact_scale >= 0) {
         write_labels(sink, "/contacts/chain", chain_of, true);
-        write_constant(sink, "/contacts/stiffness", NULL, bead_chain_stiffness, true);
+        write_stiffness(sink);
         write_constant(sink, "/contacts/static_force", "N", bead_chain_static_force, true);
     }
     for (int id = 0; id < BEAD_SERIES_COUNT; id++)

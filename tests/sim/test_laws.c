@@ -12,7 +12,7 @@ static const char *lacks(const struct bead_law *law)
         return "name or description";
     if (!law->energy || !law->force || !law->stiffness || !law->compression || !law->energy_compression)
         return "a function of the force";
-    if (!law->coefficient)
+    if (!law->coefficient || !law->coefficient_power)
         return "coefficient";
     if (law->hertz && !(law->one_sided && law->exponent && law->exponent(&numbers) == 1.5))
         return "what Hertz's force is known by";
@@ -114,6 +114,7 @@ static struct bead_law spring = {.name = "spring",
                                  .one_sided = true,
                                  .exponent = one,
                                  .coefficient = spring_coefficient,
+                                 .coefficient_power = one,
                                  .energy = spring_energy,
                                  .force = spring_force,
                                  .stiffness = spring_stiffness,

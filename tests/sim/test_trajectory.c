@@ -256,6 +256,41 @@ static void the_layout_is_h5md(void **state)
     tear_down(&s, 1);
 }
 
+/* Of a trajectory of these chains. */
+static void check_stiffness_unit(const char *chains, const char *wanted)
+{
+    struct stand s;
+    char unit[64] = "";
+    set_up(&s, chains, "trajectory: run.h5, every: 1 us, fields: [contact-force]", 2e-6);
+    deliver(&s, 3);
+    finish(&s);
+    hid_t file = H5Fopen(s.path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    hid_t attribute = H5Aopen_by_name(file, "/contacts/stiffness", "units", H5P_DEFAULT, H5P_DEFAULT);
+    assert_true(attribute >= 0);
+    hid_t type = H5Aget_type(attribute);
+    assert_true(H5Tget_size(type) < sizeof unit && H5Aread(attribute, type, unit) >= 0);
+    H5Tclose(type);
+    H5Aclose(attribute);
+    H5Fclose(file);
+    assert_string_equal(unit, wanted);
+    tear_down(&s, 1);
+}
+
+static void stiffness_has_the_unit_of_its_law(void **state)
+{
+    (void)state;
+    static const char half[] = "{name: a, beads: [{bead: large-steel, count: 3}]}", chains[] = "chains: [%s%s%s]\n";
+    char text[512];
+    snprintf(text, sizeof text, chains, half, "", "");
+    check_stiffness_unit(text, "N m^(-3/2)");
+    snprintf(text, sizeof text, chains, half, ", ",
+             "{name: b, law: {fpu-alpha: 1e3, stiffness: 1e6}, beads: [{bead: large-steel}]}");
+    check_stiffness_unit(text, "N/m^p, with the power p of each chain");
+    check_stiffness_unit("chain: {law: {power: 3, coefficient: 1e9}, beads: [{bead: large-steel, count: 3}]}\n", "N m-3");
+    check_stiffness_unit("chain: {law: {power: 1.7, coefficient: 1e9}, beads: [{bead: large-steel, count: 3}]}\n", "N m^(-1.7)");
+    check_stiffness_unit("chain: {law: {fpu-alpha: 1e3, stiffness: 1e6}, beads: [{bead: large-steel, count: 3}]}\n", "N m-1");
+}
+
 /* H5MD's force is the bead's mass times its acceleration, with precompression, tilt and wall. */
 static void net_force_accelerates(void **state)
 {
@@ -359,6 +394,7 @@ int main(void)
         cmocka_unit_test(stopped_runs_keep_whole_samples),
         cmocka_unit_test(contents_do_not_depend_on_flushes),
         cmocka_unit_test(the_layout_is_h5md),
+        cmocka_unit_test(stiffness_has_the_unit_of_its_law),
         cmocka_unit_test(net_force_accelerates),
         cmocka_unit_test(grids),
         cmocka_unit_test(wrong_numbers_and_order_stop_it),
