@@ -56,9 +56,9 @@ struct bead_range {
 };
 
 struct bead_peak {
-    double value; /* N: largest maximum; where there was none yet, the force at the end */
+    double value; /* N: the largest */
     double time;  /* s; NaN where the contact was never loaded */
-    bool open;    /* at the end of the run the force was rising, and higher */
+    bool open;    /* that of the end of the run, where the force was still rising */
 };
 
 /* A number that a run has measured: "recurrence time", "", 9376.4 */

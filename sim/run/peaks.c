@@ -252,20 +252,15 @@ static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t
     }
 }
 
-/* Still rising at the limit, and higher than any maximum before: the maximum stands, marked as open; where there was none the force
- * so far stands in for it. */
+/* Still rising at the limit, and higher than any maximum before: the largest force so far is that at the limit, and it is marked
+ * as open. */
 static void find_open(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
     struct force_curve curve = curve_of(p, s, index);
     struct bead_peak *best = &p->best[index];
     double x = (limit - s->t0) / s->h, value = curve_force(p, &curve, x);
-    if (!(curve_rate(&curve, x) > 0 && value > best->value))
-        return;
-    best->open = true;
-    if (isnan(best->time)) {
-        best->value = value;
-        best->time = limit;
-    }
+    if (curve_rate(&curve, x) > 0 && value > best->value)
+        *best = (struct bead_peak){value, limit, true};
 }
 
 static bool mark_contacts(struct bead_peaks *p, const struct bead_stepper *s, size_t n)

@@ -10,6 +10,10 @@ static double peaks_of(const char *chain, const char *simulate, double end, cons
     bead_run_finish(run, end, &outcome);
     struct table table = read_table(reference, 3);
     double error = peak_error(outcome.contact_peaks, &table);
+    size_t open = 0;
+    for (size_t k = 0; k < table.rows; k++)
+        open += outcome.contact_peaks[k].open;
+    assert_true(open <= 1); /* contact 109 of P3, of those in the tables */
     free(table.value);
     bead_run_destroy(run);
     release(&built);

@@ -165,6 +165,35 @@ static void two_beads_collide(void **state)
     release(&built);
 }
 
+/* Contact 9 has had a maximum of 23.48 N and rises to a higher one as the run ends: its largest force so far is the one there. */
+static void peaks_that_still_rise_are_the_force_at_the_end(void **state)
+{
+    (void)state;
+    const double end = 210e-6;
+    struct built built = build("chain: {striker: {bead: large-steel, velocity: 0.443}, wall: rigid,\n"
+                               "  beads: [{cell: [large-steel, aluminium], count: 8, spins: \"11011101\"}]}\n",
+                               "until: 210 us");
+    struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = end, .contact_peaks = true, .bead_peaks = true});
+    run_until(run, end);
+    struct bead_outcome outcome;
+    bead_run_finish(run, end, &outcome);
+    struct bead_sample sample = sample_at(run, end);
+    const struct bead_peak *peak[2] = {outcome.contact_peaks, outcome.bead_peaks};
+    const double *force[2] = {sample.field[BEAD_FIELD_CONTACT_FORCE], sample.field[BEAD_FIELD_FORCE]};
+    size_t open = 0;
+    for (size_t i = 0; i < 2; i++) {
+        for (size_t j = 0; j < built.chain->contacts; j++) {
+            assert_true(peak[i][j].value >= (1 - 1e-9) * force[i][j]);
+            open += peak[i][j].open;
+            if (peak[i][j].open)
+                assert_true(fabs(peak[i][j].value / force[i][j] - 1) < 1e-9 && peak[i][j].time == end);
+        }
+    }
+    assert_true(open > 8 && outcome.contact_peaks[9].open && outcome.contact_peaks[9].value > 30);
+    bead_run_destroy(run);
+    release(&built);
+}
+
 /* A steel chain: speed 272.3646 F^{1/6} m/s with F the peak contact force, 543.393 m/s at 0.4 m/s of the pulse;
  * here from the times of two far peaks. The bead force's peak is 0.7073 of the contact force's. */
 static void solitary_wave_of_a_steel_chain(void **state)
@@ -272,6 +301,7 @@ int main(void)
         cmocka_unit_test(momentum_stays),
         cmocka_unit_test(damping_keeps_momentum_and_takes_energy),
         cmocka_unit_test(two_beads_collide),
+        cmocka_unit_test(peaks_that_still_rise_are_the_force_at_the_end),
         cmocka_unit_test(solitary_wave_of_a_steel_chain),
         cmocka_unit_test(walls_reflect),
         cmocka_unit_test(contacts_are_hertzian),
