@@ -56,8 +56,8 @@ struct bead_range {
 };
 
 struct bead_peak {
-    double value; /* N: the largest */
-    double time;  /* s; NaN where the contact was never loaded */
+    double value; /* N: the largest; the static force where the wave has not come */
+    double time;  /* s; NaN where the contact was never loaded, 0 where it never carried more than its static force */
     bool open;    /* that of the end of the run, where the force was still rising */
 };
 

@@ -27,6 +27,22 @@ struct bead_peaks {
     double *swing0, *swing1; /* [beads]: the same of both contact forces' magnitudes */
 };
 
+/* Before anything moves: the static force, from the start; time NaN where there is none. */
+static struct bead_peak static_peak(const struct bead_chain *chain, bool of_beads, size_t i)
+{
+    const double *still = chain->static_force, here = i < chain->contacts ? still[i] : 0;
+    const double force = of_beads ? 0.5 * ((i > 0 ? still[i - 1] : 0) + here) : here;
+    return (struct bead_peak){force, force > 0 ? 0 : NAN, false};
+}
+
+/* The compression beyond the static one, m, that a maximum above `force` takes in contact k, or a little less. */
+static double least_for(const struct bead_chain *chain, size_t k, double force)
+{
+    if (k >= chain->contacts)
+        return 0;
+    return chain->law->compression(chain->stiffness[k], &chain->spec->law, force) * (1 - least_part) - chain->static_compression[k];
+}
+
 enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_beads, struct bead_span span,
                                   struct bead_peaks **peaks, struct bead_message *msg)
 {
@@ -51,8 +67,8 @@ enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_be
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu beads", beads);
     }
     for (size_t i = 0; i < beads; i++) {
-        p->best[i].time = NAN;
-        p->least[i] = stepper->chain->law->one_sided ? -stepper->table.static_compression[i] : -INFINITY;
+        p->best[i] = static_peak(stepper->chain, of_beads, i);
+        p->least[i] = stepper->chain->law->one_sided ? least_for(stepper->chain, i, p->best[i].value) : -INFINITY;
     }
     return BEAD_OK;
 }
@@ -217,8 +233,7 @@ static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, siz
         return;
     p->best[index] = (struct bead_peak){value, time, false};
     if (!p->of_beads)
-        p->least[index] = s->chain->law->compression(s->chain->stiffness[index], &s->chain->spec->law, value) * (1 - least_part) -
-                          s->chain->static_compression[index];
+        p->least[index] = least_for(s->chain, index, value);
 }
 
 /* With damping the force may be largest as the contact closes. */

@@ -194,6 +194,34 @@ static void peaks_that_still_rise_are_the_force_at_the_end(void **state)
     release(&built);
 }
 
+/* Peaks are of the whole force: the static one where the wave has not come, and never less. */
+static void peaks_ahead_of_the_wave_are_static(void **state)
+{
+    (void)state;
+    static const char *const chains[] = {"chain: {beads: [{bead: large-steel, count: 50}], wall: brass, precompression: 10 N}\n",
+                                         "chain: {beads: [{bead: large-steel, count: 50}], wall: brass, tilt: 30 deg}\n",
+                                         "chain: {beads: [{bead: large-steel, count: 50}], precompression: 10 N,\n"
+                                         "  damping: {coefficient: 20, exponent: 1.8}}\n"};
+    for (size_t i = 0; i < 3; i++) {
+        struct built built = build(chains[i], "until: 0.1 ms");
+        struct bead_run *run =
+            start_run(&built, (struct bead_run_settings){.end = 0.1e-3, .contact_peaks = true, .bead_peaks = true});
+        run_until(run, 0.1e-3);
+        struct bead_outcome outcome;
+        bead_run_finish(run, 0.1e-3, &outcome);
+        const double *still = built.chain->static_force;
+        for (size_t k = 0; k < built.chain->contacts; k++) {
+            const struct bead_peak *of_contact = &outcome.contact_peaks[k], *of_bead = &outcome.bead_peaks[k];
+            assert_true(of_contact->value >= still[k] && of_bead->value >= 0.5 * (still[k] + (k > 0 ? still[k - 1] : 0)));
+            assert_true(k > 5 || of_contact->value > 30);
+            assert_true(k < 30 || (of_contact->value == still[k] && of_contact->time == 0 && !of_contact->open));
+            assert_true(k < 30 || (of_bead->value == 0.5 * (still[k] + still[k - 1]) && of_bead->time == 0 && !of_bead->open));
+        }
+        bead_run_destroy(run);
+        release(&built);
+    }
+}
+
 /* A steel chain: speed 272.3646 F^{1/6} m/s with F the peak contact force, 543.393 m/s at 0.4 m/s of the pulse;
  * here from the times of two far peaks. The bead force's peak is 0.7073 of the contact force's. */
 static void solitary_wave_of_a_steel_chain(void **state)
@@ -302,6 +330,7 @@ int main(void)
         cmocka_unit_test(damping_keeps_momentum_and_takes_energy),
         cmocka_unit_test(two_beads_collide),
         cmocka_unit_test(peaks_that_still_rise_are_the_force_at_the_end),
+        cmocka_unit_test(peaks_ahead_of_the_wave_are_static),
         cmocka_unit_test(solitary_wave_of_a_steel_chain),
         cmocka_unit_test(walls_reflect),
         cmocka_unit_test(contacts_are_hertzian),
