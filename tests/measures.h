@@ -17,7 +17,7 @@
 #define TABLE "outputs: [{table: m.csv, show: measures}]\n"
 
 static struct bead_measure found[256];
-static char units[256][16];
+static char units[256][16], notes[256][32];
 static size_t found_count;
 
 /* Play a scene or draw a trajectory again; false: it failed, with a message in `msg`. */
@@ -42,16 +42,18 @@ static inline void read_measures(const char *name, const char *chain)
     FILE *file = fopen(path, "r");
     assert_non_null(file);
     assert_non_null(fgets(line, sizeof line, file));
-    assert_string_equal(line, chain ? "chain,name,value,unit\n" : "name,value,unit\n");
+    assert_string_equal(line, chain ? "chain,name,value,unit,note\n" : "name,value,unit,note\n");
     for (found_count = 0; fgets(line, sizeof line, file);) {
         char *rest = line, *owner = chain ? strsep(&rest, ",") : NULL;
-        char *measure = strsep(&rest, ","), *value = strsep(&rest, ","), *unit = strsep(&rest, "\n");
+        char *measure = strsep(&rest, ","), *value = strsep(&rest, ","), *unit = strsep(&rest, ","), *note = strsep(&rest, "\n");
         if (chain && strcmp(owner, chain) != 0)
             continue;
         assert_true(found_count < 256);
         struct bead_measure *f = &found[found_count];
         snprintf(f->name, sizeof f->name, "%s", measure);
         snprintf(units[found_count], sizeof units[0], "%s", unit);
+        snprintf(notes[found_count], sizeof notes[0], "%s", note);
+        f->note = notes[found_count];
         f->unit = units[found_count++];
         f->value = strtod(value, NULL);
     }
@@ -75,6 +77,14 @@ static inline double value_of(const char *name)
         if (strcmp(found[i].name, name) == 0)
             return found[i].value;
     return NAN;
+}
+
+static inline void noted(const char *name, const char *note)
+{
+    for (size_t i = 0; i < found_count; i++)
+        if (strcmp(found[i].name, name) == 0 && strcmp(found[i].note, note) == 0)
+            return;
+    fail_msg("%s, %.9g, is not noted as: %s", name, value_of(name), note);
 }
 
 static inline void near(const char *name, double expected, double tolerance)

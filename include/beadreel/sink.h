@@ -66,6 +66,7 @@ struct bead_measure {
     char name[48];
     const char *unit; /* SI; "" of numbers without */
     double value;
+    const char *note; /* what the number does not say, such as "none seen" of a NaN; NULL or "": nothing */
 };
 
 /* What is known about one chain after the run. */

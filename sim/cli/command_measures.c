@@ -28,7 +28,9 @@ static void print(FILE *out, size_t chain, const struct bead_measure *found, siz
     fprintf(out, "measures of chain %zu, from these samples:\n", chain);
     for (size_t i = 0; i < count && i < MOST_MEASURES; i++) {
         bool prefixed = found[i].unit[0] && !found[i].unit[1] && found[i].unit[0] != '1'; /* s, m, N, J */
-        if (prefixed)
+        if (found[i].note && *found[i].note)
+            fprintf(out, "  %-27s %s\n", found[i].name, found[i].note);
+        else if (prefixed)
             fprintf(out, "  %-27s %s\n", found[i].name, command_quantity(found[i].value, found[i].unit, text, sizeof text));
         else
             fprintf(out, "  %-27s %.6g%s%s\n", found[i].name, found[i].value, *found[i].unit ? " " : "", found[i].unit);

@@ -26,6 +26,7 @@ size_t bead_measure_add(struct bead_measure *measures, size_t count, size_t room
         snprintf(measures[count].name, sizeof measures[count].name, "%s", name);
         measures[count].unit = "";
         measures[count].value = value;
+        measures[count].note = "";
     }
     return count + 1;
 }

@@ -22,8 +22,7 @@ static size_t tail_of(const struct bead_chain *chain, size_t period)
     return first;
 }
 
-/* Last bead of the longest stretch from bead 1 on that repeats every `period`. */
-static size_t head_of(const struct bead_chain *chain, size_t period)
+size_t bead_places_head(const struct bead_chain *chain, size_t period)
 {
     size_t last = 1;
     while (last + 1 < bead_chain_beads(chain) && (last < period || same(chain, last + 1, last + 1 - period)))
@@ -46,7 +45,7 @@ static bool same_cell(const struct bead_chain *chain, size_t a, size_t b, size_t
 
 static void find_defect(struct bead_places *places, const struct bead_chain *chain)
 {
-    size_t cell = places->cell, head = head_of(chain, cell), last = bead_chain_beads(chain) - 1;
+    size_t cell = places->cell, head = bead_places_head(chain, cell), last = bead_chain_beads(chain) - 1;
     size_t room = APART * cell + 2; /* the pulse is some two beads long at each side */
     if (head >= last || head < cell * FEWEST_CELLS || !same_cell(chain, 1, places->regular_from, cell))
         return;

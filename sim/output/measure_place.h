@@ -20,5 +20,7 @@ struct bead_places {
 };
 
 struct bead_places bead_places_find(const struct bead_chain *chain);
+/* Last bead of the longest stretch from bead 1 on that repeats every `period` beads. */
+size_t bead_places_head(const struct bead_chain *chain, size_t period);
 
 #endif

@@ -5,13 +5,14 @@
 
 #include "beadreel/law.h"
 #include "beadreel/participation.h"
+#include "sim/output/measure_decay.h"
 #include "sim/output/measure_private.h"
 
 struct reading {
     const struct bead_measures *m;
     const struct bead_outcome *outcome; /* may be NULL */
     struct bead_pulse_found pulse;
-    double decay, decay_error; /* 1/bead: rate and its standard error; NaN */
+    struct bead_decay_found decay;
 };
 
 /* ---- the chain ---- */
@@ -156,75 +157,17 @@ static double clean_index(const struct reading *r, int n)
 
 /* ---- decay, defects, walls ---- */
 
-/* Contacts at each end that do not count for the decay. */
-enum { DECAY_MARGIN = 5, DECAY_FEWEST = 8 };
-
-/* Beads of the cell that most beads belong to. */
-static size_t usual_cell(const struct bead_chain *chain)
-{
-    const struct bead_chain_spec *spec = bead_chain_spec(chain);
-    size_t most = 0, cell = 1;
-    for (size_t s = 0; s < spec->segment_count; s++) {
-        size_t beads = spec->segments[s].cell_beads * spec->segments[s].count;
-        if (beads > most) {
-            most = beads;
-            cell = spec->segments[s].cell_beads;
-        }
+#define OF_DECAY(name, value)                                  \
+    static double decay_##name(const struct reading *r, int n) \
+    {                                                          \
+        (void)n;                                               \
+        return isnan(r->decay.rate) ? NAN : (value);           \
     }
-    return cell;
-}
-
-/* Logarithm of the mean force of the `cell` contacts from k on. */
-static double cell_force(const struct bead_measures *m, size_t k, size_t cell)
-{
-    double sum = 0;
-    for (size_t i = 0; i < cell; i++)
-        sum += bead_pulses_first(m->pulses, k + i).force;
-    return log(sum / (double)cell);
-}
-
-/* Least squares of ln F against beads, over means of whole cells. */
-static void find_decay(struct reading *r)
-{
-    const struct bead_measures *m = r->m;
-    size_t cell = usual_cell(m->chain), links = m->places.links;
-    double n = 0, x0 = 0, y0 = 0, xx = 0, xy = 0, yy = 0;
-    r->decay = r->decay_error = NAN;
-    for (int pass = 0; pass < 2; pass++) {
-        for (size_t k = DECAY_MARGIN; k + cell + DECAY_MARGIN <= links; k += cell) {
-            double x = (double)k, y = cell_force(m, k, cell);
-            if (!isfinite(y))
-                continue;
-            n += pass == 0;
-            x0 += pass == 0 ? x : 0;
-            y0 += pass == 0 ? y : 0;
-            if (pass == 1) {
-                xx += (x - x0) * (x - x0);
-                xy += (x - x0) * (y - y0);
-                yy += (y - y0) * (y - y0);
-            }
-        }
-        if (n < DECAY_FEWEST)
-            return;
-        x0 = pass == 0 ? x0 / n : x0;
-        y0 = pass == 0 ? y0 / n : y0;
-    }
-    r->decay = -xy / xx;
-    r->decay_error = sqrt(fmax(yy - xy * xy / xx, 0) / (n - 2) / xx);
-}
-
-static double decay_rate(const struct reading *r, int n)
-{
-    (void)n;
-    return r->decay;
-}
-
-/* The length only if there is a decay. */
-static double decay_length(const struct reading *r, int n)
-{
-    (void)n;
-    return r->decay > 3 * r->decay_error && r->decay > 0 ? 1 / r->decay : NAN;
-}
+OF_DECAY(rate, r->decay.seen ? r->decay.rate : INFINITY)
+OF_DECAY(length, r->decay.seen && r->decay.rate > 0 ? 1 / r->decay.rate : NAN)
+OF_DECAY(error, r->decay.error)
+OF_DECAY(first, (double)r->decay.first)
+OF_DECAY(last, (double)r->decay.last)
 
 /* Sums over one cell each. */
 static double past_defect(const struct reading *r, int energy)
@@ -282,7 +225,7 @@ static double striker_velocity(const struct reading *r, int n)
 /* Widths are in beads: times at the probe, multiplied by the speed of the pulse there. */
 static const struct row {
     struct bead_measure_info info;
-    double (*value)(const struct reading *reading, int n); /* NaN: this run has none */
+    double (*value)(const struct reading *reading, int n); /* NaN: this run has none; INFINITY: none was seen */
     int n;
 } rows[] = {
     {{"magnetism", "", "M = |N_up - N_down| / (N_up + N_down); thesis, Eq. 15"}, magnetism, 0},
@@ -318,8 +261,19 @@ static const struct row {
     {{"clean index", "", "1: as few beads share the energy as in the clean wave; 0: all do; when the front arrives"},
      clean_index,
      0},
-    {{"decay rate", "1/bead", "-d ln F / d bead of the leading force, least squares over means of whole cells"}, decay_rate, 0},
-    {{"decay length", "beads", "1 / decay rate, where that is more than three of its standard errors"}, decay_length, 0},
+    {{"decay rate", "1/bead",
+      "-d ln F / d bead of the leading force: line through means of whole cells, begun where its error is smallest, so that "
+      "the striker's transient is over; or `none seen`, where it is below its error"},
+     decay_rate,
+     0},
+    {{"decay rate error", "1/bead",
+      "two standard errors, or half the difference between both halves of the fit, or what the error of "
+      "the energy explains: whichever is larger"},
+     decay_error,
+     0},
+    {{"decay fit begins", "", "first contact of the fit"}, decay_first, 0},
+    {{"decay fit ends", "", "last contact of the fit"}, decay_last, 0},
+    {{"decay length", "beads", "1 / decay rate"}, decay_length, 0},
     {{"force past defect", "", "leading force of a cell at the probe / of a cell before all irregular ones"}, past_defect, 0},
     {{"energy past defect", "", "the same to the power 5/3, 1 + 1/n for forces ~ d^n"}, past_defect, 1},
     {{"force at wall", "", "first maximum at the wall / leading force at the probe"}, at_wall, 0},
@@ -340,16 +294,17 @@ size_t bead_measures_read(const struct bead_measures *m, const struct bead_outco
 {
     struct reading reading = {.m = m, .outcome = outcome, .pulse = bead_trace_read(m)};
     size_t count = 0;
-    find_decay(&reading);
+    reading.decay = bead_decay_find(m, outcome);
     for (size_t i = 0; i < ROWS; i++) {
         double value = rows[i].value(&reading, rows[i].n);
-        if (!isfinite(value))
+        if (isnan(value))
             continue;
         if (count < room) {
             struct bead_measure *f = &found[count];
             snprintf(f->name, sizeof f->name, "%s", rows[i].info.name);
             f->unit = rows[i].info.unit;
-            f->value = value;
+            f->value = isinf(value) ? NAN : value;
+            f->note = isinf(value) ? "none seen" : "";
         }
         count++;
     }

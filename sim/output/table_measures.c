@@ -51,7 +51,7 @@ static void measures_needs(const struct bead_sink *sink, struct bead_needs *need
 
 static void measures_header(struct bead_sink *sink)
 {
-    fprintf(sink->file, "%sname,value,unit\n", sink->context.chain_count > 1 ? "chain," : "");
+    fprintf(sink->file, "%sname,value,unit,note\n", sink->context.chain_count > 1 ? "chain," : "");
 }
 
 static enum bead_error measures_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
@@ -68,7 +68,7 @@ static void write_row(struct bead_sink *sink, size_t chain, const struct bead_me
     }
     bead_table_text(sink->file, measure->name);
     bead_table_numbers(sink->file, 1, &measure->value);
-    fprintf(sink->file, ",%s\n", measure->unit);
+    fprintf(sink->file, ",%s,%s\n", measure->unit, measure->note ? measure->note : "");
     sink->rows++;
 }
 
