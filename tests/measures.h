@@ -17,7 +17,7 @@
 #define TABLE "outputs: [{table: m.csv, show: measures}]\n"
 
 static struct bead_measure found[256];
-static char units[256][16], notes[256][32];
+static char units[256][16];
 static size_t found_count;
 
 /* Play a scene or draw a trajectory again; false: it failed, with a message in `msg`. */
@@ -52,8 +52,7 @@ static inline void read_measures(const char *name, const char *chain)
         struct bead_measure *f = &found[found_count];
         snprintf(f->name, sizeof f->name, "%s", measure);
         snprintf(units[found_count], sizeof units[0], "%s", unit);
-        snprintf(notes[found_count], sizeof notes[0], "%s", note);
-        f->note = notes[found_count];
+        snprintf(f->note, sizeof f->note, "%s", note);
         f->unit = units[found_count++];
         f->value = strtod(value, NULL);
     }

@@ -40,10 +40,10 @@ BEAD_API void bead_measures_destroy(struct bead_measures *measures);
 /* Errors: MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_measures_feed(struct bead_measures *measures, const struct bead_sample *sample,
                                                        struct bead_message *msg);
-/* Those that this run has, in the order of bead_measure_info; `outcome` may be NULL. Returns how many there are, fills at most
- * `room`. */
-BEAD_API size_t bead_measures_read(const struct bead_measures *measures, const struct bead_outcome *outcome,
-                                   struct bead_measure *found, size_t room);
+/* After the last sample: those that this run has, in the order of bead_measure_info; `outcome` may be NULL. Returns how many there
+ * are, fills at most `room`. */
+BEAD_API size_t bead_measures_read(struct bead_measures *measures, const struct bead_outcome *outcome, struct bead_measure *found,
+                                   size_t room);
 
 BEAD_END
 

@@ -28,6 +28,7 @@ struct bead_needs {
     struct bead_span beads; /* valid part of the samples' arrays; contacts first..last likewise */
     struct bead_grid grid;
     bool contact_peaks, bead_peaks; /* maxima of every contact's / bead's force: in the outcome */
+    bool states;                    /* the beads as the front arrives and at the end: in the outcome */
     bool range;                     /* wants the range of `range_field` over beads and times before begin (a scouting pass) */
     enum bead_field range_field;
     unsigned comparison; /* BEAD_FIELD_BITs, of `fields`, that samples are to have of the comparison run as well: see bead_sample */
@@ -66,7 +67,13 @@ struct bead_measure {
     char name[48];
     const char *unit; /* SI; "" of numbers without */
     double value;
-    const char *note; /* what the number does not say, such as "none seen" of a NaN; NULL or "": nothing */
+    char note[40]; /* what the number does not say: "none seen" of a NaN, the time of a sample; "": nothing */
+};
+
+/* All beads at one time. */
+struct bead_moment {
+    double time;                           /* s */
+    const double *displacement, *velocity; /* [beads] m, m/s; NULL: not known, or not asked for */
 };
 
 /* What is known about one chain after the run. */
@@ -86,6 +93,7 @@ struct bead_outcome {
     double event_error;    /* of a velocity: the last correction of a contact that opens or closes */
     const struct bead_peak *contact_peaks; /* [contacts], NULL where not asked */
     const struct bead_peak *bead_peaks;    /* [beads], NULL where not asked */
+    struct bead_moment arrived, final;     /* as the front arrives; at `end` */
     const struct bead_measure *measures;   /* what an equation's run has measured; NULL: none */
     size_t measure_count;
 };

@@ -1,6 +1,7 @@
 /* Measures of a stored run, computed from its samples, for --info. */
 #include "sim/cli/command_line.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "beadreel/measure.h"
@@ -28,12 +29,15 @@ static void print(FILE *out, size_t chain, const struct bead_measure *found, siz
     fprintf(out, "measures of chain %zu, from these samples:\n", chain);
     for (size_t i = 0; i < count && i < MOST_MEASURES; i++) {
         bool prefixed = found[i].unit[0] && !found[i].unit[1] && found[i].unit[0] != '1'; /* s, m, N, J */
-        if (found[i].note && *found[i].note)
-            fprintf(out, "  %-27s %s\n", found[i].name, found[i].note);
+        const char *note = found[i].note;
+        if (isnan(found[i].value))
+            fprintf(out, "  %-27s %s\n", found[i].name, note);
         else if (prefixed)
-            fprintf(out, "  %-27s %s\n", found[i].name, command_quantity(found[i].value, found[i].unit, text, sizeof text));
+            fprintf(out, "  %-27s %s%s%s\n", found[i].name, command_quantity(found[i].value, found[i].unit, text, sizeof text),
+                    *note ? ", " : "", note);
         else
-            fprintf(out, "  %-27s %.6g%s%s\n", found[i].name, found[i].value, *found[i].unit ? " " : "", found[i].unit);
+            fprintf(out, "  %-27s %.6g%s%s%s%s\n", found[i].name, found[i].value, *found[i].unit ? " " : "", found[i].unit,
+                    *note ? ", " : "", note);
     }
 }
 

@@ -26,7 +26,7 @@ size_t bead_measure_add(struct bead_measure *measures, size_t count, size_t room
         snprintf(measures[count].name, sizeof measures[count].name, "%s", name);
         measures[count].unit = "";
         measures[count].value = value;
-        measures[count].note = "";
+        *measures[count].note = '\0';
     }
     return count + 1;
 }

@@ -23,7 +23,7 @@ enum bead_error bead_measures_create(const struct bead_chain *chain, struct bead
     }
     m->chain = chain;
     m->places = bead_places_find(chain);
-    m->time = m->before = m->clean = m->arrived = m->strike.opened = m->strike.velocity = NAN;
+    m->time = m->clean = m->arrived = m->strike.opened = m->strike.velocity = NAN;
     enum bead_error err = bead_pulses_create(chain, m->places.probe, &m->pulses, msg);
     if (!err)
         err = bead_participation_clean(chain, &m->clean, msg);
@@ -62,9 +62,10 @@ enum bead_error bead_measures_feed(struct bead_measures *m, const struct bead_sa
     bead_strike_feed(m, sample);
     memcpy(m->u, sample->field[BEAD_FIELD_DISPLACEMENT], moving * sizeof *m->u);
     memcpy(m->v, sample->field[BEAD_FIELD_VELOCITY], moving * sizeof *m->v);
-    m->before = m->time;
     m->time = sample->time;
-    if (isnan(m->arrived) && at_end(m, sample))
+    if (isnan(m->arrived) && at_end(m, sample)) {
         m->arrived = bead_chain_participation(m->chain, m->u, m->v);
+        m->arrived_time = sample->time;
+    }
     return bead_trace_feed(m, sample, msg);
 }

@@ -29,11 +29,11 @@ struct bead_measures {
     struct bead_pulses *pulses;
     struct bead_trace trace;
     struct bead_strike strike;
-    double *u, *v;  /* [beads], of the last sample: m, m/s */
-    double time;    /* s, of the last sample; NaN: none */
-    double before;  /* s, of the sample before */
-    double clean;   /* participation of the clean wave, beads; NaN: there is none */
-    double arrived; /* participation of the energies at the first sample after the front's arrival; NaN: none so far */
+    double *u, *v;       /* [beads], of the last sample: m, m/s */
+    double time;         /* s, of the last sample; NaN: none */
+    double clean;        /* participation of the clean wave, beads; NaN: there is none */
+    double arrived;      /* participation of the energies at the first sample after the front's arrival; NaN: none so far */
+    double arrived_time; /* s, of that sample */
 };
 
 /* What the rows are computed from, found once when the measures are read. */

@@ -9,7 +9,7 @@ static const double valley = 0.1;
 /* Maxima below this part of the largest force, or of a contact's first pulse, are no pulses. */
 static const double least = 1e-4, least_follower = 5e-3;
 
-enum { CENTRE = BEAD_CURVE_POINTS / 2 };
+enum { CENTRE = BEAD_CURVE_POINTS / 2, LAST = BEAD_CURVE_POINTS - 1 };
 
 enum bead_error bead_pulses_create(const struct bead_chain *chain, size_t probe, struct bead_pulses **pulses,
                                    struct bead_message *msg)
@@ -118,30 +118,46 @@ static void note(struct bead_pulses *p, size_t contact, struct bead_pulse found,
         look_ahead(p, x);
 }
 
-/* The contact has a maximum in the middle of the rows. */
-static void found_maximum(struct bead_pulses *p, size_t contact)
+/* The contact has a maximum about row `at`. */
+static void found_maximum(struct bead_pulses *p, size_t contact, size_t at)
 {
     double values[BEAD_CURVE_POINTS];
     column(p, contact, values);
     struct bead_curve curve = bead_curve_through(values, BEAD_CURVE_POINTS);
-    double x = bead_curve_maximum(&curve, CENTRE - 1, CENTRE + 1), force = bead_curve_value(&curve, x);
-    if (!(force >= values[CENTRE])) { /* a kink close by */
-        x = CENTRE;
-        force = values[CENTRE];
+    double x = bead_curve_maximum(&curve, (double)at - 1, fmin((double)at + 1, LAST)), force = bead_curve_value(&curve, x);
+    if (at == LAST && x > LAST - 1e-6) /* still rising */
+        return;
+    if (!(force >= values[at])) { /* a kink close by */
+        x = (double)at;
+        force = values[at];
     }
-    note(p, contact, (struct bead_pulse){force, p->time + (x - (BEAD_CURVE_POINTS - 1)) * p->spacing}, x);
+    note(p, contact, (struct bead_pulse){force, p->time + (x - LAST) * p->spacing}, x);
 }
 
-static void look(struct bead_pulses *p, size_t moving)
+static void look_at(struct bead_pulses *p, size_t k, size_t at)
 {
     /* Between samples a maximum is that much higher, at most. */
     static const double higher = 1.1;
-    const double *before = p->row[CENTRE - 1], *here = p->row[CENTRE], *after = p->row[CENTRE + 1];
-    for (size_t k = 0; k < moving; k++) {
-        p->low[k] = here[k] < p->low[k] ? here[k] : p->low[k];
-        if (here[k] > before[k] && here[k] >= after[k] && here[k] > least * p->record && matters(p, k, higher * here[k]))
-            found_maximum(p, k);
-    }
+    const double before = p->row[at - 1][k], here = p->row[at][k], after = p->row[at < LAST ? at + 1 : LAST][k];
+    p->low[k] = here < p->low[k] ? here : p->low[k];
+    if (here > before && here >= after && here > least * p->record && matters(p, k, higher * here))
+        found_maximum(p, k, at);
+}
+
+/* Maxima about row `at`, the last contact's first: it may be the wall's, which ends the time of the pulses. */
+static void look(struct bead_pulses *p, size_t moving, size_t at)
+{
+    if (moving > 0 && moving == p->contacts)
+        look_at(p, moving - 1, at);
+    for (size_t k = 0; k < moving && k + 1 < p->contacts; k++)
+        look_at(p, k, at);
+}
+
+void bead_pulses_end(struct bead_pulses *p)
+{
+    for (size_t at = CENTRE + 1; at <= LAST && p->fed >= BEAD_CURVE_POINTS && !p->ended; at++)
+        look(p, p->contacts, at);
+    p->ended = true;
 }
 
 void bead_pulses_feed(struct bead_pulses *p, const struct bead_sample *sample)
@@ -161,5 +177,5 @@ void bead_pulses_feed(struct bead_pulses *p, const struct bead_sample *sample)
     p->spacing = sample->time - p->time;
     p->time = sample->time;
     if (++p->fed >= BEAD_CURVE_POINTS)
-        look(p, moving);
+        look(p, moving, CENTRE);
 }

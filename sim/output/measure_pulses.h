@@ -26,11 +26,12 @@ struct bead_pulses {
     size_t contacts, fed, probe;
     double *memory, *row[BEAD_CURVE_POINTS]; /* N: the last samples of all contacts, oldest first */
     double time, spacing;                    /* s, of the last sample; between samples */
-    double record;                           /* N, largest so far */
-    double struck;                           /* s: first maximum of the wall's contact; NaN: none so far */
-    double ahead[BEAD_PULSES_AHEAD];         /* forces 1, 2, ... contacts ahead as the probe's first pulse is highest; NaN */
-    double *low;                             /* [contacts] N, least force since the last pulse */
-    struct bead_track *track;                /* [contacts] */
+    bool ended;
+    double record;                   /* N, largest so far */
+    double struck;                   /* s: first maximum of the wall's contact; NaN: none so far */
+    double ahead[BEAD_PULSES_AHEAD]; /* forces 1, 2, ... contacts ahead as the probe's first pulse is highest; NaN */
+    double *low;                     /* [contacts] N, least force since the last pulse */
+    struct bead_track *track;        /* [contacts] */
 };
 
 /* Errors: MEMORY. */
@@ -38,6 +39,8 @@ BEAD_CHECK enum bead_error bead_pulses_create(const struct bead_chain *chain, si
                                               struct bead_message *msg);
 void bead_pulses_destroy(struct bead_pulses *pulses);
 void bead_pulses_feed(struct bead_pulses *pulses, const struct bead_sample *sample);
+/* After the last sample: the maxima up to it, which have fewer samples behind them. Does nothing when called again. */
+void bead_pulses_end(struct bead_pulses *pulses);
 /* The first pulse of a contact; force NaN where there is none. */
 struct bead_pulse bead_pulses_first(const struct bead_pulses *pulses, size_t contact);
 

@@ -7,12 +7,16 @@
 #include "beadreel/participation.h"
 #include "sim/output/measure_decay.h"
 #include "sim/output/measure_private.h"
+#include "sim/output/sink_grid.h"
+
+enum { NOTE = sizeof((struct bead_measure *)0)->note };
 
 struct reading {
     const struct bead_measures *m;
     const struct bead_outcome *outcome; /* may be NULL */
     struct bead_pulse_found pulse;
     struct bead_decay_found decay;
+    char *note; /* [NOTE], of the row that is being read: what its function has to say */
 };
 
 /* ---- the chain ---- */
@@ -109,19 +113,34 @@ static double follower(const struct reading *r, int n)
 {
     const struct bead_pulses *p = r->m->pulses;
     for (size_t k = r->m->places.probe + 1; k-- > 0;) {
-        if (p->track[k].count > (size_t)n)
+        if (p->track[k].count > (size_t)n && !(p->track[k].pulse[n].time > p->struck))
             return p->track[k].pulse[n].force / p->track[k].pulse[0].force;
     }
     return NAN;
 }
 
-/* ---- participation at the end: (sum e)^2 / sum e^2 ---- */
+/* ---- participation: (sum e)^2 / sum e^2, at the end and as the front arrives ---- */
 
-static double force_of(const struct bead_measures *m, size_t k)
+/* Where no run tells the state, that of a sample stands in for it. */
+static void note_time(const struct reading *r, double time)
+{
+    bead_time_text(time, "s", r->note + snprintf(r->note, NOTE, "at "), NOTE - 3);
+}
+
+/* The beads at the end. */
+static struct bead_moment final(const struct reading *r)
+{
+    if (r->outcome && r->outcome->final.displacement)
+        return r->outcome->final;
+    note_time(r, r->m->time);
+    return (struct bead_moment){r->m->time, r->m->u, r->m->v};
+}
+
+static double force_of(const struct bead_measures *m, const double *u, size_t k)
 {
     const struct bead_law_spec *spec = &bead_chain_spec(m->chain)->law;
-    double next = k + 1 < bead_chain_beads(m->chain) ? m->u[k + 1] : 0;
-    double compression = bead_chain_static_compression(m->chain)[k] + (m->u[k] - next);
+    double next = k + 1 < bead_chain_beads(m->chain) ? u[k + 1] : 0;
+    double compression = bead_chain_static_compression(m->chain)[k] + (u[k] - next);
     return spec->row->force(bead_chain_stiffness(m->chain)[k], spec, compression) - bead_chain_static_force(m->chain)[k];
 }
 
@@ -129,9 +148,10 @@ static double force_participation(const struct reading *r, int n)
 {
     (void)n;
     const struct bead_measures *m = r->m;
+    const struct bead_moment end = final(r);
     double sum = 0, squares = 0;
     for (size_t k = 0; k < bead_chain_contacts(m->chain); k++) {
-        double f = force_of(m, k);
+        double f = force_of(m, end.displacement, k);
         sum += f;
         squares += f * f;
     }
@@ -141,21 +161,33 @@ static double force_participation(const struct reading *r, int n)
 static double energy_participation(const struct reading *r, int n)
 {
     (void)n;
-    return bead_chain_participation(r->m->chain, r->m->u, r->m->v);
+    const struct bead_moment end = final(r);
+    return bead_chain_participation(r->m->chain, end.displacement, end.velocity);
 }
 
-/* A run that ends at the front's arrival has no sample after it, but one just before. */
 static double clean_index(const struct reading *r, int n)
 {
     (void)n;
     const struct bead_measures *m = r->m;
-    double found = m->arrived, arrival = r->outcome ? r->outcome->front_arrival : NAN;
-    if (isnan(found) && arrival <= m->time + 1.5 * (m->time - m->before))
+    const struct bead_moment *arrived = r->outcome && r->outcome->arrived.displacement ? &r->outcome->arrived : NULL;
+    double found = arrived ? bead_chain_participation(m->chain, arrived->displacement, arrived->velocity) : m->arrived;
+    if (!arrived)
+        note_time(r, m->arrived_time);
+    /* The samples of a run that ends at the front's arrival do too. */
+    if (isnan(found) && r->outcome && r->outcome->front_arrival <= m->time + 1.5 * m->pulses->spacing)
         found = energy_participation(r, 0);
     return bead_clean_index(bead_chain_beads(m->chain), found, m->clean);
 }
 
 /* ---- decay, defects, walls ---- */
+
+static double decay_rate(const struct reading *r, int n)
+{
+    (void)n;
+    if (!isnan(r->decay.rate) && !r->decay.seen)
+        snprintf(r->note, NOTE, "none seen");
+    return r->decay.seen ? r->decay.rate : NAN;
+}
 
 #define OF_DECAY(name, value)                                  \
     static double decay_##name(const struct reading *r, int n) \
@@ -163,7 +195,6 @@ static double clean_index(const struct reading *r, int n)
         (void)n;                                               \
         return isnan(r->decay.rate) ? NAN : (value);           \
     }
-OF_DECAY(rate, r->decay.seen ? r->decay.rate : INFINITY)
 OF_DECAY(length, r->decay.seen && r->decay.rate > 0 ? 1 / r->decay.rate : NAN)
 OF_DECAY(error, r->decay.error)
 OF_DECAY(first, (double)r->decay.first)
@@ -225,7 +256,7 @@ static double striker_velocity(const struct reading *r, int n)
 /* Widths are in beads: times at the probe, multiplied by the speed of the pulse there. */
 static const struct row {
     struct bead_measure_info info;
-    double (*value)(const struct reading *reading, int n); /* NaN: this run has none; INFINITY: none was seen */
+    double (*value)(const struct reading *reading, int n); /* NaN: this run has none, but for what is noted */
     int n;
 } rows[] = {
     {{"magnetism", "", "M = |N_up - N_down| / (N_up + N_down); thesis, Eq. 15"}, magnetism, 0},
@@ -289,22 +320,23 @@ const struct bead_measure_info *bead_measure_info(size_t index)
     return index < ROWS ? &rows[index].info : NULL;
 }
 
-size_t bead_measures_read(const struct bead_measures *m, const struct bead_outcome *outcome, struct bead_measure *found,
-                          size_t room)
+size_t bead_measures_read(struct bead_measures *m, const struct bead_outcome *outcome, struct bead_measure *found, size_t room)
 {
-    struct reading reading = {.m = m, .outcome = outcome, .pulse = bead_trace_read(m)};
+    char note[NOTE];
+    bead_pulses_end(m->pulses);
+    struct reading reading = {
+        .m = m, .outcome = outcome, .pulse = bead_trace_read(m), .decay = bead_decay_find(m, outcome), .note = note};
     size_t count = 0;
-    reading.decay = bead_decay_find(m, outcome);
     for (size_t i = 0; i < ROWS; i++) {
+        *note = '\0';
         double value = rows[i].value(&reading, rows[i].n);
-        if (isnan(value))
+        if (!isfinite(value) && strcmp(note, "none seen") != 0)
             continue;
         if (count < room) {
             struct bead_measure *f = &found[count];
+            *f = (struct bead_measure){.unit = rows[i].info.unit, .value = value};
             snprintf(f->name, sizeof f->name, "%s", rows[i].info.name);
-            f->unit = rows[i].info.unit;
-            f->value = isinf(value) ? NAN : value;
-            f->note = isinf(value) ? "none seen" : "";
+            memcpy(f->note, note, sizeof note);
         }
         count++;
     }

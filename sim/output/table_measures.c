@@ -14,6 +14,14 @@ static bool of_beads(const struct bead_chain *chain)
     return bead_chain_spec(chain)->equation.name == NULL;
 }
 
+/* The last sample is the end: what has come until then is measured until then. */
+static void end_with_run(struct bead_grid *grid)
+{
+    const double length = grid->end - grid->start, parts = ceil(length / grid->every * (1 - 1e-9));
+    if (parts >= 1)
+        grid->every = length / parts;
+}
+
 static enum bead_error measures_prepare(struct bead_sink *sink, struct bead_message *msg)
 {
     size_t count = sink->context.chain_count, watched = 0;
@@ -33,6 +41,8 @@ static enum bead_error measures_prepare(struct bead_sink *sink, struct bead_mess
     struct bead_run_context context = sink->context;
     context.resolution *= coarser;
     err = bead_sink_grid(sink->output, &context, &sink->grid, msg);
+    if (!err && !(context.native.every > 0))
+        end_with_run(&sink->grid);
     bead_time_text(sink->grid.every, bead_chain_time_unit(sink->context.chains[0]), every, sizeof every);
     snprintf(sink->why, sizeof sink->why, "measures of the run, from %zu samples every %s", bead_grid_count(&sink->grid), every);
     return err;
@@ -47,6 +57,7 @@ static void measures_needs(const struct bead_sink *sink, struct bead_needs *need
     needs->grid = sink->grid;
     needs->until = sink->grid.end;
     needs->beads = (struct bead_span){0, SIZE_MAX};
+    needs->states = true;
 }
 
 static void measures_header(struct bead_sink *sink)
@@ -68,7 +79,7 @@ static void write_row(struct bead_sink *sink, size_t chain, const struct bead_me
     }
     bead_table_text(sink->file, measure->name);
     bead_table_numbers(sink->file, 1, &measure->value);
-    fprintf(sink->file, ",%s,%s\n", measure->unit, measure->note ? measure->note : "");
+    fprintf(sink->file, ",%s,%s\n", measure->unit, measure->note);
     sink->rows++;
 }
 

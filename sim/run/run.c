@@ -37,8 +37,9 @@ struct bead_run {
     struct bead_peaks *contact_peaks, *bead_peaks;
     double *state_memory, *u, *v, *f; /* samples: state between steps */
     double *field[BEAD_FIELD_COUNT];
-    double drift_bound; /* of the energy's error: where it is passed steps become shorter */
-    uint64_t checked;   /* step that energy was looked at last */
+    double *arrived, *final; /* [2][beads] u, v as the front arrives and at the end; NULL: not asked for */
+    double drift_bound;      /* of the energy's error: where it is passed steps become shorter */
+    uint64_t checked;        /* step that energy was looked at last */
     uint64_t hash;
 };
 
@@ -102,6 +103,12 @@ static enum bead_error allocate(struct bead_run *run, struct bead_message *msg)
         *array[i] = at;
     for (size_t i = 0; i < BEAD_FIELD_COUNT; i++, at += stride)
         run->field[i] = at;
+    if (!run->settings.states)
+        return BEAD_OK;
+    run->arrived = calloc(2 * beads, sizeof *run->arrived);
+    run->final = calloc(2 * beads, sizeof *run->final);
+    if (!run->arrived || !run->final)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for two states of %zu beads", beads);
     return BEAD_OK;
 }
 
@@ -150,6 +157,8 @@ void bead_run_destroy(struct bead_run *run)
     bead_dense_destroy(&run->dense);
     bead_stepper_destroy(run->stepper);
     free(run->state_memory);
+    free(run->arrived);
+    free(run->final);
     free(run);
 }
 
@@ -258,6 +267,15 @@ static void advance(struct bead_run *run)
         bead_stepper_advance_by(s, h, t);
 }
 
+/* Displacements, then velocities, at time t of the step just made. */
+static void keep_state(struct bead_run *run, double t, double *kept)
+{
+    const size_t beads = run->stepper->beads;
+    bead_dense_state(&run->dense, run->stepper, t, run->u, run->v);
+    memcpy(kept, run->u, beads * sizeof *kept);
+    memcpy(kept + beads, run->v, beads * sizeof *kept);
+}
+
 enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
 {
     struct bead_stepper *s = run->stepper;
@@ -265,9 +283,12 @@ enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
     if (bead_events_failed(s->events))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contacts that open or close");
     run->event_error = fmax(run->event_error, s->event_change);
+    const bool coming = isnan(run->front.arrival);
     enum bead_error err = bead_front_watch(&run->front, s, msg);
     if (err)
         return err;
+    if (run->arrived && coming && !isnan(run->front.arrival))
+        keep_state(run, run->front.arrival, run->arrived);
     double limit = run->settings.passage && !isnan(run->front.arrival) ? run->front.arrival : run->settings.end;
     if (run->contact_peaks)
         bead_peaks_step(run->contact_peaks, s, limit);
@@ -344,6 +365,11 @@ enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields,
     return BEAD_OK;
 }
 
+static struct bead_moment moment(const struct bead_run *run, double time, const double *kept)
+{
+    return (struct bead_moment){time, kept, kept + run->stepper->beads};
+}
+
 void bead_run_finish(struct bead_run *run, double end, struct bead_outcome *outcome)
 {
     const struct bead_stepper *s = run->stepper;
@@ -365,4 +391,10 @@ void bead_run_finish(struct bead_run *run, double end, struct bead_outcome *outc
         .contact_peaks = run->contact_peaks ? bead_peaks_found(run->contact_peaks) : NULL,
         .bead_peaks = run->bead_peaks ? bead_peaks_found(run->bead_peaks) : NULL,
     };
+    if (run->arrived && !isnan(run->front.arrival))
+        outcome->arrived = moment(run, run->front.arrival, run->arrived);
+    if (!run->final || !(end >= s->t0 && end <= s->t1))
+        return;
+    keep_state(run, end, run->final);
+    outcome->final = moment(run, end, run->final);
 }

@@ -65,6 +65,7 @@ static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
     for (size_t i = 0; i < p->consumer_count; i++) {
         settings.contact_peaks |= p->consumers[i].needs.contact_peaks;
         settings.bead_peaks |= p->consumers[i].needs.bead_peaks;
+        settings.states |= p->consumers[i].needs.states;
     }
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < p->chain_count; i++) {

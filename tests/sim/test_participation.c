@@ -187,6 +187,34 @@ static void index_has_no_scale(void **state)
     none("clean index"); /* the front has not arrived */
 }
 
+/* What is said to be at the end, or as the front arrives, is: however far apart the samples are. */
+static void states_are_read_at_their_times(void **state)
+{
+    (void)state;
+    static const char scene[] =
+        "materials: {heavy: {mass: 18 g, radius: 4.76 mm, modulus: 193 GPa, poisson: 0.3}}\n"
+        "chain: {striker: {bead: heavy, velocity: 0.443 m/s}, beads: [{cell: [large-steel, aluminium], count: 30,\n"
+        "  spins: random, magnetism: 0.5, seed: 3}], wall: brass}\n%soutputs: [{table: m.csv, show: measures, every: %s us}]\n";
+    static const char *const until[] = {"", "simulate: {until: 1.3 ms}\n"}, *const every[] = {"0.2", "2", "5"};
+    static const char *const names[] = {"participation of forces", "participation of energies", "clean index"};
+    static const char *const pulses[] = {"second pulse", "third pulse", "fourth pulse"};
+    for (size_t u = 0; u < 2; u++) {
+        double exact[3], pulse[3];
+        for (size_t e = 0; e < 3; e++) {
+            char text[1024];
+            snprintf(text, sizeof text, scene, until[u], every[e]);
+            measure(text);
+            for (size_t i = 0; i < 3; i++) {
+                exact[i] = e == 0 ? value_of(names[i]) : exact[i];
+                pulse[i] = e == 0 ? value_of(pulses[i]) : pulse[i];
+                noted(names[i], "");
+                near(names[i], exact[i], 1e-12);
+                near(pulses[i], pulse[i], 1e-3);
+            }
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -197,6 +225,7 @@ int main(void)
         cmocka_unit_test(ordered_chains_are_clean),
         cmocka_unit_test(disorder_delocalises),
         cmocka_unit_test(index_has_no_scale),
+        cmocka_unit_test(states_are_read_at_their_times),
     };
     return cmocka_run_group_tests_name("measures of order", tests, make_directory, remove_directory);
 }
