@@ -5,9 +5,8 @@
 #include <string.h>
 
 #include "sim/equation/equation.h"
+#include "sim/equation/kdv_solitons.h"
 #include "sim/equation/kdv_solver.h"
-
-static const double pi = 3.14159265358979323846;
 
 /* Conserved: the integrals of u, u^2 and drift u^2 / 2 + a u^3 / 6 - b u_x^2 / 2. */
 struct integrals {
@@ -25,6 +24,7 @@ struct watch {
 struct bead_motion {
     struct bead_kdv kdv;
     struct watch watch;
+    struct bead_kdv_solitons solitons;
 };
 
 /* ---- what it means ---- */
@@ -95,20 +95,10 @@ static void places(const struct bead_equation_spec *spec, size_t points, double 
 
 /* ---- integrals ---- */
 
-/* Values of u into the scratch grid: const runs own no other. */
-static const double *values(const struct bead_kdv *kdv)
-{
-    struct bead_spectral scratch = kdv->spectral;
-    bead_spectral_to_grid(&scratch, kdv->end.u);
-    for (size_t i = 0; i < scratch.points; i++)
-        scratch.grid[i] += kdv->mean;
-    return scratch.grid;
-}
-
 static void find_integrals(const struct bead_kdv *kdv, struct integrals *to)
 {
     const struct bead_equation_spec *spec = kdv->spec;
-    const double *u = values(kdv);
+    const double *u = bead_kdv_grid(kdv);
     double cubes = 0, squares = 0, slopes = 0;
     size_t n = kdv->spectral.points;
     for (size_t i = 0; i < n; i++)
@@ -168,79 +158,6 @@ static void watch_step(struct watch *w, const struct bead_kdv *kdv)
     }
 }
 
-/* ---- solitons ---- */
-
-struct crest {
-    double at, height; /* at: from low */
-};
-
-static bool is_crest(const double *u, size_t points, size_t i)
-{
-    return u[i] > u[i ? i - 1 : points - 1] && u[i] >= u[i + 1 < points ? i + 1 : 0];
-}
-
-/* The crest at or beside a grid point, by Newton's method on the series. */
-static struct crest refine(const struct bead_kdv *kdv, size_t point, double sign)
-{
-    double phase = 2 * pi * (double)point / (double)kdv->spectral.points, value[3], cell = 2 * pi / (double)kdv->spectral.points;
-    for (int i = 0; i < 6; i++) {
-        bead_spectral_at(kdv->end.u, kdv->spectral.modes, phase, value);
-        double move = value[2] != 0 ? -value[1] / value[2] : 0;
-        phase += fmin(fmax(move, -cell), cell);
-    }
-    bead_spectral_at(kdv->end.u, kdv->spectral.modes, phase, value);
-    return (struct crest){phase * kdv->spec->length / (2 * pi), sign * (value[0] + kdv->mean)};
-}
-
-static double wrap(double x, double length)
-{
-    return x - length * round(x / length);
-}
-
-static size_t add_of_soliton(struct bead_measure *to, size_t n, size_t room, size_t soliton, const char *what, double value)
-{
-    char name[sizeof to->name];
-    snprintf(name, sizeof name, "soliton %zu: %s", soliton + 1, what);
-    return bead_measure_add(to, n, room, name, value);
-}
-
-/* The crest whose height is nearest the soliton's. One that differs by more than a tenth is no soliton, or one in a collision. */
-static bool find_soliton(const struct bead_kdv *kdv, const double *u, size_t i, struct crest *best)
-{
-    const struct bead_equation_spec *spec = kdv->spec;
-    const double near = 0.1;
-    double height = bead_kdv_soliton_amplitude(spec, spec->solitons[i].speed), sign = height > 0 ? 1 : -1, least = INFINITY;
-    size_t n = kdv->spectral.points, found = 0;
-    for (size_t p = 0; p < n; p++) {
-        double here = fabs(u[p] - height);
-        bool crest = sign > 0 ? is_crest(u, n, p) : u[p] < u[p ? p - 1 : n - 1] && u[p] <= u[p + 1 < n ? p + 1 : 0];
-        if (crest && here < least) {
-            least = here;
-            found = p;
-        }
-    }
-    if (least > 2 * near * fabs(height)) /* a crest between points looks lower */
-        return false;
-    *best = refine(kdv, found, 1);
-    return fabs(best->height - height) <= near * fabs(height);
-}
-
-static size_t solitons(const struct bead_kdv *kdv, const double *u, struct bead_measure *to, size_t n, size_t room)
-{
-    const struct bead_equation_spec *spec = kdv->spec;
-    struct crest crest;
-    for (size_t i = 0; i < spec->soliton_count; i++) {
-        if (!find_soliton(kdv, u, i, &crest))
-            continue;
-        double place = spec->low + crest.at - spec->length * floor(crest.at / spec->length);
-        double free = spec->solitons[i].at + (spec->solitons[i].speed + spec->drift) * kdv->end.t;
-        n = add_of_soliton(to, n, room, i, "place", place);
-        n = add_of_soliton(to, n, room, i, "amplitude", crest.height);
-        n = add_of_soliton(to, n, room, i, "shift from free motion", wrap(place - free, spec->length));
-    }
-    return n;
-}
-
 /* ---- all measures ---- */
 
 static double relative(double now, double start)
@@ -248,7 +165,8 @@ static double relative(double now, double start)
     return start != 0 ? now / start - 1 : now;
 }
 
-static size_t all_measures(const struct watch *w, const struct bead_kdv *kdv, struct bead_measure *to, size_t room)
+static size_t all_measures(const struct watch *w, const struct bead_kdv_solitons *solitons, const struct bead_kdv *kdv,
+                           struct bead_measure *to, size_t room)
 {
     struct integrals now;
     size_t n = 0, crests = 0;
@@ -260,11 +178,11 @@ static size_t all_measures(const struct watch *w, const struct bead_kdv *kdv, st
     n = bead_measure_add(to, n, room, "hamiltonian", now.hamiltonian);
     n = bead_measure_add(to, n, room, "change of the hamiltonian, relative", relative(now.hamiltonian, w->start.hamiltonian));
     n = bead_measure_add(to, n, room, "tail of the spectrum, relative", kdv->tail);
-    const double *u = values(kdv);
+    const double *u = bead_kdv_grid(kdv);
     for (size_t i = 0; i < kdv->spectral.points; i++)
-        crests += is_crest(u, kdv->spectral.points, i);
+        crests += bead_kdv_is_crest(u, kdv->spectral.points, i);
     if (kdv->spec->start == BEAD_START_SOLITONS)
-        return solitons(kdv, u, to, n, room);
+        return bead_kdv_soliton_measures(solitons, kdv, to, n, room);
     n = bead_measure_add(to, n, room, "crests at the end", (double)crests);
     if (w->high > 0) {
         n = bead_measure_add(to, n, room, "recurrence time", w->high_time);
@@ -296,6 +214,7 @@ static enum bead_error kdv_create(const struct bead_motion_settings *settings, s
         return err;
     }
     watch_begin(&m->watch, &m->kdv);
+    bead_kdv_solitons_begin(&m->solitons, settings->spec);
     *motion = m;
     return BEAD_OK;
 }
@@ -318,9 +237,12 @@ static double time_of(const struct bead_motion *m)
 static enum bead_error kdv_step(struct bead_motion *m, struct bead_message *msg)
 {
     enum bead_error err = bead_kdv_step(&m->kdv, msg);
-    if (!err)
-        watch_step(&m->watch, &m->kdv);
-    return err;
+    if (err)
+        return err;
+    watch_step(&m->watch, &m->kdv);
+    if (m->kdv.spec->start == BEAD_START_SOLITONS)
+        bead_kdv_solitons_watch(&m->solitons, &m->kdv);
+    return BEAD_OK;
 }
 
 static enum bead_error kdv_sample(struct bead_motion *m, double t, unsigned wanted, double *const value[BEAD_FIELD_COUNT],
@@ -355,7 +277,7 @@ static double energy(const struct bead_motion *m)
 
 static size_t measures(const struct bead_motion *m, struct bead_measure *to, size_t room)
 {
-    return all_measures(&m->watch, &m->kdv, to, room);
+    return all_measures(&m->watch, &m->solitons, &m->kdv, to, room);
 }
 
 /* What mode k of the Fourier series adds to the mean of u^2; the mean itself is no mode. Cosines by rotation in long double: the

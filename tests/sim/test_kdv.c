@@ -125,6 +125,32 @@ static void solitons_collide_and_only_shift(void **state)
     kdv->destroy(motion);
 }
 
+/* Two of the same height are two crests, told apart by where they come from, also when a faster one has overtaken both. */
+static void solitons_of_equal_speed_are_told_apart(void **state)
+{
+    (void)state;
+    struct bead_equation_spec spec = one_soliton;
+    spec.solitons[0] = (struct bead_soliton){4, -8};
+    spec.solitons[1] = (struct bead_soliton){4, 8};
+    spec.soliton_count = 2;
+    struct bead_motion *motion = start_motion(kdv, &spec, 1e-6, 0, 0.5);
+    move_until(kdv, motion, 0.5);
+    assert_close(measure(kdv, motion, "soliton 1: place"), -6, 1e-4);
+    assert_close(measure(kdv, motion, "soliton 2: place"), 10, 1e-4);
+    for (int i = 1; i <= 2; i++)
+        assert_below(fabs(measure(kdv, motion, i == 1 ? "soliton 1: shift from free motion" : "soliton 2: shift from free motion")),
+                     1e-4);
+    kdv->destroy(motion);
+    spec.solitons[2] = (struct bead_soliton){16, -16};
+    spec.soliton_count = 3;
+    motion = start_motion(kdv, &spec, 1e-5, 0, 3.5);
+    move_until(kdv, motion, 3.5); /* the fast one comes round, but not to a second meeting */
+    assert_close(measure(kdv, motion, "soliton 1: shift from free motion"), -log(3), 1e-2);
+    assert_close(measure(kdv, motion, "soliton 2: shift from free motion"), -log(3), 1e-2);
+    assert_close(measure(kdv, motion, "soliton 3: shift from free motion"), log(3), 1e-2);
+    kdv->destroy(motion);
+}
+
 /* Started in the middle of the collision, by Hirota's formula, they part as those that met. */
 static void solitons_start_where_they_overlap(void **state)
 {
@@ -345,6 +371,7 @@ int main(void)
                                        cmocka_unit_test(a_soliton_has_its_integrals),
                                        cmocka_unit_test(a_soliton_has_its_width),
                                        cmocka_unit_test(solitons_collide_and_only_shift),
+                                       cmocka_unit_test(solitons_of_equal_speed_are_told_apart),
                                        cmocka_unit_test(solitons_start_where_they_overlap),
                                        cmocka_unit_test(signs_and_drift),
                                        cmocka_unit_test(zabusky_and_kruskal_see_eight_solitons),
