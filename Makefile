@@ -129,18 +129,22 @@ $(BUILD)/render/%.o: render/%.c $(BUILD)/.ready | $(WAIT)
 	$(call say,CC,$<) $(run) $(CC) $(FLAGS) $(sim_cflags) $(render_cflags) $(extra_$(*F)) -c $< -o $@
 
 # One source of the kernels of forces and of pixels, compiled for each instruction set and chosen at run time.
-extra_kernels_sse2   = -O3 -msse2
-extra_kernels_avx2   = -O3 -mavx2
-extra_kernels_avx512 = -O3 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512
+# Those of x86-64 are empty elsewhere.
+x86 = $(call once,x86,$(filter x86_64-%,$(shell $(CC) -dumpmachine)))
+extra_kernels_portable = -O3
+extra_kernels_sse2     = $(if $(x86),-O3 -msse2)
+extra_kernels_avx2     = $(if $(x86),-O3 -mavx2)
+extra_kernels_avx512   = $(if $(x86),-O3 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512)
 # Loops over all samples and pixels.
 extra_trajectory_read = -O3
 extra_area_kernels = -O3
 extra_area_colours = -O3
 extra_colour_table = -O3
 
-extra_pixel_kernels_sse2   = -O3 -msse2
-extra_pixel_kernels_avx2   = -O3 -mavx2
-extra_pixel_kernels_avx512 = -O3 -mavx512f -mavx512bw -mavx512dq -mavx512vl -mprefer-vector-width=512
+extra_pixel_kernels_portable = -O3
+extra_pixel_kernels_sse2     = $(if $(x86),-O3 -msse2)
+extra_pixel_kernels_avx2     = $(if $(x86),-O3 -mavx2)
+extra_pixel_kernels_avx512   = $(if $(x86),-O3 -mavx512f -mavx512bw -mavx512dq -mavx512vl -mprefer-vector-width=512)
 
 # The only place that knows where things get installed; compiled again when that changes.
 extra_assets = -DBEAD_DATADIR='"$(PREFIX)/share/beadreel"'

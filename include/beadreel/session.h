@@ -44,7 +44,7 @@ struct bead_job {
     const char *const *only; /* names of outputs to make; all others are skipped */
     size_t only_count;
     int threads;                                             /* 0: all cores; 1: everything in one thread; same results for any */
-    const char *instructions;                                /* NULL: the best; or sse2, avx2, avx512: same results for any */
+    const char *instructions;                                /* NULL: the best; or portable, sse2, avx2, avx512: same results for any */
     const char *canvas;                                      /* NULL: the first that works; see canvas.h */
     bool hash;                                               /* fill bead_counts.state_hash */
     bool full_window;                                        /* compute beads at rest too (for checks; same results) */

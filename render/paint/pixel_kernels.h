@@ -41,7 +41,7 @@ struct bead_pixel_kernels {
     void (*yuv420)(const uint8_t *const bgrx[2], uint8_t *const y[2], uint8_t *u, uint8_t *v, int width);
 };
 
-/* sse2, avx2 or avx512, or the best (NULL). NULL: there is none of that name, or not on this machine. */
+/* portable, sse2, avx2 or avx512, or the best (NULL). NULL: there is none of that name, or not on this machine. */
 const struct bead_pixel_kernels *bead_pixel_kernels_find(const char *name);
 
 #endif

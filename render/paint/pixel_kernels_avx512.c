@@ -1,4 +1,6 @@
 /* The kernels of pixel_kernels_body.h, compiled for AVX-512. */
+#ifdef __x86_64__
 #define KERNELS_NAME  "avx512"
 #define KERNELS_TABLE bead_pixel_kernels_avx512
 #include "render/paint/pixel_kernels_body.h"
+#endif

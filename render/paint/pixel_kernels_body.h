@@ -1,6 +1,7 @@
 /* Included by pixel_kernels_<set>.c, which defines KERNELS_NAME and KERNELS_TABLE. What is painted follows assets/shaders, in the
  * same order of operations, with 8-bit blending as Mesa's llvmpipe has it. */
 #include <math.h>
+#include <string.h>
 
 #include "render/paint/pixel_kernels.h"
 #include "render/paint/pixel_kernels_vector.h"

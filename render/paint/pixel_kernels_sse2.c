@@ -1,4 +1,6 @@
 /* The kernels of pixel_kernels_body.h, compiled for SSE2. */
+#ifdef __x86_64__
 #define KERNELS_NAME  "sse2"
 #define KERNELS_TABLE bead_pixel_kernels_sse2
 #include "render/paint/pixel_kernels_body.h"
+#endif

@@ -1,9 +1,17 @@
 /* Included by pixel_kernels_body.h: vectors of 32-bit numbers, one a pixel, as wide as the instruction set has them, in GCC's and
- * Clang's vector types. */
-#include <immintrin.h>
+ * Clang's vector types. With KERNELS_PORTABLE nothing else is used. */
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 
+#if defined KERNELS_PORTABLE
+#define LANES         4
+#define COUNT         0, 1, 2, 3
+#define ROOT_OF(x)    roots(x)
+#define LARGER(x, y)  larger(x, y)
+#define SMALLER(x, y) smaller(x, y)
+#else
+#include <immintrin.h>
 #if defined __AVX512F__
 #define LANES         16
 #define COUNT         0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
@@ -23,6 +31,7 @@
 #define LARGER(x, y)  ((reals)_mm_max_ps(x, y))
 #define SMALLER(x, y) ((reals)_mm_min_ps(x, y))
 #endif
+#endif
 typedef float reals __attribute__((vector_size(4 * LANES)));
 typedef float reals_anywhere __attribute__((vector_size(4 * LANES), aligned(4), may_alias));
 typedef int32_t ints __attribute__((vector_size(4 * LANES)));
@@ -36,6 +45,28 @@ static inline reals all(float x)
 {
     return x - (reals){0};
 }
+
+#ifdef KERNELS_PORTABLE
+static inline reals choose(ints mask, reals yes, reals no)
+{
+    return (reals)((mask & (ints)yes) | (~mask & (ints)no));
+}
+
+static inline reals larger(reals x, reals y)
+{
+    return choose(x > y, x, y);
+}
+
+static inline reals smaller(reals x, reals y)
+{
+    return choose(x < y, x, y);
+}
+
+static inline reals roots(reals x)
+{
+    return (reals){sqrtf(x[0]), sqrtf(x[1]), sqrtf(x[2]), sqrtf(x[3])};
+}
+#endif
 
 static inline reals clamp(reals x)
 {

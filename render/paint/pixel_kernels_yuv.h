@@ -25,7 +25,7 @@ _Static_assert((LUMA_BASE + 255 * (YR + YG + YB)) >> FRACTION == 235, "white is 
 /* A block is 16 pixels wide, however wide a vector is. */
 enum { BLOCK = 16, VECTORS = BLOCK / LANES };
 
-#if defined __AVX512F__
+#if LANES == 16
 #define ADD_PRODUCTS(x, y) ((ints)_mm512_madd_epi16((__m512i)(x), (__m512i)(y)))
 /* Sums of neighbours stand in every second lane. */
 enum { SUMS = 1 };
@@ -44,7 +44,7 @@ static inline void store_chroma(const ints *u, const ints *v, uint8_t *to_u, uin
     _mm_storel_epi64((__m128i *)to_u, _mm512_cvtepi64_epi8((__m512i)u[0]));
     _mm_storel_epi64((__m128i *)to_v, _mm512_cvtepi64_epi8((__m512i)v[0]));
 }
-#elif defined __AVX2__
+#elif LANES == 8
 #define ADD_PRODUCTS(x, y) ((ints)_mm256_madd_epi16((__m256i)(x), (__m256i)(y)))
 /* Sums of neighbours stand in the order 0, 1, 4, 5, 2, 3, 6, 7. */
 enum { SUMS = 1 };
@@ -70,15 +70,44 @@ static inline void store_chroma(const ints *u, const ints *v, uint8_t *to_u, uin
     _mm_storel_epi64((__m128i *)to_v, _mm_unpackhi_epi64(both, both));
 }
 #else
-#define ADD_PRODUCTS(x, y) ((ints)_mm_madd_epi16((__m128i)(x), (__m128i)(y)))
 enum { SUMS = 2 };
 static inline void add_neighbours(const pairs *x, pairs *sum)
 {
     for (int i = 0; i < SUMS; i++) {
-        const __m128 a = (__m128)x[2 * i], b = (__m128)x[2 * i + 1];
-        sum[i] = (pairs)_mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)) + (pairs)_mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1));
+        const reals a = (reals)x[2 * i], b = (reals)x[2 * i + 1];
+        sum[i] = (pairs)__builtin_shufflevector(a, b, 0, 2, 4, 6) + (pairs)__builtin_shufflevector(a, b, 1, 3, 5, 7);
     }
 }
+#ifdef KERNELS_PORTABLE
+typedef uint8_t few_bytes __attribute__((vector_size(LANES)));
+
+static inline ints add_products(pairs x, pairs y)
+{
+    const ints a = (ints)x, b = (ints)y, low = (ints)((words)x << 16) >> 16;
+    return low * ((ints)((words)y << 16) >> 16) + (a >> 16) * (b >> 16);
+}
+#define ADD_PRODUCTS(x, y) add_products(x, (pairs)(y))
+
+static inline void store_bytes(const ints *x, int vectors, uint8_t *to)
+{
+    for (int i = 0; i < vectors; i++) {
+        const few_bytes bytes = __builtin_convertvector(x[i], few_bytes);
+        memcpy(to + LANES * i, &bytes, LANES);
+    }
+}
+
+static inline void store_luma(const ints *y, uint8_t *to)
+{
+    store_bytes(y, VECTORS, to);
+}
+
+static inline void store_chroma(const ints *u, const ints *v, uint8_t *to_u, uint8_t *to_v)
+{
+    store_bytes(u, SUMS, to_u);
+    store_bytes(v, SUMS, to_v);
+}
+#else
+#define ADD_PRODUCTS(x, y) ((ints)_mm_madd_epi16((__m128i)(x), (__m128i)(y)))
 
 static inline void store_luma(const ints *y, uint8_t *to)
 {
@@ -93,6 +122,7 @@ static inline void store_chroma(const ints *u, const ints *v, uint8_t *to_u, uin
     _mm_storel_epi64((__m128i *)to_u, both);
     _mm_storel_epi64((__m128i *)to_v, _mm_unpackhi_epi64(both, both));
 }
+#endif
 #endif
 
 /* Pixels, or sums of pixels, as 16-bit numbers: (blue, red) and (green, anything) in each lane. */

@@ -24,7 +24,7 @@ static const char *const progress_words[] = {[COMMAND_PROGRESS_AUTO] = "auto",
                                              [COMMAND_PROGRESS_JSON] = "json",
                                              [COMMAND_PROGRESS_NONE] = "none",
                                              NULL};
-static const char *const instruction_words[] = {"sse2", "avx2", "avx512", NULL};
+static const char *const instruction_words[] = {"portable", "sse2", "avx2", "avx512", NULL};
 
 static enum bead_error set_output(struct command *command, const char *value, struct bead_message *msg)
 {
@@ -200,7 +200,8 @@ static const struct option_row rows[] = {
     {"shard", 0, "K/N", "compute part K of N of a sweep into a file of its own: sweep.h5 becomes sweep.KofN.h5", NULL, set_shard},
     {"merge", 0, NULL, "merge the given parts of a sweep, in any order, into the file -o", NULL, set_merge},
     {"threads", 0, "N", "use N threads (default 0: all cores); the results do not depend on N", NULL, set_threads},
-    {"instructions", 0, "SET", "compute with sse2, avx2 or avx512 (default: the best there is); the results do not depend on SET",
+    {"instructions", 0, "SET",
+     "compute with portable, or on x86-64 with sse2, avx2 or avx512 (default: the best there is); the results are the same",
      instruction_words, set_instructions},
     {"canvas", 0, "NAME", "what paints beads: osmesa (the default), else egl, else plain, which is the fastest; all look the same",
      NULL, set_canvas},

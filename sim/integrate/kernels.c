@@ -6,12 +6,15 @@
 
 #include "beadreel/law.h"
 
-extern const struct bead_kernels bead_kernels_sse2, bead_kernels_avx2, bead_kernels_avx512;
+extern const struct bead_kernels bead_kernels_portable;
 
 static bool always(void)
 {
     return true;
 }
+
+#ifdef __x86_64__
+extern const struct bead_kernels bead_kernels_sse2, bead_kernels_avx2, bead_kernels_avx512;
 
 static bool has_avx2(void)
 {
@@ -22,15 +25,19 @@ static bool has_avx512(void)
 {
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
 }
+#endif
 
 /* Best first. */
 static const struct {
     const struct bead_kernels *kernels;
     bool (*usable)(void);
 } sets[] = {
+#ifdef __x86_64__
     {&bead_kernels_avx512, has_avx512},
     {&bead_kernels_avx2, has_avx2},
     {&bead_kernels_sse2, always},
+#endif
+    {&bead_kernels_portable, always},
 };
 
 const struct bead_kernels *bead_kernels_find(const char *name)

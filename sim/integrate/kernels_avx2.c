@@ -1,4 +1,5 @@
 /* The kernels of kernels_body.h, compiled for AVX2. */
+#ifdef __x86_64__
 #define KERNELS_NAME        "avx2"
 #define KERNELS_DESCRIPTION "x86-64-v3"
 #define KERNELS_TABLE       bead_kernels_avx2
@@ -16,3 +17,4 @@ void bead_integrate_few(double from, double to, const double *tau, const struct 
 {
     integrate_piece(from, to, tau, rule, sweeps, enough, patch);
 }
+#endif

@@ -1,7 +1,22 @@
-/* Included by kernels_body.h: vectors as wide as the instruction set has them, in GCC's and Clang's vector types. */
-#include <immintrin.h>
+/* Included by kernels_body.h: vectors as wide as the instruction set has them, in GCC's and Clang's vector types. With
+ * KERNELS_PORTABLE nothing else is used: 128 bits are what most processors have. */
+#include <math.h>
 #include <stdint.h>
 
+#if defined KERNELS_PORTABLE
+#define LANES            2
+#define ROOTS            1
+#define FOLLOW           1, 2
+#define LOWER            0, 1
+#define UPPER            2, 3
+#define FLOAT_ROOT_OF(x) ((floats){sqrtf((x)[0]), sqrtf((x)[1]), sqrtf((x)[2]), sqrtf((x)[3])})
+#define ROOT_OF(x)       ((lanes){sqrt((x)[0]), sqrt((x)[1])})
+#define LARGER_OF(x, y)  choose((x) > (y), x, y)
+#define SMALLER_OF(x, y) choose((x) < (y), x, y)
+#define BITS_OF(x)       ((unsigned)((x)[0] < 0) | (unsigned)((x)[1] < 0) << 1)
+#define EACH(f)          f(0), f(1)
+#else
+#include <immintrin.h>
 #if defined __AVX512F__
 #define LANES            8
 #define ROOTS            3
@@ -38,6 +53,7 @@
 #define SMALLER_OF(x, y) ((lanes)_mm_min_pd(x, y))
 #define BITS_OF(x)       ((unsigned)_mm_movemask_pd((__m128d)(x)))
 #define EACH(f)          f(0), f(1)
+#endif
 #endif
 typedef double lanes __attribute__((vector_size(8 * LANES)));
 typedef int64_t lane_masks __attribute__((vector_size(8 * LANES)));
@@ -108,7 +124,7 @@ static inline lanes gather_lanes(const double *x, const size_t *at)
 /* A bit for each lane where x < y. */
 static inline unsigned less_bits(lanes x, lanes y)
 {
-#ifdef __AVX512F__
+#if LANES == 8
     return _mm512_cmp_pd_mask(x, y, _CMP_LT_OQ);
 #else
     return BITS_OF(x < y);
@@ -118,7 +134,7 @@ static inline unsigned less_bits(lanes x, lanes y)
 /* k, k + 1, ... of the lanes whose bits are set, one behind the other; whole vectors are written. Returns how many. */
 static inline size_t pack_numbers(unsigned bits, size_t k, size_t *out)
 {
-#ifdef __AVX512F__
+#if LANES == 8
     const __m512i number = _mm512_add_epi64(_mm512_set1_epi64((long long)k), _mm512_set_epi64(7, 6, 5, 4, 3, 2, 1, 0));
     _mm512_storeu_si512(out, _mm512_maskz_compress_epi64((__mmask8)bits, number));
 #else
@@ -174,7 +190,7 @@ static inline bool any_float(float_masks x)
     return any_lane((lane_masks)x | (lane_masks)x << 32);
 }
 
-#ifdef __AVX512F__
+#if LANES == 8
 /* The square root, rounded correctly as the instruction's is but three times as fast: an estimate, two Newton steps for it and its
  * inverse, and the remainder x - g^2, exact in a fused multiply-add (P. Markstein, IBM J. Res. Dev. 34 (1990) 111). Zeros stay
  * zeros. Where the remainder might underflow, or x is not finite, the instruction does it. */

@@ -4,10 +4,10 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <xmmintrin.h>
 
 #include "sim/integrate/damped_contacts.h"
 #include "sim/integrate/events.h"
+#include "sim/integrate/subnormals.h"
 #include "sim/integrate/tableau.h"
 
 /* Elements before and behind each array: f[-1], u[n], and whole vectors for the aligned ends. */
@@ -230,14 +230,13 @@ void bead_stepper_advance_by(struct bead_stepper *s, double h, double t1)
     open_window(s, &s->start);
     /* Ahead of the front displacements fall doubly exponentially: flush them to zero below 1e-308 rather than compute slowly with
      * subnormal numbers. The caller's flags are restored afterwards. */
-    unsigned flags = _mm_getcsr();
-    _mm_setcsr(flags | 0x8040);
+    const uint64_t flags = flush_subnormals();
     s->method->step(s, h);
     if (s->closed)
         end_at_closing(s);
     if (s->events)
         bead_events_correct(s->events, s);
-    _mm_setcsr(flags);
+    set_arithmetic_flags(flags);
     s->steps++;
 }
 

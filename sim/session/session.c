@@ -109,7 +109,7 @@ enum bead_error bead_session_open(const struct bead_job *job, struct bead_sessio
     enum bead_error err = BEAD_OK;
     if (!s->kernels)
         err = bead_fail(msg, BEAD_ERROR_USAGE,
-                        "--instructions %s: this machine has no such kernels; allowed are sse2, avx2, avx512", job->instructions);
+                        "--instructions %s: this machine has no such kernels; allowed are portable and, on x86-64, sse2, avx2, avx512", job->instructions);
     else if (!job->input)
         err = bead_fail(msg, BEAD_ERROR_USAGE, "no scene given");
     else

@@ -62,7 +62,7 @@ for n in 1 2 3; do
     ok "same numbers with $n threads" cmp all/beads.csv "threads$n/beads.csv"
     ok "same samples with $n threads" cmp <(contents all/run.h5) <(contents "threads$n/run.h5")
 done
-for set in sse2 avx2 avx512; do
+for set in portable sse2 avx2 avx512; do
     if "$beadsim" scene.yaml -o "$set" --instructions=$set >/dev/null 2>err; then
         ok "same numbers with $set" cmp all/beads.csv "$set/beads.csv"
         ok "same samples with $set" cmp <(contents all/run.h5) <(contents "$set/run.h5")

@@ -91,7 +91,7 @@ static void bt709_is_exact(void **state)
 static void instruction_sets_give_the_same_bytes(void **state)
 {
     enum { PIXELS = 80, BYTES = 96 };
-    static const char *const names[] = {"sse2", "avx2", "avx512"};
+    static const char *const names[] = {"portable", "sse2", "avx2", "avx512"};
     (void)state;
     _Alignas(64) uint8_t first[4][BYTES], bytes[4][BYTES];
     uint32_t seed = 5;
@@ -102,7 +102,7 @@ static void instruction_sets_give_the_same_bytes(void **state)
                 frame.pixels[i] = random_bits(&seed) & 1 ? 255 : 0;
         }
         const uint8_t *const rows[2] = {frame.pixels, frame.pixels + frame.stride};
-        for (int i = 0; i < 3; i++) {
+        for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
             const struct bead_pixel_kernels *kernels = bead_pixel_kernels_find(names[i]);
             if (!kernels)
                 continue; /* this machine has none */

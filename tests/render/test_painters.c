@@ -349,8 +349,8 @@ static void assert_clipped(const struct bead_frame *frame, const struct bead_fra
 
 static void test_instruction_sets_give_the_same_pixels(void **state)
 {
-    static const char *const names[] = {"avx2", "avx512"};
-    const struct bead_pixel_kernels *least = bead_pixel_kernels_find("sse2");
+    static const char *const names[] = {"sse2", "avx2", "avx512"};
+    const struct bead_pixel_kernels *least = bead_pixel_kernels_find("portable");
     struct bead_frame one, other, before;
     struct bead_message msg = {""};
     (void)state;
@@ -366,7 +366,7 @@ static void test_instruction_sets_give_the_same_pixels(void **state)
         draw_with(least, &one, &d, level);
         assert_clipped(&one, &before);
         assert_memory_not_equal(one.pixels, before.pixels, one.stride * HEIGHT);
-        for (int i = 0; i < 2; i++) {
+        for (int i = 0; i < 3; i++) {
             const struct bead_pixel_kernels *kernels = bead_pixel_kernels_find(names[i]);
             if (!kernels)
                 continue; /* this machine has none */
@@ -383,16 +383,16 @@ static void test_instruction_sets_give_the_same_pixels(void **state)
 /* Frames narrower than a vector, and painters that begin anywhere in them. */
 static void test_narrow_frames(void **state)
 {
-    static const char *const names[] = {"avx2", "avx512"};
+    static const char *const names[] = {"portable", "sse2", "avx2", "avx512"};
     struct bead_message msg = {""};
     (void)state;
     for (int width = 1; width < 36; width++) {
-        struct bead_frame frames[3];
+        struct bead_frame frames[4];
         const int x = width / 3;
         const struct bead_ball ball = {2.3f, 1.5f, 6, -30, 30, {90, 200, 30, 255}};
         const struct bead_mark mark = {.box = {-3, -3, 40, 9}, .kind = BEAD_MARK_GLOW, .rgba = {255, 255, 255, 200}};
-        for (int i = 0; i < 3; i++) {
-            const struct bead_pixel_kernels *kernels = bead_pixel_kernels_find(i ? names[i - 1] : "sse2");
+        for (int i = 0; i < 4; i++) {
+            const struct bead_pixel_kernels *kernels = bead_pixel_kernels_find(names[i]);
             require(bead_frame_create(width, 3, &frames[i], &msg), &msg);
             const struct bead_ground ground = {frames[i].pixels, frames[i].stride, {x, 0}, {0, 0, width - x, 3}};
             if (kernels) { /* else this machine has none */
@@ -402,7 +402,7 @@ static void test_narrow_frames(void **state)
             }
         }
         assert_true(frames[0].pixels[4 * x + 1] > frames[0].pixels[4 * x]);
-        for (int i = 0; i < 3; i++)
+        for (int i = 0; i < 4; i++)
             bead_frame_free(&frames[i]);
     }
 }
@@ -436,7 +436,7 @@ static void expect_curve(const struct bead_columns *k, int x, int y, const uint8
 
 static void test_curves_are_averages_over_slices(void **state)
 {
-    static const char *const names[] = {"sse2", "avx2", "avx512"};
+    static const char *const names[] = {"portable", "sse2", "avx2", "avx512"};
     enum { FROM = 3, TO = 50, UNTOUCHED = 2 };
     struct bead_frame before, first, other;
     struct bead_message msg = {""};
@@ -453,7 +453,7 @@ static void test_curves_are_averages_over_slices(void **state)
         k.from[g] = FROM;
         k.to[g] = g == UNTOUCHED ? FROM : TO;
     }
-    for (int i = 0; i < 3; i++) {
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         const struct bead_pixel_kernels *kernels = bead_pixel_kernels_find(names[i]);
         if (!kernels)
             continue; /* this machine has none */

@@ -89,7 +89,7 @@ static void peaks_of_beads(void **state)
 static void bits_are_the_same(void **state)
 {
     (void)state;
-    static const char *const sets[] = {"sse2", "avx2", "avx512"};
+    static const char *const sets[] = {"portable", "sse2", "avx2", "avx512"};
     static const double tolerances[] = {1e-7, 1e-12};
     struct setup x;
     make_problem(&x, 3, 0.443);
@@ -97,7 +97,7 @@ static void bits_are_the_same(void **state)
         struct bead_stepper *one = make_stepper(&x, "rkn8", NULL, false);
         one->event_tolerance = tolerances[t];
         steps(one, 4e-6, 225);
-        for (size_t i = 0; i < 3; i++) {
+        for (size_t i = 0; i < sizeof sets / sizeof *sets; i++) {
             struct bead_stepper *other = make_stepper(&x, "rkn8", sets[i], true);
             if (!other)
                 continue;
@@ -225,7 +225,7 @@ static void fill(double *x, size_t seed, double scale)
 static void the_right_contacts_are_flagged(void **state)
 {
     (void)state;
-    static const char *const sets[] = {"sse2", "avx2", "avx512"};
+    static const char *const sets[] = {"portable", "sse2", "avx2", "avx512"};
     static double still[LENGTH], state_of[4][LENGTH], hardness[LENGTH], found[5][LENGTH];
     static size_t contact[LENGTH];
     const struct bead_patch_rule rule = {.power = 2, .hertz = true};
@@ -240,7 +240,7 @@ static void the_right_contacts_are_flagged(void **state)
         fill(state_of[i], i, i % 2 ? 1 : 1e-6);
     for (size_t i = 0; i < LENGTH; i++)
         hardness[i] = 1e9 * (1 + (double)(i % 7));
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < sizeof sets / sizeof *sets; i++) {
         const struct bead_kernels *kernels = bead_kernels_find(sets[i]);
         if (!kernels)
             continue;

@@ -63,7 +63,7 @@ static void threads_change_nothing(void **state)
     (void)state;
     struct bead_scene *scene = parse("sweep: {cells: 12, configurations: 3, seed: 8, measure: {decay: true}}" OUTPUT);
     struct bead_sweep *sweep[2] = {compute(scene, &(struct bead_sweep_settings){.threads = 1}),
-                                   compute(scene, &(struct bead_sweep_settings){.threads = 5, .instructions = "sse2"})};
+                                   compute(scene, &(struct bead_sweep_settings){.threads = 5, .instructions = "portable"})};
     for (size_t i = 0; i < bead_sweep_panel(sweep[0], 0)->configurations; i++) {
         struct bead_sweep_configuration a, b;
         assert_true(bead_sweep_configuration(sweep[0], 0, i, &a) && bead_sweep_configuration(sweep[1], 0, i, &b));

@@ -105,7 +105,7 @@ static void scaling(struct stress *stress, const char *method)
 
 static void instruction_sets(struct stress *stress)
 {
-    static const char *const sets[] = {"sse2", "avx2", "avx512"};
+    static const char *const sets[] = {"portable", "sse2", "avx2", "avx512"};
     struct built built = build(P3_CHAIN, "accuracy: 1e-6");
     uint64_t first = 0;
     for (size_t i = 0; i < sizeof sets / sizeof *sets; i++) {
