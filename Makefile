@@ -29,7 +29,7 @@ BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev li
 TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py man-db mandoc
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
 WISHED_DEPS = libosmesa6
-CI_DEPS    = clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap
+CI_DEPS    = clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr
 
 # Asked once, when a recipe first needs it: after `deps` has run in `make deps all`.
 once              = $(eval $(1) := $(2))$($(1))
@@ -216,6 +216,11 @@ asan: ## the tests under address and undefined-behaviour sanitizers
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)-asan STRICT_LINK= \
 	    CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all" test
 
+coverage: ## lines and branches of sim and render that the tests reach, by room (gcc, gcovr; a quarter of an hour)
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)-coverage CFLAGS="-O0 -g --coverage -fprofile-update=atomic" counted
+	@tests/coverage.sh $(BUILD)-coverage
+counted: all $(TESTS) $(EXAMPLES) $(FAIL_ALLOC)
+
 $(FAIL_ALLOC): tests/torture/fail_alloc.c
 	@mkdir -p $(@D)
 	$(call say,TEST,$<) $(run) $(CC) -std=c17 -D_GNU_SOURCE -O1 -g -fPIC -fno-builtin $(WARN) -shared -o $@ $<
@@ -292,13 +297,13 @@ uninstall: ## remove what `make install` put there
 	rm -rf $(DESTDIR)$(PREFIX)/include/beadreel $(SHARE)/beadreel
 
 clean: ## remove what was built
-	rm -rf $(BUILD) $(BUILD)-asan $(BUILD)-fuzz
+	rm -rf $(BUILD) $(BUILD)-asan $(BUILD)-fuzz $(BUILD)-coverage
 
 # Sources that have moved or gone: dependencies of an older build may still name them.
 sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: all help deps deps-ci demo thesis gallery test fresh golden asan fuzz fuzzers torture bench stress lint man doc install uninstall clean always compile
+.PHONY: all help deps deps-ci demo thesis gallery test fresh golden asan coverage counted fuzz fuzzers torture bench stress lint man doc install uninstall clean always compile
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,5 +1,6 @@
 /* Loaded before a program (LD_PRELOAD): its FAIL_AT-th allocation fails, once. Only those made by the program's own code count, by
- * the address of the caller: libraries abort on their own. FAIL_AT=0 fails none; FAIL_COUNT names a file for how many there were.
+ * the address of the caller: libraries abort on their own; and only those made until main returns: what a compiler adds at exit, to
+ * write counts of coverage, is no code of the program's. FAIL_AT=0 fails none; FAIL_COUNT names a file for how many there were.
  */
 #include <dlfcn.h>
 #include <errno.h>
@@ -7,6 +8,7 @@
 #include <link.h>
 #include <stdarg.h>
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,7 +21,9 @@ extern void *__libc_malloc(size_t size), *__libc_calloc(size_t count, size_t siz
 
 static uintptr_t code_from, code_to; /* the program's own code */
 static atomic_long made;
+static atomic_bool ended;
 static long fail_at;
+static int (*program)(int, char **, char **);
 
 /* The first object is the program itself. */
 static int find_code(struct dl_phdr_info *info, size_t size, void *nothing)
@@ -56,10 +60,29 @@ __attribute__((destructor)) static void finish(void)
 static int fails(const void *caller)
 {
     uintptr_t from = (uintptr_t)caller;
-    if (from < code_from || from >= code_to || atomic_fetch_add(&made, 1) + 1 != fail_at)
+    if (from < code_from || from >= code_to || ended || atomic_fetch_add(&made, 1) + 1 != fail_at)
         return 0;
     errno = ENOMEM;
     return 1;
+}
+
+static int run_program(int argc, char **argv, char **environment)
+{
+    int status = program(argc, argv, environment);
+    ended = true;
+    return status;
+}
+
+/* What calls main. */
+int __libc_start_main(int (*main)(int, char **, char **), int argc, char **argv, void (*init)(void), void (*fini)(void),
+                      void (*rtld_fini)(void), void *stack_end);
+__attribute__((visibility("default"))) int __libc_start_main(int (*main)(int, char **, char **), int argc, char **argv,
+                                                             void (*init)(void), void (*fini)(void), void (*rtld_fini)(void),
+                                                             void *stack_end)
+{
+    __auto_type start = (__typeof__(&__libc_start_main))dlsym(RTLD_NEXT, "__libc_start_main");
+    program = main;
+    return start(run_program, argc, argv, init, fini, rtld_fini, stack_end);
 }
 
 #define CALLER __builtin_return_address(0)

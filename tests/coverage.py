@@ -1,0 +1,82 @@
+"""What the tests reach of sim and render, by room: python3 tests/coverage.py FILE, where FILE is from `gcovr --json` (tests/coverage.sh).
+
+Names the lines that nothing reaches and the branches that are never taken, as file:line: text. Ends with whether the aims hold."""
+import collections
+import json
+import os
+import re
+import sys
+
+AIMED = ["sim/" + room for room in ("chain", "integrate", "run", "scene", "output", "sweep")]
+AIMS = (95, 85)  # percent of lines, of branches
+
+# What cannot be reached by design, as (pattern of file:line's text, why). Keep it short: code that cannot be reached is better deleted.
+UNREACHABLE = []
+
+
+class Count:
+    """Lines and branches: how many there are, and how many are reached."""
+
+    def __init__(self):
+        self.reached, self.all = [0, 0], [0, 0]
+
+    def add(self, kind, reached):
+        self.all[kind] += 1
+        self.reached[kind] += reached
+
+    def percent(self, kind):
+        return 100 * self.reached[kind] / self.all[kind] if self.all[kind] else 100.0
+
+    def row(self, name):
+        lines, branches = (f"{self.reached[k]:6} of {self.all[k]:6} {self.percent(k):6.2f} %" for k in (0, 1))
+        return f"{name:<18}{lines}   {branches}"
+
+
+def left_out(path, text):
+    return any(re.search(pattern, f"{path}: {text}") for pattern, _ in UNREACHABLE)
+
+
+def count_file(file, counts, unreached):
+    path = file["file"]
+    names = (os.path.dirname(path), f"all of {path.split('/')[0]}", "all") + (("aimed at",) if os.path.dirname(path) in AIMED else ())
+    with open(path, encoding="utf-8") as source:
+        text = [line.strip() for line in source]
+    for line in file["lines"]:
+        number, branches = line["line_number"], [b["count"] > 0 for b in line["branches"]]
+        if line.get("gcovr/noncode") or left_out(path, text[number - 1]):
+            continue
+        for name in names:
+            counts[name].add(0, line["count"] > 0)
+            for taken in branches:
+                counts[name].add(1, taken)
+        if line["count"] == 0:
+            unreached.append(f"{path}:{number}: {text[number - 1]}")
+        elif not all(branches):
+            unreached.append(f"{path}:{number}: {text[number - 1]}  [{branches.count(False)} of {len(branches)} branches]")
+
+
+def main():
+    with open(sys.argv[1], encoding="utf-8") as report:
+        files = json.load(report)["files"]
+    counts, unreached = collections.defaultdict(Count), []
+    for file in sorted(files, key=lambda f: f["file"]):
+        count_file(file, counts, unreached)
+    print("Nothing reaches these lines, or (in brackets) so many ways out of them:", *unreached, sep="\n")
+    print(f"\n{'room':<18}{'lines':>24}   {'branches':>24}")
+    totals = ("all of sim", "all of render", "all", "aimed at")
+    for name in sorted(set(counts) - set(totals)) + ["", *(t for t in totals if t in counts)]:
+        print(counts[name].row(name) if name else "")
+    for pattern, why in UNREACHABLE:
+        print(f"left out: {pattern}: {why}")
+    below = [f"{room} ({counts[room].percent(0):.2f} % of lines, {counts[room].percent(1):.2f} % of branches)" for room in AIMED
+             if any(counts[room].percent(kind) < aim for kind, aim in enumerate(AIMS))]
+    held = all(counts["aimed at"].percent(kind) >= aim for kind, aim in enumerate(AIMS))
+    if below:
+        print("Below the aims by itself:", "; ".join(below))
+    print(f"The aims, {AIMS[0]} % of lines and {AIMS[1]} % of branches of {', '.join(AIMED)}, {'hold' if held else 'DO NOT HOLD'}: "
+          f"{counts['aimed at'].percent(0):.2f} % and {counts['aimed at'].percent(1):.2f} %")
+    return 0 if held else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
