@@ -185,9 +185,11 @@ $(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT)
 	@mkdir -p $(@D)
 	$(call say,CC,$<) $(run) $(compile_test) -c $< -o $@
 vpath test_%.c $(TEST_ROOMS)
+# Tests whose allocations fail have an allocator of their own.
+with_test_allocations = tests/torture/fail_alloc.c -fno-builtin
 $(TESTS): $(BUILD)/tests/%: %.c $(TEST_SUPPORT) $(STATIC) | $(WAIT)
 	@mkdir -p $(@D)
-	$(call say,TEST,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(TEST_SUPPORT) $(STATIC) $(render_libs) $(sim_libs) $(movie_libs) $(test_libs)
+	$(call say,TEST,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(with_$(@F)) $(TEST_SUPPORT) $(STATIC) $(render_libs) $(sim_libs) $(movie_libs) $(test_libs)
 # As a user's program: public headers and shared libraries only.
 $(EXAMPLES): $(BUILD)/tests/examples/%: tests/examples/%.c $(LIBRARIES)
 	@mkdir -p $(@D)

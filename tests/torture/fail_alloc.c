@@ -1,6 +1,7 @@
-/* Loaded before a program (LD_PRELOAD): its FAIL_AT-th allocation fails, once. Only those made by the program's own code count, by
- * the address of the caller: libraries abort on their own; and only those made until main returns: what a compiler adds at exit, to
- * write counts of coverage, is no code of the program's. FAIL_AT=0 fails none; FAIL_COUNT names a file for how many there were.
+/* Loaded before a program (LD_PRELOAD), or linked into one (fail_alloc.h): its FAIL_AT-th allocation fails, once. Only those made
+ * by the program's own code count, by the address of the caller: libraries abort on their own; and only those made until main
+ * returns: what a compiler adds at exit, to write counts of coverage, is no code of the program's. FAIL_AT=0 fails none; FAIL_COUNT
+ * names a file for how many there were.
  */
 #include <dlfcn.h>
 #include <errno.h>
@@ -15,12 +16,15 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "fail_alloc.h"
+
 /* What glibc calls its own. */
 extern void *__libc_malloc(size_t size), *__libc_calloc(size_t count, size_t size), *__libc_realloc(void *old, size_t size),
     *__libc_memalign(size_t alignment, size_t size);
+extern void __libc_free(void *memory);
 
 static uintptr_t code_from, code_to; /* the program's own code */
-static atomic_long made;
+static atomic_long made, kept;
 static atomic_bool ended;
 static long fail_at;
 static int (*program)(int, char **, char **);
@@ -57,13 +61,39 @@ __attribute__((destructor)) static void finish(void)
         _exit(99);
 }
 
-static int fails(const void *caller)
+void fail_alloc_begin(long at)
+{
+    made = kept = 0;
+    fail_at = at;
+}
+
+long fail_alloc_end(long *left)
+{
+    fail_at = 0;
+    *left = kept;
+    return made;
+}
+
+static bool own(const void *caller)
 {
     uintptr_t from = (uintptr_t)caller;
-    if (from < code_from || from >= code_to || ended || atomic_fetch_add(&made, 1) + 1 != fail_at)
+    return from >= code_from && from < code_to && !ended;
+}
+
+static int fails(const void *caller)
+{
+    if (!own(caller) || atomic_fetch_add(&made, 1) + 1 != fail_at)
         return 0;
     errno = ENOMEM;
     return 1;
+}
+
+/* Memory that the program's own code gets: counted until that code frees it. */
+static void *count(void *memory, const void *caller)
+{
+    if (memory && own(caller))
+        atomic_fetch_add(&kept, 1);
+    return memory;
 }
 
 static int run_program(int argc, char **argv, char **environment)
@@ -85,39 +115,47 @@ __attribute__((visibility("default"))) int __libc_start_main(int (*main)(int, ch
     return start(run_program, argc, argv, init, fini, rtld_fini, stack_end);
 }
 
+#ifndef __SANITIZE_ADDRESS__ /* it has allocators of its own */
 #define CALLER __builtin_return_address(0)
 #define EXPORT __attribute__((visibility("default")))
 
 EXPORT void *malloc(size_t size)
 {
-    return fails(CALLER) ? NULL : __libc_malloc(size);
+    return fails(CALLER) ? NULL : count(__libc_malloc(size), CALLER);
 }
 
-EXPORT void *calloc(size_t count, size_t size)
+EXPORT void *calloc(size_t number, size_t size)
 {
-    return fails(CALLER) ? NULL : __libc_calloc(count, size);
+    return fails(CALLER) ? NULL : count(__libc_calloc(number, size), CALLER);
 }
 
 EXPORT void *realloc(void *old, size_t size)
 {
-    return fails(CALLER) ? NULL : __libc_realloc(old, size);
+    return fails(CALLER) ? NULL : old ? __libc_realloc(old, size) : count(__libc_malloc(size), CALLER);
 }
 
-EXPORT void *reallocarray(void *old, size_t count, size_t size)
+EXPORT void *reallocarray(void *old, size_t number, size_t size)
 {
     size_t bytes;
     if (fails(CALLER))
         return NULL;
-    if (__builtin_mul_overflow(count, size, &bytes)) {
+    if (__builtin_mul_overflow(number, size, &bytes)) {
         errno = ENOMEM;
         return NULL;
     }
-    return __libc_realloc(old, bytes);
+    return old ? __libc_realloc(old, bytes) : count(__libc_malloc(bytes), CALLER);
 }
 
 EXPORT void *aligned_alloc(size_t alignment, size_t size)
 {
-    return fails(CALLER) ? NULL : __libc_memalign(alignment, size);
+    return fails(CALLER) ? NULL : count(__libc_memalign(alignment, size), CALLER);
+}
+
+EXPORT void free(void *memory)
+{
+    if (memory && own(CALLER))
+        atomic_fetch_sub(&kept, 1);
+    __libc_free(memory);
 }
 
 EXPORT int asprintf(char **text, const char *format, ...)
@@ -129,12 +167,13 @@ EXPORT int asprintf(char **text, const char *format, ...)
     va_start(values, format);
     int length = vasprintf(text, format, values);
     va_end(values);
+    count(*text, CALLER);
     return length;
 }
 
 static char *copy_of(const char *text, size_t length, const void *caller)
 {
-    char *copy = fails(caller) ? NULL : __libc_malloc(length + 1);
+    char *copy = fails(caller) ? NULL : count(__libc_malloc(length + 1), caller);
     if (copy) {
         memcpy(copy, text, length);
         copy[length] = '\0';
@@ -151,3 +190,4 @@ EXPORT char *strndup(const char *text, size_t size)
 {
     return copy_of(text, strnlen(text, size), CALLER);
 }
+#endif

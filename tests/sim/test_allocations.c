@@ -1,0 +1,214 @@
+/* Failing allocations: each that is made fails once, over every kind of scene and data. What is asked for then works as ever, or is
+ * refused for want of memory, with a message, and leaves no memory and no file. */
+#include "tests/support.h"
+
+#include "tests/scratch.h"
+
+#include "beadreel/session.h"
+#include "beadreel/sweep.h"
+#include "beadreel/trajectory.h"
+#include "tests/missing.h"
+#include "tests/sessions.h"
+#include "tests/torture/fail_alloc.h"
+
+/* Something that is done and undone. */
+typedef enum bead_error (*action)(const void *context, struct bead_message *msg);
+
+/* Removes what an action has made, and returns how many of these files are unfinished: a sweep's journal is meant to stay. */
+static int clear(void)
+{
+    char path[1024];
+    int unfinished = 0;
+    DIR *dir = opendir(directory);
+    assert_non_null(dir);
+    for (struct dirent *e; (e = readdir(dir));) {
+        const char *end = strrchr(e->d_name, '.');
+        snprintf(path, sizeof path, "%s/%s", directory, e->d_name);
+        if (*e->d_name == '.' || strncmp(e->d_name, "kept.", 5) == 0)
+            continue;
+        unfinished += strcmp(end, ".part") == 0 && strcmp(e->d_name, "sweep.h5.part") != 0;
+        unlink(path);
+    }
+    closedir(dir);
+    return unfinished;
+}
+
+/* Number of allocations of `act`, each of which has failed once. Sanitizers have allocators of their own. */
+static long fail_each(action act, const void *context)
+{
+    long made, kept;
+    struct bead_message msg = {""};
+#ifdef __SANITIZE_ADDRESS__
+    skip_without("a build without sanitizers");
+#endif
+    if (act(context, &msg)) /* what is made once for the whole program is there from now on */
+        fail_msg("%s", msg.text);
+    for (long k = 1;; k++) {
+        clear();
+        msg.text[0] = '\0';
+        fail_alloc_begin(k);
+        enum bead_error err = act(context, &msg);
+        made = fail_alloc_end(&kept);
+        if (kept > 0) /* fewer than none: FFTW's memory, freed for it */
+            fail_msg("allocation %ld of %ld: %ld are not freed (%s)", k, made, kept, msg.text);
+        if (err && err != BEAD_ERROR_MEMORY && !strstr(msg.text, "HDF5"))
+            fail_msg("allocation %ld: error %d: %s", k, err, msg.text);
+        if (err && (!*msg.text || strchr(msg.text, '\n')))
+            fail_msg("allocation %ld: the message is '%s'", k, msg.text);
+        if (clear() != 0)
+            fail_msg("allocation %ld leaves unfinished files (%s)", k, msg.text);
+        if (made < k) {
+            assert_int_equal(err, BEAD_OK);
+            return made;
+        }
+    }
+}
+
+/* ---- scenes and chains ---- */
+
+static const char beads[] =
+    "title: All\n"
+    "materials: {crystal: {modulus: 70 GPa, poisson: 0.2, density: 2500 kg/m3, radius: 5 mm}}\n"
+    "chains:\n"
+    "  - {name: a, striker: {bead: large-steel, velocity: 0.4 m/s}, wall: brass, precompression: 2 N,\n"
+    "     beads: [{cell: [large-steel, aluminium], count: 3, spins: random, magnetism: 0.3, seed: 7}, {bead: crystal, sensor: "
+    "s}]}\n"
+    "  - {name: b, beads: [{bead: small-steel, count: 3}, {bead: ptfe, sensor: t}], damping: {coefficient: 1, exponent: 1}}\n"
+    "simulate: {until: 30 us}\n"
+    "outputs:\n"
+    "  - {trajectory: run.h5, every: 5 us, fields: all}\n"
+    "  - {table: peaks.csv, show: peaks}\n"
+    "  - {table: sensors.csv, show: sensors}\n"
+    "  - {table: measures.csv, show: measures}\n"
+    "  - {table: profiles.csv, field: force, show: profiles, at: [5 us, 10 us]}\n"
+    "  - {table: chain.csv, show: chain}\n";
+
+static const char equations[] = "chains:\n"
+                                "  - {name: a, equation: fput, points: 16, alpha: 0.25, start: {mode: 1, amplitude: 1}}\n"
+                                "  - {name: b, equation: kdv, length: 32, points: 32, start: {solitons: [{speed: 0.3, at: 10}]}}\n"
+                                "  - {name: c, equation: shock, epsilon: 0.1, length: 32, start: {pulse: 1, width: 5, at: 10}}\n"
+                                "simulate: {until: 2}\n"
+                                "outputs: [{table: measures.csv, show: measures}, {trajectory: run.h5, every: 1}]\n";
+
+static const char sweep[] = "sweeps:\n"
+                            "  - {name: a, cells: 3, magnetism: [0, 1], configurations: 2}\n"
+                            "  - {name: b, cells: 3, magnetism: [0, 1], configurations: 2, measure: {decay: true}}\n"
+                            "outputs: [{sweep: sweep.h5}, {table: sweep.csv}]\n";
+
+static enum bead_error read_scene(const void *text, struct bead_message *msg)
+{
+    static const char *const settings[] = {"title=Other", "simulate.accuracy=1e-6"};
+    struct bead_scene *scene = NULL;
+    enum bead_error err = bead_scene_parse("test.yaml", text, strlen(text), settings, 2, &scene, msg);
+    assert_true(err ? !scene : scene != NULL);
+    for (size_t c = 0; c < (scene ? scene->chain_count : 0) && !err; c++) {
+        struct bead_chain *chain = NULL;
+        err = bead_chain_create(scene, c, &chain, msg);
+        assert_true(err ? !chain : chain != NULL);
+        bead_chain_destroy(chain);
+    }
+    bead_scene_free(scene);
+    return err;
+}
+
+/* A session of this job: opened, planned, run and closed. */
+static enum bead_error play(const void *job, struct bead_message *msg)
+{
+    struct bead_session *session = NULL;
+    FILE *plan = fopen("/dev/null", "w");
+    assert_non_null(plan);
+    enum bead_error err = bead_session_open(job, &session, msg);
+    assert_true(err ? !session : session != NULL);
+    if (!err)
+        err = bead_session_plan(session, plan, msg);
+    if (!err)
+        err = bead_session_run(session, msg);
+    bead_session_close(session);
+    fclose(plan);
+    return err;
+}
+
+static long fail_each_of_job(struct bead_job job)
+{
+    static const struct bead_sink_type *const *sinks[2];
+    static const struct bead_sweep_sink *const *sweep_sinks[2];
+    sinks[0] = bead_data_sinks();
+    sweep_sinks[0] = bead_sweep_data_sinks();
+    job.sinks = sinks;
+    job.sweep_sinks = sweep_sinks;
+    job.threads = 1;
+    return fail_each(play, &job);
+}
+
+static long fail_each_of_scene(const char *text)
+{
+    char path[512];
+    snprintf(path, sizeof path, "%s/../beadreel-allocations.yaml", directory);
+    write_text(path, text);
+    long made = fail_each_of_job((struct bead_job){.input = path, .output = directory});
+    unlink(path);
+    return made;
+}
+
+static void scenes(void **state)
+{
+    (void)state;
+    assert_true(fail_each(read_scene, beads) > 50);
+    assert_true(fail_each(read_scene, equations) > 50);
+    assert_true(fail_each(read_scene, sweep) > 50);
+}
+
+static void runs(void **state)
+{
+    (void)state;
+    assert_true(fail_each_of_scene(beads) > 200);
+    assert_true(fail_each_of_scene(equations) > 150);
+}
+
+static void runs_of_sweeps(void **state)
+{
+    (void)state;
+    assert_true(fail_each_of_scene(sweep) > 200);
+}
+
+/* Runs a scene, and keeps one of its files. */
+static void make_file(const char *text, const char *name, char path[512])
+{
+    char scene[512], made[512];
+    write_scene(text, scene);
+    play_counts((struct bead_job){.input = scene, .output = directory, .threads = 1});
+    snprintf(made, sizeof made, "%s/%s", directory, name);
+    snprintf(path, 512, "%s/kept.h5", directory);
+    assert_int_equal(rename(made, path), 0);
+    clear();
+}
+
+static void files_of_runs(void **state)
+{
+    (void)state;
+    char path[512], out[512];
+    make_file(beads, "run.h5", path);
+    snprintf(out, sizeof out, "%s/again.csv", directory);
+    static const char *const settings[] = {"outputs=[{table: again.csv, show: sensors}]"};
+    assert_true(fail_each_of_job((struct bead_job){.input = path, .output = out, .settings = settings, .setting_count = 1}) > 100);
+}
+
+static void files_of_sweeps(void **state)
+{
+    (void)state;
+    char path[512], out[512];
+    make_file(sweep, "sweep.h5", path);
+    snprintf(out, sizeof out, "%s/again.csv", directory);
+    assert_true(fail_each_of_job((struct bead_job){.input = path, .output = out}) > 100);
+    assert_true(fail_each_of_job((struct bead_job){.input = path, .output = out, .configuration = "b:1"}) > 100);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(scenes),          cmocka_unit_test(runs),
+        cmocka_unit_test(runs_of_sweeps),  cmocka_unit_test(files_of_runs),
+        cmocka_unit_test(files_of_sweeps),
+    };
+    return cmocka_run_group_tests(tests, make_directory, remove_directory);
+}

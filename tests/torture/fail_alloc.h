@@ -1,0 +1,11 @@
+/* Allocations that fail on request, within a program that is linked with fail_alloc.c. */
+#ifndef BEADREEL_TESTS_FAIL_ALLOC_H
+#define BEADREEL_TESTS_FAIL_ALLOC_H
+
+/* From now on the `at`-th allocation of the program's own code fails, once; 0: none. */
+void fail_alloc_begin(long at);
+
+/* Fail no more. Returns how many allocations there were since the beginning; *kept gets how many of them are not freed. */
+long fail_alloc_end(long *kept);
+
+#endif
