@@ -179,6 +179,9 @@ thesis: $(BUILD)/beadreel ## the figures of the thesis, with their numbers, into
 gallery: $(BUILD)/beadreel ## the README's pictures, from ready scenes, into assets/gallery/
 	BEADREEL_ASSETS=assets assets/gallery/make.sh $(BUILD)/beadreel assets/gallery
 
+findings: $(BUILD)/beadsim ## claims of the thesis beside what comes out, from runs of minutes: assets/findings.md
+	@assets/findings/make.py --renew $< >$(BUILD)/findings.md && mv $(BUILD)/findings.md assets/findings.md
+
 # Tests fill structures that own their strings with literals.
 compile_test = $(CC) $(FLAGS) -Wno-write-strings -Itests $(sim_cflags) $(render_cflags)
 $(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT)
@@ -248,7 +251,6 @@ bench: all $(BENCHES) ## measure: every program and script of tests/bench
 	$(call run_each,bench,$(BENCHES))
 stress: all $(STRESSES) ## extreme chains: every program and script of tests/stress
 	$(call run_each,stress,$(STRESSES))
-
 lint: ## formatting, static analysis
 	@echo "clang-format" && clang-format --dry-run -Werror $(FORMATTED)
 	@echo "cppcheck" && cppcheck --quiet --std=c11 --language=c --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
@@ -263,7 +265,7 @@ doc: ## the man pages as HTML, into build/doc
 	@for m in $(MANUALS); do mandoc -T html -O man=%N.%S.html,toc $$m >$(BUILD)/doc/$${m##*/}.html || exit 1; done
 	@ls $(BUILD)/doc/*.html
 
-ASSETS = $(shell cd assets && find . -type f ! -name '*.png' ! -path './man/*' ! -path './completions/*' ! -path './gallery/*' | sed 's,^\./,,')
+ASSETS = $(shell cd assets && find . -type f ! -name '*.png' ! -path './man/*' ! -path './completions/*' ! -path './gallery/*' ! -path './findings/*' | sed 's,^\./,,')
 SHARE  = $(DESTDIR)$(PREFIX)/share
 
 install: all ## install to PREFIX (default /usr/local), below DESTDIR
@@ -306,6 +308,6 @@ sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: all help deps deps-ci demo thesis gallery test fresh golden asan coverage counted fuzz fuzzers torture bench stress lint man doc install uninstall clean always compile
+.PHONY: all help deps deps-ci demo thesis gallery test fresh golden asan coverage counted fuzz fuzzers torture bench stress lint man doc install uninstall clean always compile findings
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
