@@ -30,6 +30,8 @@ TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
 WISHED_DEPS = libosmesa6
 CI_DEPS    = clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr
+# What `make peers` compares with: large, and left out where missing.
+PEER_DEPS  = lammps python3-scipy
 
 # Asked once, when a recipe first needs it: after `deps` has run in `make deps all`.
 once              = $(eval $(1) := $(2))$($(1))
@@ -111,8 +113,11 @@ deps: ## install the Debian packages needed to build, run and test (only what is
 deps-ci: | $(filter deps,$(MAKECMDGOALS)) ## the same for lint and .ci/run
 	$(call install_packages,$(CI_DEPS))
 
+deps-peers: | $(filter deps deps-ci,$(MAKECMDGOALS)) ## the same for peers
+	$(call install_packages,$(PEER_DEPS))
+
 # Where `deps` is asked for, everything waits for it; the first thing built checks that what it needs is there.
-WAIT = $(filter deps deps-ci,$(MAKECMDGOALS))
+WAIT = $(filter deps deps-ci deps-peers,$(MAKECMDGOALS))
 $(BUILD)/.ready: | $(WAIT)
 	@mkdir -p $(@D)
 	@pkg-config --version >/dev/null 2>&1 || { echo >&2 "pkg-config is missing: run 'make deps' first."; exit 1; }
@@ -251,6 +256,10 @@ bench: all $(BENCHES) ## measure: every program and script of tests/bench
 	$(call run_each,bench,$(BENCHES))
 stress: all $(STRESSES) ## extreme chains: every program and script of tests/stress
 	$(call run_each,stress,$(STRESSES))
+# Debian's Python has Debian's packages.
+peers: $(BUILD)/beadsim ## beside exact results, SciPy and LAMMPS, where they are installed: tests/peers/RESULTS.md (a minute)
+	@$(firstword $(wildcard /usr/bin/python3) python3) tests/peers/peers.py $<
+
 lint: ## formatting, static analysis
 	@echo "clang-format" && clang-format --dry-run -Werror $(FORMATTED)
 	@echo "cppcheck" && cppcheck --quiet --std=c11 --language=c --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
@@ -308,6 +317,6 @@ sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: all help deps deps-ci demo thesis gallery test fresh golden asan coverage counted fuzz fuzzers torture bench stress lint man doc install uninstall clean always compile findings
+.PHONY: all help deps deps-ci demo thesis gallery test fresh golden asan coverage counted fuzz fuzzers torture bench stress lint man doc install uninstall clean always compile findings deps-peers peers
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
