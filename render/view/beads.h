@@ -62,12 +62,30 @@ struct bead_view {
     double (*base)[3];                 /* colour of the materials in each of the strip's columns, 0..1; NULL: no strip */
     struct bead_drawing row_drawing, lens_drawing;
     struct bead_mark zoom_mark, old_zoom_mark;
+    double lens_drawn; /* m: lens.from as drawn last */
+    bool plain;        /* behind the lens, each row of pixels has one colour: its beads can be moved in the frame */
 
     struct bead_canvas *canvas; /* borrowed */
     struct bead_backdrop *backdrop;
     bool drawn;
 };
 
+/* Columns of a window that must be painted, from left to right. */
+enum { BEAD_MOST_SPANS = 6 };
+struct bead_spans {
+    int from[BEAD_MOST_SPANS], to[BEAD_MOST_SPANS]; /* px of the area, `to` exclusive */
+    size_t count;
+};
+
+/* What differs between the drawings of the row, now and before. */
+struct bead_spans bead_beads_row_changes(const struct bead_view *v);
+/* How far to the left, px, what the lens shows can be moved in the frame. 0: it stands still, or must be painted anew. */
+int bead_beads_lens_moves(const struct bead_view *v);
+/* What differs in the lens after everything has been moved to the left by so many pixels. */
+struct bead_spans bead_beads_lens_changes(const struct bead_view *v, int by);
+/* Move the columns of the lens that are not in `spans`. */
+void bead_beads_move(const struct bead_view *v, const struct bead_spans *spans, int by, struct bead_frame *frame);
+bool bead_beads_lens_is_plain(const struct bead_view *v, const struct bead_frame *background);
 /* Divide the plot rectangle into row, connection and lens. */
 void bead_beads_divide(struct bead_view *v);
 /* Brings displacements, colours, loads, front and lens to `time`. */

@@ -8,8 +8,6 @@
 #include "render/view/magnify.h"
 #include "render/view/views.h"
 
-enum { MOST_SPANS = 6, MERGE_GAP = 16 };
-
 static unsigned beads_fields(const struct bead_view_setup *setup)
 {
     return BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(setup->field);
@@ -168,56 +166,6 @@ static enum bead_error beads_feed(struct bead_view *v, const struct bead_sample 
     return BEAD_OK;
 }
 
-/* Columns of the row that must be redrawn. */
-struct spans {
-    int from[MOST_SPANS], to[MOST_SPANS]; /* px of the area, `to` exclusive */
-    size_t count;
-};
-
-static void add_span(struct spans *spans, double from, double to, const struct bead_rect *limits)
-{
-    int a = (int)floor(fmax(from, limits->x)), b = (int)ceil(fmin(to, limits->x + limits->width));
-    if (b <= a)
-        return;
-    size_t last = spans->count - 1;
-    if (spans->count > 0 && (a <= spans->to[last] + MERGE_GAP || spans->count == MOST_SPANS)) {
-        spans->from[last] = a < spans->from[last] ? a : spans->from[last];
-        spans->to[last] = b > spans->to[last] ? b : spans->to[last];
-    } else {
-        spans->from[spans->count] = a;
-        spans->to[spans->count++] = b;
-    }
-}
-
-static void span_of_ball(struct spans *spans, const struct bead_ball *ball, const struct bead_rect *limits)
-{
-    add_span(spans, ball->x - ball->r - 3, ball->x + ball->r + 3, limits);
-}
-
-/* The row always shows all beads, so old and new balls correspond. */
-static void find_changes(const struct bead_view *v, struct spans *spans)
-{
-    const struct bead_drawing *d = &v->row_drawing;
-    const struct bead_rect *limits = &v->row.rect;
-    if (!v->drawn || d->count != d->old_count || d->first != d->old_first) {
-        add_span(spans, limits->x, limits->x + limits->width, limits);
-        return;
-    }
-    for (size_t m = 0; m < 2 && v->striker; m++) { /* arrow: the only mark that is not beside a bead that changed */
-        const struct bead_mark *now = &d->marks[0], *old = &d->old_marks[0];
-        bool same = d->mark_count && d->old_mark_count && memcmp(now, old, sizeof *now) == 0;
-        const struct bead_mark *mark = m ? now : old;
-        if (!same && (m ? d->mark_count : d->old_mark_count) && mark->kind == BEAD_MARK_ARROW)
-            add_span(spans, mark->box[0] - 2, mark->box[2] + 2, limits);
-    }
-    for (size_t i = 0; i < d->count; i++) {
-        if (d->glow[i] == d->old_glow[i] && memcmp(&d->balls[i], &d->old_balls[i], sizeof d->balls[i]) == 0)
-            continue;
-        span_of_ball(spans, &d->old_balls[i], limits);
-        span_of_ball(spans, &d->balls[i], limits);
-    }
-}
-
 /* Everything of a drawing within `rect` of the area. */
 static enum bead_error beads_paint(struct bead_view *v, const struct bead_drawing *d, const struct bead_mark *behind,
                                    struct bead_rect rect, struct bead_frame *frame, struct bead_changes *changes,
@@ -244,17 +192,23 @@ static enum bead_error beads_paint(struct bead_view *v, const struct bead_drawin
     return err;
 }
 
+static enum bead_error paint_spans(struct bead_view *v, const struct bead_drawing *d, const struct bead_rect *limits,
+                                   const struct bead_spans *spans, struct bead_frame *frame, struct bead_changes *changes,
+                                   struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < spans->count; i++) {
+        struct bead_rect rect = {spans->from[i], limits->y, spans->to[i] - spans->from[i], limits->height};
+        err = beads_paint(v, d, NULL, rect, frame, changes, msg);
+    }
+    return err;
+}
+
 static enum bead_error paint_row(struct bead_view *v, struct bead_frame *frame, struct bead_changes *changes,
                                  struct bead_message *msg)
 {
-    struct spans spans = {.count = 0};
-    enum bead_error err = BEAD_OK;
-    find_changes(v, &spans);
-    for (size_t i = 0; !err && i < spans.count; i++) {
-        struct bead_rect rect = {spans.from[i], v->row.rect.y, spans.to[i] - spans.from[i], v->row.rect.height};
-        err = beads_paint(v, &v->row_drawing, NULL, rect, frame, changes, msg);
-    }
-    return err;
+    const struct bead_spans spans = bead_beads_row_changes(v);
+    return paint_spans(v, &v->row_drawing, &v->row.rect, &spans, frame, changes, msg);
 }
 
 /* Marks the lens's window on the row and the connection down to the lens. */
@@ -287,6 +241,19 @@ static bool lens_changed(const struct bead_view *v)
            memcmp(d->marks, d->old_marks, d->mark_count * sizeof *d->marks) != 0;
 }
 
+/* What has only moved with the lens is moved in the frame; the rest is painted. */
+static enum bead_error paint_lens_beads(struct bead_view *v, struct bead_frame *frame, struct bead_changes *changes,
+                                        struct bead_message *msg)
+{
+    const struct bead_rect *r = &v->lens.rect;
+    const int by = bead_beads_lens_moves(v);
+    const struct bead_spans spans = bead_beads_lens_changes(v, by);
+    bead_beads_move(v, &spans, by, frame);
+    if (by && changes)
+        bead_changes_add(changes, (struct bead_rect){v->area.x + r->x, v->area.y + r->y, r->width, r->height});
+    return paint_spans(v, &v->lens_drawing, r, &spans, frame, by ? NULL : changes, msg);
+}
+
 static enum bead_error paint_lens(struct bead_view *v, struct bead_frame *frame, struct bead_changes *changes,
                                   struct bead_message *msg)
 {
@@ -297,9 +264,7 @@ static enum bead_error paint_lens(struct bead_view *v, struct bead_frame *frame,
         struct bead_rect rect = {v->zoom.x - left, v->zoom.y, v->zoom.width + left, v->zoom.height};
         err = beads_paint(v, &nothing, &v->zoom_mark, rect, frame, changes, msg);
     }
-    if (!err && lens_changed(v))
-        err = beads_paint(v, &v->lens_drawing, NULL, v->lens.rect, frame, changes, msg);
-    return err;
+    return err || !lens_changed(v) ? err : paint_lens_beads(v, frame, changes, msg);
 }
 
 static enum bead_error beads_draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
@@ -312,6 +277,7 @@ static enum bead_error beads_draw(struct bead_view *v, double time, struct bead_
         v->area.width = v->area.width < background->width - v->area.x ? v->area.width : background->width - v->area.x;
         v->row.rect.width = v->row.rect.width < v->area.width ? v->row.rect.width : v->area.width;
         err = bead_backdrop_create(v->canvas, background, v->area, &v->backdrop, msg);
+        v->plain = bead_beads_lens_is_plain(v, background);
     }
     if (err || v->fed == 0)
         return err;
@@ -328,6 +294,7 @@ static enum bead_error beads_draw(struct bead_view *v, double time, struct bead_
         bead_beads_compose(v, &v->lens, &v->lens_drawing);
         compose_zoom(v);
         err = paint_lens(v, frame, changes, msg);
+        v->lens_drawn = v->lens.from;
     }
     if (!err && v->labels)
         err = bead_moving_labels_draw(v->labels, v->lens.from, frame, background, changes, msg);

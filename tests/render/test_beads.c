@@ -97,9 +97,14 @@ struct pair {
     struct bead_look look;
 };
 
-/* `window`: m that a camera shows, 0: there is none. */
-static void make_pair(struct pair *p, const struct world *w, const struct bead_view_type *type, struct bead_rect plot,
-                      double window)
+/* Where a view is drawn, and on what. */
+struct place {
+    struct bead_rect plot;
+    double window; /* m that a camera shows, 0: there is none */
+    bool plain;    /* each row of pixels of the background has one colour */
+};
+
+static void make_pair(struct pair *p, const struct world *w, const struct bead_view_type *type, struct place place)
 {
     struct bead_message msg = {""};
     *p = (struct pair){.camera = NULL};
@@ -113,12 +118,12 @@ static void make_pair(struct pair *p, const struct world *w, const struct bead_v
                                     .colours = {&p->map, BEAD_SCALE_SQRT, 0, 35},
                                     .look = &p->look,
                                     .axes = true,
-                                    .bead_labels = window > 0,
+                                    .bead_labels = place.window > 0,
                                     .time_down = true,
                                     .fill = true,
                                     .magnify = 200};
-    if (window > 0)
-        require(bead_camera_create(w->chains[0], setup.beads, window, setup.time, &p->camera, &msg), &msg);
+    if (place.window > 0)
+        require(bead_camera_create(w->chains[0], setup.beads, place.window, setup.time, &p->camera, &msg), &msg);
     setup.camera = p->camera;
     require(bead_canvas_create(NULL, width, height, &p->canvas, &msg), &msg);
     require(bead_frame_create(width, height, &p->background, &msg), &msg);
@@ -126,13 +131,13 @@ static void make_pair(struct pair *p, const struct world *w, const struct bead_v
     require(bead_frame_create(width, height, &p->whole, &msg), &msg);
     require(bead_frame_create(width, height, &p->copy, &msg), &msg);
     for (size_t i = 0; i < p->background.stride * (size_t)height; i++)
-        p->background.pixels[i] = (uint8_t)(20 + i * 7 % 31);
+        p->background.pixels[i] = (uint8_t)(20 + (place.plain ? i / p->background.stride : i) * 7 % 31);
     struct bead_view **views[2] = {&p->dirty, &p->full};
     cairo_surface_t *paper = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
     cairo_t *cr = cairo_create(paper);
     for (int k = 0; k < 2; k++) {
         require(type->create(&setup, views[k], &msg), &msg);
-        require(type->place(*views[k], plot, p->canvas, &msg), &msg);
+        require(type->place(*views[k], place.plot, p->canvas, &msg), &msg);
         require(type->decorate(*views[k], cr, &msg), &msg);
     }
     cairo_destroy(cr);
@@ -155,13 +160,13 @@ static void free_pair(struct pair *p, const struct bead_view_type *type)
     bead_frame_free(&p->copy);
 }
 
-static void compare_dirty_with_full(const struct bead_view_type *type, struct bead_rect plot, double window)
+static void compare_dirty_with_full(const struct bead_view_type *type, struct place place)
 {
     struct world w = make_world();
     struct pair p;
     struct bead_message msg = {""};
     double u[BEADS], f[BEADS];
-    make_pair(&p, &w, type, plot, window);
+    make_pair(&p, &w, type, place);
     size_t small = 0;
     for (size_t i = 0; i < FRAMES; i++) {
         struct bead_sample sample;
@@ -183,9 +188,9 @@ static void compare_dirty_with_full(const struct bead_view_type *type, struct be
         size_t area = 0;
         for (size_t k = 0; k < changes.count; k++)
             area += (size_t)changes.rect[k].width * (size_t)changes.rect[k].height;
-        small += area < (size_t)plot.width * (size_t)plot.height;
+        small += area < (size_t)place.plot.width * (size_t)place.plot.height;
     }
-    assert_true(window > 0 || small > 0); /* and something was saved */
+    assert_true(place.window > 0 || small > 0); /* and something was saved */
     /* What stands still costs nothing. */
     struct bead_changes none = {0};
     struct bead_sample sample;
@@ -208,25 +213,34 @@ static void compare_dirty_with_full(const struct bead_view_type *type, struct be
 static void test_beads_with_lens(void **state)
 {
     (void)state;
-    compare_dirty_with_full(&bead_view_beads_type, (struct bead_rect){80, 20, 780, 160}, 0);
+    compare_dirty_with_full(&bead_view_beads_type, (struct place){{80, 20, 780, 160}, 0, false});
+}
+
+/* On a plain background beads that have only moved with the lens are moved in the frame. */
+static void test_lens_on_plain_background(void **state)
+{
+    (void)state;
+    const double window = 15 * 2 * 9.525e-3 / 2;
+    compare_dirty_with_full(&bead_view_beads_type, (struct place){{80, 20, 780, 160}, 0, true});
+    compare_dirty_with_full(&bead_view_beads_type, (struct place){{80, 20, 780, 100}, window, true});
 }
 
 static void test_beads_in_one_row(void **state)
 {
     (void)state;
-    compare_dirty_with_full(&bead_view_beads_type, (struct bead_rect){80, 60, 780, 30}, 0);
+    compare_dirty_with_full(&bead_view_beads_type, (struct place){{80, 60, 780, 30}, 0, false});
 }
 
 static void test_beads_as_strip(void **state)
 {
     (void)state;
-    compare_dirty_with_full(&bead_view_beads_type, (struct bead_rect){80, 60, 100, 30}, 0);
+    compare_dirty_with_full(&bead_view_beads_type, (struct place){{80, 60, 100, 30}, 0, false});
 }
 
 static void test_profile(void **state)
 {
     (void)state;
-    compare_dirty_with_full(&bead_view_profile_type, (struct bead_rect){80, 20, 780, 120}, 0);
+    compare_dirty_with_full(&bead_view_profile_type, (struct place){{80, 20, 780, 120}, 0, false});
 }
 
 /* A window of 15 of the 47 beads. */
@@ -234,8 +248,8 @@ static void test_views_that_move(void **state)
 {
     (void)state;
     const double window = 15 * 2 * 9.525e-3 / 2;
-    compare_dirty_with_full(&bead_view_beads_type, (struct bead_rect){80, 20, 780, 100}, window);
-    compare_dirty_with_full(&bead_view_profile_type, (struct bead_rect){80, 20, 780, 120}, window);
+    compare_dirty_with_full(&bead_view_beads_type, (struct place){{80, 20, 780, 100}, window, false});
+    compare_dirty_with_full(&bead_view_profile_type, (struct place){{80, 20, 780, 120}, window, false});
 }
 
 /* Mean brightness of a column of the frame. */
@@ -256,7 +270,7 @@ static void test_gaps_show(void **state)
     struct bead_message msg = {""};
     double u[BEADS] = {0}, f[BEADS] = {0};
     struct bead_rect plot = {80, 60, 780, 30};
-    make_pair(&p, &w, &bead_view_beads_type, plot, 0);
+    make_pair(&p, &w, &bead_view_beads_type, (struct place){plot, 0, false});
     memset(p.background.pixels, 0, p.background.stride * 200);
     struct bead_sample sample = {.active = BEADS};
     sample.field[BEAD_FIELD_FORCE] = f;
@@ -441,6 +455,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_beads_with_lens),
+        cmocka_unit_test(test_lens_on_plain_background),
         cmocka_unit_test(test_beads_in_one_row),
         cmocka_unit_test(test_beads_as_strip),
         cmocka_unit_test(test_profile),
