@@ -7,7 +7,6 @@ uniform vec2 size;    // of the viewport
 uniform float margin; // of the viewport around the canvas
 
 flat out vec4 bounds, shape, paint;
-flat out vec3 way; // for zoom.frag
 flat out int what;
 
 void main()
@@ -18,6 +17,5 @@ void main()
     bounds = box;
     shape = form;
     paint = colour;
-    way = vec3(form.zw - form.xy, 1.0 / (box.w - box.y));
     what = int(kind + 0.5);
 }

@@ -21,7 +21,6 @@ enum bead_mark_kind {
     BEAD_MARK_RING,    /* in the middle of the box: radius shape[0], width of line shape[1] */
     BEAD_MARK_ARROW,   /* a triangle that points right and fills the box */
     BEAD_MARK_GLOW,    /* an ellipse that fills the box, bright in the middle */
-    BEAD_MARK_ZOOM,    /* from shape[0]..shape[1] at the top of the box to shape[2]..shape[3] at its bottom */
 };
 
 struct bead_mark {

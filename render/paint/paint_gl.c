@@ -15,8 +15,8 @@ struct brush {
 };
 
 /* Fragment shaders of marks. Software renderers run all branches of a shader for every pixel: what covers many has its own. */
-enum { PLAIN, GLOW, ZOOM, MARK_BRUSHES };
-static const char *const mark_shaders[MARK_BRUSHES] = {[PLAIN] = "mark", [GLOW] = "glow", [ZOOM] = "zoom"};
+enum { PLAIN, GLOW, MARK_BRUSHES };
+static const char *const mark_shaders[MARK_BRUSHES] = {[PLAIN] = "mark", [GLOW] = "glow"};
 
 struct bead_painter {
     struct bead_context *context;
@@ -261,7 +261,7 @@ static void gl_balls(struct bead_canvas *canvas, const struct bead_ball *balls, 
 
 static int brush_of(const struct bead_mark *mark)
 {
-    return mark->kind == BEAD_MARK_GLOW ? GLOW : mark->kind == BEAD_MARK_ZOOM ? ZOOM : PLAIN;
+    return mark->kind == BEAD_MARK_GLOW ? GLOW : PLAIN;
 }
 
 static void gl_marks(struct bead_canvas *canvas, const struct bead_mark *marks, size_t count)

@@ -35,6 +35,9 @@ struct bead_pixel_kernels {
     /* In order, later ones over earlier ones. What is not finite, or no larger than nothing, is not shown. */
     void (*balls)(const struct bead_ground *ground, const struct bead_ball *balls, size_t count);
     void (*marks)(const struct bead_ground *ground, const struct bead_mark *marks, size_t count);
+    /* The way from what is magnified to the lens: from shape[0]..shape[1] at the top of the box to shape[2]..shape[3] at its
+     * bottom; any kind. */
+    void (*zoom)(const struct bead_ground *ground, const struct bead_mark *way);
     /* `pixels`: of y = 0. Groups without rows are not touched. */
     void (*curve)(const struct bead_columns *columns, uint8_t *pixels, size_t stride);
     /* Two rows of a frame (B G R X), one of chroma; `width` a multiple of 16, `y` and `bgrx` at multiples of 16 bytes. */

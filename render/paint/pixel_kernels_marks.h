@@ -1,4 +1,4 @@
-/* Included by pixel_kernels_body.h: assets/shaders/mark.frag, glow.frag and zoom.frag. */
+/* Included by pixel_kernels_body.h: assets/shaders/mark.frag and glow.frag; the way to a lens. */
 
 /* Cover of the pixels in `px` of row `py`, before the mark's own opacity. */
 typedef reals mark_cover(const struct bead_mark *m, reals px, float py);
@@ -145,14 +145,27 @@ MARK_FUNCTION(glow, whole_box, 0.35f)
 MARK_FUNCTION(zoom, zoom_reach, 1)
 #undef MARK_FUNCTION
 
+static bool has_area(const struct bead_mark *m)
+{
+    const float *box = m->box;
+    return box[2] > box[0] && box[3] > box[1] && isfinite(box[0] + box[1] + box[2] + box[3]);
+}
+
+static void paint_way(const struct bead_ground *g, const struct bead_mark *way)
+{
+    if (has_area(way))
+        paint_zoom(g, way);
+}
+
 static void paint_marks(const struct bead_ground *g, const struct bead_mark *marks, size_t count)
 {
-    static void (*const kinds[])(const struct bead_ground *, const struct bead_mark *) = {
-        [BEAD_MARK_BOX] = paint_box,     [BEAD_MARK_HATCHED] = paint_hatched, [BEAD_MARK_RING] = paint_ring,
-        [BEAD_MARK_ARROW] = paint_arrow, [BEAD_MARK_GLOW] = paint_glow,       [BEAD_MARK_ZOOM] = paint_zoom};
+    static void (*const kinds[])(const struct bead_ground *, const struct bead_mark *) = {[BEAD_MARK_BOX] = paint_box,
+                                                                                          [BEAD_MARK_HATCHED] = paint_hatched,
+                                                                                          [BEAD_MARK_RING] = paint_ring,
+                                                                                          [BEAD_MARK_ARROW] = paint_arrow,
+                                                                                          [BEAD_MARK_GLOW] = paint_glow};
     for (size_t i = 0; i < count; i++) {
-        const float *box = marks[i].box;
-        if (box[2] > box[0] && box[3] > box[1] && isfinite(box[0] + box[1] + box[2] + box[3]))
+        if (has_area(&marks[i]))
             kinds[(int)(marks[i].kind + 0.5f)](g, &marks[i]);
     }
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "render/paint/canvas_private.h"
+#include "render/paint/pixel_kernels.h"
 #include "render/view/beads.h"
 #include "render/view/magnify.h"
 #include "render/view/views.h"
@@ -167,9 +168,8 @@ static enum bead_error beads_feed(struct bead_view *v, const struct bead_sample 
 }
 
 /* Everything of a drawing within `rect` of the area. */
-static enum bead_error beads_paint(struct bead_view *v, const struct bead_drawing *d, const struct bead_mark *behind,
-                                   struct bead_rect rect, struct bead_frame *frame, struct bead_changes *changes,
-                                   struct bead_message *msg)
+static enum bead_error beads_paint(struct bead_view *v, const struct bead_drawing *d, struct bead_rect rect,
+                                   struct bead_frame *frame, struct bead_changes *changes, struct bead_message *msg)
 {
     size_t first = d->count, end = 0;
     for (size_t i = 0; i < d->count; i++) {
@@ -181,8 +181,6 @@ static enum bead_error beads_paint(struct bead_view *v, const struct bead_drawin
     enum bead_error err = bead_paint_begin(v->canvas, v->backdrop, frame, rect, msg);
     if (err)
         return err;
-    if (behind)
-        bead_paint_marks(v->canvas, behind, 1);
     if (first < end)
         bead_paint_balls(v->canvas, d->balls + first, end - first);
     bead_paint_marks(v->canvas, d->marks, d->mark_count);
@@ -199,7 +197,7 @@ static enum bead_error paint_spans(struct bead_view *v, const struct bead_drawin
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < spans->count; i++) {
         struct bead_rect rect = {spans->from[i], limits->y, spans->to[i] - spans->from[i], limits->height};
-        err = beads_paint(v, d, NULL, rect, frame, changes, msg);
+        err = beads_paint(v, d, rect, frame, changes, msg);
     }
     return err;
 }
@@ -225,8 +223,7 @@ static void compose_zoom(struct bead_view *v)
     v->old_zoom_mark = v->zoom_mark;
     v->zoom_mark = (struct bead_mark){
         .box = {(float)(z->x - v->look.gap), (float)z->y, (float)(z->x + z->width + v->look.gap), (float)(z->y + z->height)},
-        .shape = {(float)from, (float)to, (float)z->x, (float)(z->x + z->width)},
-        .kind = BEAD_MARK_ZOOM};
+        .shape = {(float)from, (float)to, (float)z->x, (float)(z->x + z->width)}};
     const double rgb[3] = {v->look.accent.r, v->look.accent.g, v->look.accent.b};
     for (int c = 0; c < 3; c++)
         v->zoom_mark.rgba[c] = (uint8_t)lround(255 * rgb[c]);
@@ -254,17 +251,26 @@ static enum bead_error paint_lens_beads(struct bead_view *v, struct bead_frame *
     return paint_spans(v, &v->lens_drawing, r, &spans, frame, by ? NULL : changes, msg);
 }
 
-static enum bead_error paint_lens(struct bead_view *v, struct bead_frame *frame, struct bead_changes *changes,
-                                  struct bead_message *msg)
+/* Not on the canvas: a wide, low strip costs OpenGL seven times as much, and there is nothing of a bead in it. */
+static void paint_zoom(const struct bead_view *v, struct bead_frame *frame, const struct bead_frame *background,
+                       struct bead_changes *changes)
 {
-    static const struct bead_drawing nothing = {0};
-    enum bead_error err = BEAD_OK;
-    if (v->zoom.height > 0 && (!v->drawn || memcmp(&v->zoom_mark, &v->old_zoom_mark, sizeof v->zoom_mark) != 0)) {
-        int left = v->zoom.x < (int)v->look.gap ? v->zoom.x : (int)v->look.gap;
-        struct bead_rect rect = {v->zoom.x - left, v->zoom.y, v->zoom.width + left, v->zoom.height};
-        err = beads_paint(v, &nothing, &v->zoom_mark, rect, frame, changes, msg);
-    }
-    return err || !lens_changed(v) ? err : paint_lens_beads(v, frame, changes, msg);
+    const int left = v->zoom.x < (int)v->look.gap ? v->zoom.x : (int)v->look.gap;
+    const struct bead_rect rect = {v->zoom.x - left, v->zoom.y, v->zoom.width + left, v->zoom.height};
+    const struct bead_rect place = {v->area.x + rect.x, v->area.y + rect.y, rect.width, rect.height};
+    const struct bead_ground ground = {frame->pixels, frame->stride, {v->area.x, v->area.y}, rect};
+    bead_frame_copy(frame, background, place);
+    bead_pixel_kernels_find(NULL)->zoom(&ground, &v->zoom_mark);
+    if (changes)
+        bead_changes_add(changes, place);
+}
+
+static enum bead_error paint_lens(struct bead_view *v, struct bead_frame *frame, const struct bead_frame *background,
+                                  struct bead_changes *changes, struct bead_message *msg)
+{
+    if (v->zoom.height > 0 && (!v->drawn || memcmp(&v->zoom_mark, &v->old_zoom_mark, sizeof v->zoom_mark) != 0))
+        paint_zoom(v, frame, background, changes);
+    return lens_changed(v) ? paint_lens_beads(v, frame, changes, msg) : BEAD_OK;
 }
 
 static enum bead_error beads_draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
@@ -293,7 +299,7 @@ static enum bead_error beads_draw(struct bead_view *v, double time, struct bead_
     if (!err && v->lens.scale > 0) {
         bead_beads_compose(v, &v->lens, &v->lens_drawing);
         compose_zoom(v);
-        err = paint_lens(v, frame, changes, msg);
+        err = paint_lens(v, frame, background, changes, msg);
         v->lens_drawn = v->lens.from;
     }
     if (!err && v->labels)

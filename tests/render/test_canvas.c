@@ -251,7 +251,7 @@ static size_t make_balls(struct bead_ball *balls, struct bead_mark *marks)
         float x = 9.3f + 17.77f * (float)i, r = 10.1f - (float)(i % 3);
         balls[i] = (struct bead_ball){x, 47.5f, r, x - (i % 2 ? 7.5f : 20), x + 20, {(uint8_t)(28 * i), 180, 90, 255}};
         marks[i] = (struct bead_mark){
-            .box = {x - 8, 30.25f, x + 8, 70}, .shape = {5, 1.5f, 3, 4}, .kind = (float)(i % 6), .rgba = {250, 200, 60, 200}};
+            .box = {x - 8, 30.25f, x + 8, 70}, .shape = {5, 1.5f, 3, 4}, .kind = (float)(i % 5), .rgba = {250, 200, 60, 200}};
     }
     return 9;
 }
