@@ -24,7 +24,7 @@ MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 endif
 
 # Debian packages (12 and 13): to build, to build and run the tests, and what .ci/run uses beyond those.
-BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libfftw3-dev libpng-dev \
+BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libpng-dev \
              libegl-dev libavformat-dev libavcodec-dev libavutil-dev libcairo2-dev libpango1.0-dev libfontconfig-dev fonts-stix fonts-lato
 TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py man-db mandoc
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
@@ -32,12 +32,13 @@ WISHED_DEPS = libosmesa6
 CI_DEPS    = clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr
 # What `make peers` compares with: large, and left out where missing.
 PEER_DEPS  = lammps python3-scipy
+ARM64_DEPS = debootstrap gcc-aarch64-linux-gnu qemu-user-static
 
 # Asked once, when a recipe first needs it: after `deps` has run in `make deps all`.
 once              = $(eval $(1) := $(2))$($(1))
 # Plain `hdf5` may be a build for MPI, where one is installed beside the serial one.
 hdf5              = $(call once,hdf5,$(shell pkg-config --exists hdf5-serial 2>/dev/null && echo hdf5-serial || echo hdf5))
-SIM_PACKAGES      = $(hdf5) yaml-0.1 udunits fftw3
+SIM_PACKAGES      = $(hdf5) yaml-0.1 udunits
 # Opened at run time where they are (beadreel --list libraries), linked by nothing; only their headers are needed.
 OPENED_PACKAGES   = egl libavformat libavcodec libavutil
 RENDER_PACKAGES   = libpng cairo pangocairo fontconfig
@@ -86,7 +87,7 @@ all: $(PROGRAMS) $(LIBRARIES) ## both programs and both libraries, optimised (th
 
 help: ## this list
 	@echo "Targets (variables: PREFIX, DESTDIR, BUILD, CC, CFLAGS; V=1 shows the commands):"
-	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1|\2/p' $(firstword $(MAKEFILE_LIST)) | awk -F'|' '{printf "%-12s %s\n", $$1, $$2}'
+	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  \1|\2/p' $(firstword $(MAKEFILE_LIST)) | awk -F'|' '{printf "%-12s %s\n", $$1, $$2}'
 
 # Install what is missing of the Debian packages $(1), and of $(2) what the release has: as root, with sudo, or say what to run.
 define install_packages
@@ -112,12 +113,13 @@ deps: ## install the Debian packages needed to build, run and test (only what is
 # apt-get locks: never two of them at a time.
 deps-ci: | $(filter deps,$(MAKECMDGOALS)) ## the same for lint and .ci/run
 	$(call install_packages,$(CI_DEPS))
-
+deps-arm64: | $(filter deps deps-ci,$(MAKECMDGOALS)) ## the same for make arm64-test
+	$(call install_packages,$(ARM64_DEPS))
 deps-peers: | $(filter deps deps-ci,$(MAKECMDGOALS)) ## the same for peers
 	$(call install_packages,$(PEER_DEPS))
 
 # Where `deps` is asked for, everything waits for it; the first thing built checks that what it needs is there.
-WAIT = $(filter deps deps-ci deps-peers,$(MAKECMDGOALS))
+WAIT = $(filter deps deps-ci deps-peers deps-arm64,$(MAKECMDGOALS))
 $(BUILD)/.ready: | $(WAIT)
 	@mkdir -p $(@D)
 	@pkg-config --version >/dev/null 2>&1 || { echo >&2 "pkg-config is missing: run 'make deps' first."; exit 1; }
@@ -142,6 +144,7 @@ extra_kernels_avx2     = $(if $(x86),-O3 -mavx2)
 extra_kernels_avx512   = $(if $(x86),-O3 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512)
 # Loops over all samples and pixels.
 extra_trajectory_read = -O3
+extra_fourier = -O3
 extra_area_kernels = -O3
 extra_area_colours = -O3
 extra_colour_table = -O3
@@ -218,6 +221,9 @@ compile: all $(TESTS) $(EXAMPLES) $(BENCHES) $(STRESSES) $(FAIL_ALLOC) ## everyt
 
 fresh: ## README's commands on a bare Debian: make fresh SUITE=bookworm|trixie (root, debootstrap; minutes)
 	@tests/fresh.sh $(SUITE)
+
+arm64-test: | $(WAIT) ## all results on arm64, in QEMU, have the bits of x86-64 (root, debootstrap; make deps-arm64; many minutes)
+	@tests/arm64.sh $(filter-out gcc pkg-config,$(BUILD_DEPS))
 
 golden: all $(BUILD)/tests/test_golden ## make the golden pictures of the tests anew; look at them before you commit
 	@BEADREEL_ASSETS=assets BUILD=$(BUILD) BEADREEL_GOLDEN=update $(BUILD)/tests/test_golden
@@ -317,6 +323,6 @@ sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: all help deps deps-ci demo thesis gallery test fresh golden asan coverage counted fuzz fuzzers torture bench stress lint man doc install uninstall clean always compile findings deps-peers peers
+.PHONY: all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan coverage counted fuzz fuzzers torture bench stress lint man doc install uninstall clean always compile findings deps-peers peers
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,6 +1,7 @@
 #!/bin/bash
 # Hash every result of the ready scenes, to compare two builds bit by bit: tests/bits.sh BUILD [SCENE...]
-# The first line names the libraries and the processor feature that results may depend on. Then, for each scene, come the hash of all
+# EMULATOR=COMMAND runs the programs of another processor. The first line names the library that writes trajectories, whose bytes (not
+# numbers) may depend on its version. Then, for each scene, come the hash of all
 # states of its chains and one line per file: the files that beadsim makes of the scene, and below all/ a trajectory and tables that
 # every scene is asked for. Long scenes are shortened: sweeps to a few configurations, equations to their first part.
 # Make the reference anew with `tests/bits.sh build >tests/reference/bits.txt`, and say in the commit why results changed.
@@ -9,6 +10,7 @@ cd "$(dirname "$0")/.." || exit 1
 build=$(realpath "$1")
 shift
 export BEADREEL_ASSETS=assets # trajectories hold the path of their scene
+read -ra emulator <<<"${EMULATOR:-}"
 work=$(mktemp -d "${TMPDIR:-/tmp}/beadreel-bits.XXXXXX") || exit 1
 trap 'rm -rf "$work"' EXIT
 
@@ -46,8 +48,8 @@ of_scene() {
     mkdir "$dir" "$dir/all"
     local set=()
     for s in "${settings[@]}"; do set+=(--set "$s"); done
-    "$build/beadsim" "$1" -o "$dir" "${set[@]}" --progress=none >/dev/null 2>"$work/err" &&
-        states=$("$build/tests/examples/states" "$1" "$dir/all" "${settings[@]}" "outputs=[$all]" 2>"$work/err") || {
+    "${emulator[@]}" "$build/beadsim" "$1" -o "$dir" "${set[@]}" --progress=none >/dev/null 2>"$work/err" &&
+        states=$("${emulator[@]}" "$build/tests/examples/states" "$1" "$dir/all" "${settings[@]}" "outputs=[$all]" 2>"$work/err") || {
         echo "$1 failed: $(head -n 1 "$work/err")"
         rm -rf "$dir"
         return 1
@@ -57,8 +59,7 @@ of_scene() {
     rm -rf "$dir"
 }
 
-# The C library's exp, pow and sin are others where the processor multiplies and adds at once.
-echo "# $(getconf GNU_LIBC_VERSION) $(grep -o -m 1 -w fma /proc/cpuinfo | head -n 1), $(ldd "$build/beadsim" | grep -o -m 1 'libhdf5_*[a-z]*[.]so[.][0-9]*' | head -n 1)"
+echo "# $(readelf -d "$build/beadsim" | grep -o -m 1 'libhdf5_*[a-z]*[.]so[.][0-9]*' | head -n 1)"
 if [ $# -eq 0 ]; then
     mapfile -t scenes < <(cd "$BEADREEL_ASSETS/scenes" && find . -name '*.yaml' | sed 's,^\./,,; s,\.yaml$,,' | LC_ALL=C sort)
     set -- "${scenes[@]}"

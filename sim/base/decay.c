@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "beadreel/statistics.h"
+#include "sim/base/elementary.h"
 #include "sim/base/random.h"
 
 /* The power law needs at least three doublings of the distance; over the first, one law turns into the other. */
@@ -57,7 +58,7 @@ void bead_decay_fit(const double *logs, size_t places, size_t first, size_t last
     for (size_t p = first; p <= last && p < places; p++)
         add_point(&near, (double)p, logs[p]);
     for (size_t p = last > 0 ? last : 1; p < places && places > FARTHER * last; p++)
-        add_point(&far, log((double)p), logs[p]);
+        add_point(&far, bead_log((double)p), logs[p]);
     double slope = slope_of(&near, &decay->length_offset);
     if (!isnan(slope))
         decay->length = slope < 0 ? -1 / slope : INFINITY;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "beadreel/statistics.h"
+#include "sim/base/elementary.h"
 #include "sim/base/random.h"
 
 /* Magnetisms needed for a plateau. */
@@ -14,7 +15,7 @@ static const double flat = 0.2;
 static double find_law(const double *magnetism, const double *mean, size_t count, const struct bead_threshold *t)
 {
     (void)magnetism, (void)mean, (void)count;
-    double square = 1 + log(t->plateau) / t->rate;
+    double square = 1 + bead_log(t->plateau) / t->rate;
     return square >= 0 ? sqrt(square) : NAN;
 }
 
@@ -77,7 +78,7 @@ static bool find_regimes(const double *magnetism, const double *mean, size_t cou
         return false;
     /* From M = 1 down, so that chance maxima at low M do not count. */
     for (size_t i = count; i-- > low && mean[i] >= sqrt(t->plateau);) {
-        double x = 1 - magnetism[i] * magnetism[i], y = -log(mean[i]);
+        double x = 1 - magnetism[i] * magnetism[i], y = -bead_log(mean[i]);
         if (!(x > 1e-12))
             continue;
         t->high = isnan(t->high) ? magnetism[i] : t->high;

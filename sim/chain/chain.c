@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "sim/base/memory.h"
+#include "sim/base/wide.h"
 #include "sim/chain/chain_data.h"
 #include "sim/chain/spins.h"
 #include "sim/chain/system.h"
@@ -158,7 +159,7 @@ static double stiffness_of(const struct bead_chain *chain, size_t k)
  * so that a chain at rest feels exactly nothing. */
 static void compress(struct bead_chain *chain)
 {
-    double weight = 0, slope = gravity * sin(chain->spec->tilt);
+    double weight = 0, slope = gravity * bead_sin(chain->spec->tilt);
     for (size_t k = 0; k < chain->contacts; k++) {
         weight += k > 0 ? chain->mass[k] * slope : 0;
         double force = chain->spec->precompression + weight, a = chain->stiffness[k];

@@ -5,6 +5,9 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "sim/base/elementary.h"
+#include "sim/base/wide.h"
+
 static double three_halves(const struct bead_law_spec *spec)
 {
     (void)spec;
@@ -76,20 +79,20 @@ static double hertz_stiffness(double a, const struct bead_law_spec *spec, double
 static double hertz_compression(double a, const struct bead_law_spec *spec, double f)
 {
     (void)spec;
-    return f > 0 && a > 0 ? cbrt((f / a) * (f / a)) : 0;
+    return f > 0 && a > 0 ? bead_cbrt((f / a) * (f / a)) : 0;
 }
 
 static double hertz_energy_compression(double a, const struct bead_law_spec *spec, double e)
 {
     (void)spec;
-    return e > 0 && a > 0 ? pow(2.5 * e / a, 0.4) : 0;
+    return e > 0 && a > 0 ? bead_pow(2.5 * e / a, 0.4) : 0;
 }
 
 /* The same as the thesis's program computes it: the last bit may differ. */
 static double printed_force(double a, const struct bead_law_spec *spec, double d)
 {
     (void)spec;
-    return d > 0 ? a * pow(d, 1.5) : 0;
+    return d > 0 ? a * bead_three_halves(d) : 0;
 }
 
 /* f = A d^p, d > 0. */
@@ -110,12 +113,12 @@ static double power_stiffness(double a, const struct bead_law_spec *spec, double
 
 static double power_compression(double a, const struct bead_law_spec *spec, double f)
 {
-    return f > 0 && a > 0 ? pow(f / a, 1 / spec->power) : 0;
+    return f > 0 && a > 0 ? bead_pow(f / a, 1 / spec->power) : 0;
 }
 
 static double power_energy_compression(double a, const struct bead_law_spec *spec, double e)
 {
-    return e > 0 && a > 0 ? pow((spec->power + 1) * e / a, 1 / (spec->power + 1)) : 0;
+    return e > 0 && a > 0 ? bead_pow((spec->power + 1) * e / a, 1 / (spec->power + 1)) : 0;
 }
 
 /* f = k d (1 - alpha d) for both signs of d: thesis Eq. 5 written for the compression d = x_j - x_{j+1}. */

@@ -1,92 +1,97 @@
 /* Exponential time differencing, see etd.h: the coefficients of a step and the step itself, for kdv_solver.c. */
 #include "sim/equation/etd.h"
 
-#include <math.h>
-
-/* Long double arithmetic: its sines are the same bits on all x86-64 processors, those of double are not. */
-struct wide {
-    long double re, im;
-};
-
-static const long double pi = 3.141592653589793238462643383279503L;
-enum { CONTOUR = 32 }; /* points on the unit circle about z: the mean is exact to rounding */
-
-static struct wide times(struct wide a, struct wide b)
+static struct bead_turn over(struct bead_turn a, struct bead_turn b)
 {
-    return (struct wide){a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+    bead_wide norm = b.c * b.c + b.s * b.s;
+    return (struct bead_turn){(a.c * b.c + a.s * b.s) / norm, (a.s * b.c - a.c * b.s) / norm};
 }
 
-static struct wide over(struct wide a, struct wide b)
-{
-    long double norm = b.re * b.re + b.im * b.im;
-    return (struct wide){(a.re * b.re + a.im * b.im) / norm, (a.im * b.re - a.re * b.im) / norm};
-}
-
-static struct wide turn(long double angle)
-{
-    return (struct wide){cosl(angle), sinl(angle)};
-}
-
+/* The coefficients over h, of complex numbers c + i s. */
 struct functions {
-    struct wide q, f1, f2, f3;
+    struct bead_turn q, f1, f2, f3;
 };
 
-/* The coefficients over h at z, with e = exp(z) and half = exp(z / 2) given. */
-static struct functions formulas(struct wide z, struct wide e, struct wide half)
+/* At z = i angle, with e = exp(z) and half = exp(z / 2). */
+static struct functions formulas(bead_wide angle, struct bead_turn e, struct bead_turn half)
 {
-    struct wide z2 = times(z, z), z3 = times(z2, z);
-    struct wide e1 = times(e, (struct wide){4 - 3 * z.re + z2.re, -3 * z.im + z2.im});
-    struct wide e2 = times(e, (struct wide){z.re - 2, z.im});
-    struct wide e3 = times(e, (struct wide){4 - z.re, -z.im});
+    const struct bead_turn z = {0, angle}, z3 = {0, -angle * angle * angle};
+    const bead_wide square = -angle * angle;
+    struct bead_turn e1 = bead_turn_on(e, (struct bead_turn){4 + square, -3 * angle});
+    struct bead_turn e2 = bead_turn_on(e, (struct bead_turn){-2, angle}), e3 = bead_turn_on(e, (struct bead_turn){4, -angle});
     struct functions f;
-    f.q = over((struct wide){half.re - 1, half.im}, z);
-    f.f1 = over((struct wide){e1.re - 4 - z.re, e1.im - z.im}, z3);
-    f.f2 = over((struct wide){2 * (e2.re + 2 + z.re), 2 * (e2.im + z.im)}, z3);
-    f.f3 = over((struct wide){e3.re - 4 - 3 * z.re - z2.re, e3.im - 3 * z.im - z2.im}, z3);
+    f.q = over((struct bead_turn){half.c - 1, half.s}, z);
+    f.f1 = over((struct bead_turn){e1.c - 4, e1.s - angle}, z3);
+    f.f2 = over((struct bead_turn){2 * (e2.c + 2), 2 * (e2.s + angle)}, z3);
+    f.f3 = over((struct bead_turn){e3.c - 4 - square, e3.s - 3 * angle}, z3);
     return f;
 }
 
-static void add(struct wide *sum, struct wide x)
+/* Below this angle the formulas lose digits, and so many terms of the series are exact to rounding. */
+static const double cancels = 2, rounding = 1e-22;
+enum { TERMS = 28 };
+
+/* Of the powers of z: those of q over 2, and of f1, f2 and f3. */
+struct series {
+    bead_wide q[TERMS], f1[TERMS], f2[TERMS], f3[TERMS];
+};
+
+static void make_series(struct series *to)
 {
-    sum->re += x.re / CONTOUR;
-    sum->im += x.im / CONTOUR;
+    bead_wide one = 1, half = 0.5; /* 1 / (n + 1)!, and with z / 2 for z */
+    for (int n = 0; n < TERMS; n++) {
+        const bead_wide two = one / (n + 2), three = two / (n + 3);
+        to->q[n] = half;
+        to->f1[n] = 4 * three - 3 * two + one;
+        to->f2[n] = 2 * (two - 2 * three);
+        to->f3[n] = 4 * three - two;
+        one = two;
+        half /= 2 * (n + 2);
+    }
 }
 
-static struct functions contour(long double angle, const struct wide circle[CONTOUR], const struct wide growth[CONTOUR])
+/* The even number of terms that count. */
+static int terms_at(double angle)
 {
-    struct functions sum = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
-    struct wide whole = turn(angle), half = turn(angle / 2);
-    for (int i = 0; i < CONTOUR; i++) { /* exp(z + r) = exp(z) exp(r), with exp(r) = growth^2 */
-        struct wide z = {circle[i].re, circle[i].im + angle};
-        struct functions f = formulas(z, times(whole, times(growth[i], growth[i])), times(half, growth[i]));
-        add(&sum.q, f.q);
-        add(&sum.f1, f.f1);
-        add(&sum.f2, f.f2);
-        add(&sum.f3, f.f3);
+    int n = 2;
+    for (double size = angle * angle; n < TERMS && size > rounding; n += 2)
+        size *= angle * angle / ((n + 1) * (n + 2));
+    return n;
+}
+
+/* sum of a_n (i angle)^n, n < terms: the even powers are real. */
+static struct bead_turn sum_of(const bead_wide a[TERMS], int terms, bead_wide angle, bead_wide square)
+{
+    struct bead_turn sum = {0, 0};
+    for (int n = terms - 2; n >= 0; n -= 2) {
+        sum.c = a[n] - square * sum.c;
+        sum.s = a[n + 1] - square * sum.s;
     }
+    sum.s *= angle;
     return sum;
 }
 
-static struct bead_complex narrow(struct wide x, long double h)
+static struct functions by_series(const struct series *a, bead_wide angle)
 {
-    return (struct bead_complex){(double)(h * x.re), (double)(h * x.im)};
+    const bead_wide square = angle * angle;
+    const int n = terms_at((double)angle);
+    return (struct functions){sum_of(a->q, n, angle, square), sum_of(a->f1, n, angle, square), sum_of(a->f2, n, angle, square),
+                              sum_of(a->f3, n, angle, square)};
 }
 
-void bead_etd_rows(const long double *omega, size_t modes, long double h, struct bead_etd_row *rows)
+static struct bead_complex narrow(struct bead_turn x, bead_wide h)
 {
-    const long double cancels = 2; /* the formulas lose digits below this |z| */
-    struct wide circle[CONTOUR], growth[CONTOUR];
-    for (int i = 0; i < CONTOUR; i++) { /* none of them on the imaginary axis, where z + r could be 0 */
-        circle[i] = turn(2 * pi * (i + 0.5L) / CONTOUR);
-        growth[i] = turn(circle[i].im / 2);
-        long double size = expl(circle[i].re / 2);
-        growth[i] = (struct wide){size * growth[i].re, size * growth[i].im};
-    }
+    return (struct bead_complex){(double)(h * x.c), (double)(h * x.s)};
+}
+
+void bead_etd_rows(const bead_wide *omega, size_t modes, bead_wide h, struct bead_etd_row *rows)
+{
+    struct series series;
+    make_series(&series);
     for (size_t j = 0; j <= modes; j++) {
-        long double angle = omega[j] * h;
-        struct wide whole = turn(angle), half = turn(angle / 2);
-        struct functions f =
-            fabsl(angle) < cancels ? contour(angle, circle, growth) : formulas((struct wide){0, angle}, whole, half);
+        const bead_wide angle = omega[j] * h;
+        const struct bead_turn half = bead_turn_by(angle / 2), whole = bead_turn_on(half, half);
+        const struct functions f = bead_wide_abs(angle) < cancels ? by_series(&series, angle) : formulas(angle, whole, half);
         rows[j] = (struct bead_etd_row){narrow(whole, 1), narrow(half, 1), narrow(f.q, h),
                                         narrow(f.f1, h),  narrow(f.f2, h), narrow(f.f3, h)};
     }

@@ -1,11 +1,12 @@
 /* Exponential time differencing for u' = i w u + N(u), mode by mode: the linear part exactly, N by a Runge-Kutta method of order
  * four.
  *
- * S. M. Cox, P. C. Matthews, J. Comput. Phys. 176, 430 (2002), Eq. 26-29; coefficients by the contour integrals of A.-K. Kassam,
- * L. N. Trefethen, SIAM J. Sci. Comput. 26, 1214 (2005), as the formulas themselves cancel where w h is small. */
+ * S. M. Cox, P. C. Matthews, J. Comput. Phys. 176, 430 (2002), Eq. 26-29; coefficients by their power series where w h is small, as
+ * the formulas themselves cancel there (A.-K. Kassam, L. N. Trefethen, SIAM J. Sci. Comput. 26, 1214 (2005)). */
 #ifndef BEADREEL_SIM_EQUATION_ETD_H
 #define BEADREEL_SIM_EQUATION_ETD_H
 
+#include "sim/base/wide.h"
 #include "sim/equation/spectral.h"
 
 struct bead_etd_row {
@@ -22,7 +23,7 @@ struct bead_etd_work {
 };
 
 /* Rows for steps of h and the frequencies omega[0..modes]. */
-void bead_etd_rows(const long double *omega, size_t modes, long double h, struct bead_etd_row *rows);
+void bead_etd_rows(const bead_wide *omega, size_t modes, bead_wide h, struct bead_etd_row *rows);
 /* from -> to (may be the same) over one step; work->slope[0] must be N(from). */
 void bead_etd_step(const struct bead_etd_row *rows, size_t modes, bead_etd_slope slope, void *context, struct bead_etd_work *work,
                    const struct bead_complex *from, struct bead_complex *to);

@@ -4,10 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/wide.h"
 #include "sim/equation/equation.h"
 #include "sim/equation/fput_string.h"
-
-static const long double pi = 3.141592653589793238462643383279503L;
 
 /* The energy of a mode over time: its smallest value, and its largest after it was below half of the start's. */
 struct returns {
@@ -96,15 +95,15 @@ static bool fixed(const struct bead_equation_spec *spec)
 }
 
 /* Phase of mode k from mass to mass: k pi / (N + 1) between walls, 2 k pi / N on a ring. */
-static long double phase(const struct bead_equation_spec *spec, size_t k)
+static bead_wide phase(const struct bead_equation_spec *spec, size_t k)
 {
     size_t n = spec->points;
-    return fixed(spec) ? pi * (long double)k / (long double)(n + 1) : 2 * pi * (long double)k / (long double)n;
+    return fixed(spec) ? bead_wide_pi * k / (n + 1) : 2 * bead_wide_pi * k / n;
 }
 
 static double omega_squared(const struct bead_equation_spec *spec, size_t k)
 {
-    double s = 2 * (double)sinl(phase(spec, k) / 2);
+    double s = 2 * (double)bead_wide_sin(phase(spec, k) / 2);
     return s * s;
 }
 
@@ -116,20 +115,19 @@ static double norm(const struct bead_equation_spec *spec, size_t k)
 }
 
 /* Energy of mode k: of a standing wave between walls; of the waves with sine and cosine together on a ring. The sines by
- * rotation, in long double: the same on all processors. */
+ * rotation. */
 static double mode_energy(const struct bead_equation_spec *spec, size_t k, const double *u, const double *v)
 {
-    long double turn_c = cosl(phase(spec, k)), turn_s = sinl(phase(spec, k)), c = fixed(spec) ? turn_c : 1;
-    long double s = fixed(spec) ? turn_s : 0;
+    const struct bead_turn turn = bead_turn_by(phase(spec, k));
+    struct bead_turn at = fixed(spec) ? turn : (struct bead_turn){1, 0};
     double us = 0, uc = 0, vs = 0, vc = 0;
     for (size_t j = 0; j < spec->points; j++) {
-        us += u[j] * (double)s;
-        vs += v[j] * (double)s;
-        uc += u[j] * (double)c;
-        vc += v[j] * (double)c;
-        long double next = c * turn_c - s * turn_s;
-        s = s * turn_c + c * turn_s;
-        c = next;
+        const double s = (double)at.s, c = (double)at.c;
+        us += u[j] * s;
+        vs += v[j] * s;
+        uc += u[j] * c;
+        vc += v[j] * c;
+        at = bead_turn_on(at, turn);
     }
     double w2 = omega_squared(spec, k), energy = vs * vs + w2 * us * us;
     if (!fixed(spec))
@@ -204,7 +202,7 @@ static enum bead_error begin_watch(struct bead_motion *m, struct bead_message *m
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a string of %zu masses", m->settings.points);
     double root = sqrt(norm(spec, spec->mode));
     for (size_t j = 0; j < m->settings.points; j++)
-        m->shape[j] = root * (double)sinl(phase(spec, spec->mode) * (long double)(j + fixed(spec)));
+        m->shape[j] = root * (double)bead_wide_sin(phase(spec, spec->mode) * (j + fixed(spec)));
     m->omega2 = omega_squared(spec, spec->mode);
     m->returns.start = m->returns.low = m->returns.before = watched(m, &m->stepper.end, &m->returns.rate_before);
     return BEAD_OK;
@@ -243,8 +241,9 @@ static enum bead_error choose_step(struct bead_motion *m, struct bead_message *m
     while (strcmp(law->method, info->name) != 0)
         law++;
     /* Between steps there are polynomials of degree 7. */
-    double longest = fmin(law->longest, pow(s->accuracy * 40320 * 256, 1. / 8)), turns = omega * (isfinite(s->end) ? s->end : 1e4);
-    m->h = s->step > 0 ? s->step : fmin(pow(s->accuracy / (law->error * turns), 1.0 / info->order), longest) / omega;
+    double longest = fmin(law->longest, bead_pow(s->accuracy * 40320 * 256, 1. / 8)),
+           turns = omega * (isfinite(s->end) ? s->end : 1e4);
+    m->h = s->step > 0 ? s->step : fmin(bead_pow(s->accuracy / (law->error * turns), 1.0 / info->order), longest) / omega;
     if (m->h * 2 > info->theta_max)
         return bead_fail(msg, BEAD_ERROR_SCENE, "simulate.step: %.3g is too long for `%s` to be stable: at most %.3g", m->h,
                          info->name, info->theta_max / 2);
@@ -402,7 +401,7 @@ static size_t measures(const struct bead_motion *m, struct bead_measure *to, siz
         n = bead_measure_add(to, n, room, "change of the momentum", momentum(m) - m->momentum_start);
     if (!m->shape)
         return n;
-    double period = (double)(2 * pi) / sqrt(m->omega2);
+    double period = (double)(2 * bead_wide_pi) / sqrt(m->omega2);
     char name[48];
     snprintf(name, sizeof name, "period of linear mode %zu", spec->mode);
     n = bead_measure_add(to, n, room, name, period);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/wide.h"
 #include "sim/integrate/dense.h"
 #include "sim/integrate/tableau.h"
 
@@ -239,19 +240,6 @@ void bead_string_begin(struct bead_string_stepper *s)
 
 /* ---- the start: one of the modes, or a pulse of strain ---- */
 
-/* Functions in long double, rounded: the C library's own ones in double differ in the last bit between processors. */
-static double sine(long double x)
-{
-    return (double)sinl(x);
-}
-
-static double sech2(double x)
-{
-    return fabs(x) < 300 ? (double)(1 / (coshl(x) * coshl(x))) : 0;
-}
-
-static const long double pi = 3.141592653589793238462643383279503L;
-
 /* u_j = amplitude sin(pi k (j + 1) / (n + 1)), j from 0: the left wall stands where mass -1 would. */
 static void start_mode(const struct bead_string *s, double *u)
 {
@@ -259,7 +247,7 @@ static void start_mode(const struct bead_string *s, double *u)
     size_t n = s->masses, half = fixed ? n + 1 : n;
     for (size_t j = 0; j < n; j++) {
         size_t turn = s->spec->mode * (fixed ? j + 1 : 2 * j) % (2 * half); /* in units of half / pi */
-        u[j] = s->spec->amplitude * sine(pi * (long double)turn / (long double)half);
+        u[j] = s->spec->amplitude * (double)bead_wide_sin(bead_wide_pi * turn / half);
     }
 }
 
@@ -270,7 +258,7 @@ static double strain_at(const struct bead_string *s, double x)
     double sum = 0, around = e->ends == BEAD_ENDS_PERIODIC ? (double)s->masses : 0;
     for (int image = -1; image <= 1; image++) {
         if (image == 0 || around > 0)
-            sum += sech2((x + bead_string_first(e) - e->at + image * around) / e->width);
+            sum += bead_sech2((x + bead_string_first(e) - e->at + image * around) / e->width);
     }
     return e->amplitude * sum;
 }

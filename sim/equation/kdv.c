@@ -280,19 +280,16 @@ static size_t measures(const struct bead_motion *m, struct bead_measure *to, siz
     return all_measures(&m->watch, &m->solitons, &m->kdv, to, room);
 }
 
-/* What mode k of the Fourier series adds to the mean of u^2; the mean itself is no mode. Cosines by rotation in long double: the
- * same on all processors. */
+/* What mode k of the Fourier series adds to the mean of u^2; the mean itself is no mode. Cosines by rotation. */
 static double mode_energy(const double *u, size_t points, size_t k)
 {
-    long double angle = 2 * 3.141592653589793238462643383279503L * (long double)k / (long double)points;
-    long double turn_c = cosl(angle), turn_s = sinl(angle), c = 1, s = 0;
+    const struct bead_turn turn = bead_turn_by(2 * bead_wide_pi * k / points);
+    struct bead_turn at = {1, 0};
     double sum_c = 0, sum_s = 0;
     for (size_t i = 0; i < points; i++) {
-        sum_c += u[i] * (double)c;
-        sum_s += u[i] * (double)s;
-        long double next = c * turn_c - s * turn_s;
-        s = s * turn_c + c * turn_s;
-        c = next;
+        sum_c += u[i] * (double)at.c;
+        sum_s += u[i] * (double)at.s;
+        at = bead_turn_on(at, turn);
     }
     double n = (double)points;
     return (2 * k == points ? 1 : 2) * (sum_c * sum_c + sum_s * sum_s) / (n * n);

@@ -5,15 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const long double pi = 3.141592653589793238462643383279503L;
+#include "sim/base/elementary.h"
 
 /* ---- starts, and the grid that they and their later shapes need ---- */
-
-static double sech2(double x)
-{
-    long double c = coshl((long double)x);
-    return (double)(1 / (c * c));
-}
 
 double bead_kdv_soliton_amplitude(const struct bead_equation_spec *spec, double speed)
 {
@@ -29,7 +23,7 @@ static double wave_number(const struct bead_equation_spec *spec, size_t i)
 static double pair_shift(const struct bead_equation_spec *spec, size_t i, size_t j)
 {
     double k = wave_number(spec, i), l = wave_number(spec, j), part = (k - l) / (k + l);
-    return (double)logl((long double)(part * part));
+    return bead_log(part * part);
 }
 
 static bool speeds_differ(const struct bead_equation_spec *spec)
@@ -72,12 +66,12 @@ static double hirota(const struct bead_equation_spec *spec, double x)
 {
     unsigned subsets = 1u << spec->soliton_count;
     double slope, top = 0;
-    long double weight = 0, mean = 0, square = 0;
+    bead_wide weight = 0, mean = 0, square = 0;
     for (unsigned s = 1; s < subsets; s++)
         top = fmax(top, exponent(spec, s, x, &slope));
     for (unsigned s = 0; s < subsets; s++) {
-        long double w = expl((long double)(exponent(spec, s, x, &slope) - top));
-        long double shift = w * slope;
+        bead_wide w = bead_wide_exp(exponent(spec, s, x, &slope) - top);
+        bead_wide shift = w * slope;
         weight += w;
         mean += shift;
         square += shift * slope;
@@ -92,7 +86,7 @@ static double sum_of_solitons(const struct bead_equation_spec *spec, double x)
     double sum = 0;
     for (size_t i = 0; i < spec->soliton_count; i++)
         sum += bead_kdv_soliton_amplitude(spec, spec->solitons[i].speed) *
-               sech2(0.5 * wave_number(spec, i) * (x - spec->solitons[i].at));
+               bead_sech2(0.5 * wave_number(spec, i) * (x - spec->solitons[i].at));
     return sum;
 }
 
@@ -100,12 +94,12 @@ double bead_kdv_start(const struct bead_equation_spec *spec, double x)
 {
     double sum = 0;
     if (spec->start == BEAD_START_COSINE)
-        return spec->amplitude * (double)cosl(2 * pi * (long double)spec->mode * (long double)((x - spec->low) / spec->length));
+        return spec->amplitude * (double)bead_wide_cos(2 * bead_wide_pi * spec->mode * ((x - spec->low) / spec->length));
     bool exact = spec->soliton_count > 1 && speeds_differ(spec);
     for (int image = -1; image <= 1; image++) {
         double there = x + image * spec->length;
         if (spec->start == BEAD_START_PULSE)
-            sum += spec->amplitude * sech2((there - spec->at) / spec->width);
+            sum += spec->amplitude * bead_sech2((there - spec->at) / spec->width);
         else
             sum += exact ? hirota(spec, there) : sum_of_solitons(spec, there);
     }
@@ -139,8 +133,8 @@ size_t bead_kdv_points(const struct bead_equation_spec *spec, double accuracy)
     if (spec->points)
         return spec->points;
     /* The spectrum of sech^2(s x) falls as (k / s) exp(-pi k / (2 s)); as much again of digits for its other factors. */
-    double digits = (double)logl(1 / (long double)accuracy) + 5;
-    double modes = 2 / (double)pi * bead_kdv_sharpest(spec) * digits * spec->length / (2 * (double)pi);
+    double digits = bead_log(1 / accuracy) + 5;
+    double modes = 2 / (double)bead_wide_pi * bead_kdv_sharpest(spec) * digits * spec->length / (2 * (double)bead_wide_pi);
     if (spec->start == BEAD_START_COSINE)
         modes = fmax(modes, 4 * (double)spec->mode);
     double least = 32, most = BEAD_KDV_POINTS_MAX;
@@ -175,7 +169,7 @@ static void slope(void *context, const struct bead_complex *u, struct bead_compl
 
 static void rows(const struct bead_kdv *kdv, double h, struct bead_etd_row *to)
 {
-    bead_etd_rows(kdv->omega, kdv->spectral.modes, (long double)h, to);
+    bead_etd_rows(kdv->omega, kdv->spectral.modes, h, to);
 }
 
 static void move(struct bead_kdv *kdv, const struct bead_etd_row *with, const struct bead_complex *from, struct bead_complex *to)
@@ -204,13 +198,13 @@ static enum bead_error allocate(struct bead_kdv *kdv, size_t points, struct bead
         return err;
     size_t n = kdv->spectral.modes + 1, series = 12;
     size_t bytes =
-        n * (sizeof(long double) + 3 * sizeof(struct bead_etd_row) + series * sizeof(struct bead_complex) + sizeof(double));
+        n * (sizeof(bead_wide) + 3 * sizeof(struct bead_etd_row) + series * sizeof(struct bead_complex) + sizeof(double));
     char *memory = kdv->memory = calloc(1, bytes);
     if (!memory) {
         bead_spectral_destroy(&kdv->spectral);
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a grid of %zu points", points);
     }
-    kdv->omega = (long double *)(void *)memory;
+    kdv->omega = (bead_wide *)(void *)memory;
     struct bead_etd_row *row = (struct bead_etd_row *)(void *)(kdv->omega + n);
     kdv->rows = row, kdv->half_rows = row + n, kdv->other_rows = row + 2 * n;
     struct bead_complex *next = (struct bead_complex *)(void *)(row + 3 * n);
@@ -239,10 +233,10 @@ static double kdv_solver_begin(struct bead_kdv *kdv)
     kdv->mean = kdv->end.u[0].re;
     kdv->end.u[0] = (struct bead_complex){0, 0};
     for (size_t j = 0; j <= s->modes; j++) {
-        long double k = 2 * pi * (long double)j / (long double)spec->length;
-        long double drift = (long double)spec->drift + (long double)spec->nonlinearity * (long double)kdv->mean;
+        bead_wide k = 2 * bead_wide_pi * j / spec->length;
+        bead_wide drift = spec->drift + (bead_wide)spec->nonlinearity * kdv->mean;
         kdv->wave_number[j] = (double)k;
-        kdv->omega[j] = k * ((long double)spec->dispersion * k * k - drift);
+        kdv->omega[j] = k * (spec->dispersion * k * k - drift);
     }
     slope(kdv, kdv->end.u, kdv->end.slope);
     return whole > 0 ? fabs(1 - kept / whole) : 0;

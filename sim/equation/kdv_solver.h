@@ -35,7 +35,7 @@ struct bead_kdv {
     const struct bead_equation_spec *spec;
     struct bead_spectral spectral;
     double mean;
-    long double *omega;  /* of the modes */
+    bead_wide *omega;    /* of the modes */
     double *wave_number; /* of the modes */
     struct bead_kdv_state start, end;
     struct bead_etd_work work;

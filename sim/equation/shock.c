@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/wide.h"
 #include "sim/equation/equation.h"
 #include "sim/equation/shock_law.h"
 #include "sim/equation/shock_watch.h"
@@ -58,7 +59,7 @@ static size_t points(const struct bead_equation_spec *spec, double accuracy)
     if (spec->points)
         return spec->points;
     double waves = spec->start == BEAD_START_PULSE ? spec->length / (4 * spec->width) : (double)spec->mode;
-    return (size_t)fmin(fmax(ceil(waves * in_a_wave * (double)powl((long double)accuracy, -0.2L)), least), most);
+    return (size_t)fmin(fmax(ceil(waves * in_a_wave * bead_pow(accuracy, -0.2)), least), most);
 }
 
 /* Values are means over the cells, shown at their middles. */

@@ -3,23 +3,21 @@
 
 #include <string.h>
 
-/* ---- the start ---- */
+#include "sim/base/wide.h"
 
-static const long double pi = 3.141592653589793238462643383279503L;
+/* ---- the start ---- */
 
 static double strain(const struct bead_equation_spec *spec, double x)
 {
-    long double phase = 2 * pi * (long double)spec->mode * (long double)((x - spec->low) / spec->length);
+    bead_wide phase = 2 * bead_wide_pi * spec->mode * ((x - spec->low) / spec->length);
     if (spec->start == BEAD_START_COSINE)
-        return spec->amplitude * (double)cosl(phase);
+        return spec->amplitude * (double)bead_wide_cos(phase);
     if (spec->start == BEAD_START_SIMPLE_WAVE)
-        return spec->amplitude * (double)sinl(phase);
-    long double sum = 0;
-    for (int image = -1; image <= 1; image++) { /* pulses of the neighbouring periods */
-        long double c = coshl((long double)((x + image * spec->length - spec->at) / spec->width));
-        sum += 1 / (c * c);
-    }
-    return spec->amplitude * (double)sum;
+        return spec->amplitude * (double)bead_wide_sin(phase);
+    double sum = 0;
+    for (int image = -1; image <= 1; image++) /* pulses of the neighbouring periods */
+        sum += bead_sech2((x + image * spec->length - spec->at) / spec->width);
+    return spec->amplitude * sum;
 }
 
 static int direction(const struct bead_equation_spec *spec)
@@ -49,7 +47,7 @@ void bead_shock_start(const struct bead_equation_spec *spec, size_t cells, doubl
 double bead_shock_smooth(const struct bead_equation_spec *spec, double dx)
 {
     const double never_zero = 1e-60;
-    double length = spec->start == BEAD_START_PULSE ? spec->width : spec->length / (2 * (double)pi * (double)spec->mode);
+    double length = spec->start == BEAD_START_PULSE ? spec->width : spec->length / (2 * (double)bead_wide_pi * (double)spec->mode);
     double difference = spec->speed * spec->amplitude * (dx / length) * (dx / length);
     return difference * difference + never_zero;
 }

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "sim/base/elementary.h"
 #include "sim/equation/shock_law.h"
 
 static const double pi = 3.14159265358979323846;
@@ -50,7 +51,7 @@ static double find_invariants(const struct bead_shock_watch *w, const struct bea
 /* The factor k of the comment on characteristics below, where the invariants are v - g and v + g. */
 static double steepening(const struct bead_equation_spec *spec, double right, double left)
 {
-    double c = spec->speed, a = c * cbrt(1 + 0.75 * spec->epsilon * (left - right) / c);
+    double c = spec->speed, a = c * bead_cbrt(1 + 0.75 * spec->epsilon * (left - right) / c);
     return c * c * fabs(spec->epsilon) / (4 * a * a * sqrt(a));
 }
 

@@ -1,44 +1,30 @@
-/* Fourier transforms by FFTW. The equations on a ring (KdV) take derivatives and products with them. */
+/* Functions on a ring as Fourier series. The equations on a ring (KdV) take derivatives and products with them. */
 #include "sim/equation/spectral.h"
 
-#include <fftw3.h>
-#include <math.h>
-#include <pthread.h>
+#include <stdlib.h>
 #include <string.h>
 
-/* FFTW's planner, unlike its transforms, keeps tables that all threads share. */
-static pthread_mutex_t planner = PTHREAD_MUTEX_INITIALIZER;
-
-/* Plans by estimate, not by the clock, and no vector code: the same sums on every machine. */
-static const unsigned same_everywhere = FFTW_ESTIMATE | FFTW_NO_SIMD;
+#include "sim/base/wide.h"
 
 enum bead_error bead_spectral_create(size_t points, struct bead_spectral *s, struct bead_message *msg)
 {
     *s = (struct bead_spectral){.points = points, .modes = (points - 1) / 3};
-    s->grid = fftw_alloc_real(points);
-    s->bins = (struct bead_complex *)fftw_alloc_complex(points / 2 + 1);
-    if (s->grid && s->bins) {
-        pthread_mutex_lock(&planner);
-        s->to_grid = fftw_plan_dft_c2r_1d((int)points, (fftw_complex *)s->bins, s->grid, same_everywhere);
-        s->to_modes = fftw_plan_dft_r2c_1d((int)points, s->grid, (fftw_complex *)s->bins, same_everywhere);
-        pthread_mutex_unlock(&planner);
-    }
-    if (s->to_grid && s->to_modes)
+    enum bead_error err = bead_fourier_create(points, &s->fourier, msg);
+    if (err)
+        return err;
+    s->grid = calloc(points, sizeof *s->grid);
+    s->bins = calloc(points / 2 + 1, sizeof *s->bins);
+    if (s->grid && s->bins)
         return BEAD_OK;
     bead_spectral_destroy(s);
-    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for Fourier transforms of %zu points", points);
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a grid of %zu points", points);
 }
 
 void bead_spectral_destroy(struct bead_spectral *s)
 {
-    pthread_mutex_lock(&planner);
-    if (s->to_grid)
-        fftw_destroy_plan(s->to_grid);
-    if (s->to_modes)
-        fftw_destroy_plan(s->to_modes);
-    pthread_mutex_unlock(&planner);
-    fftw_free(s->grid);
-    fftw_free(s->bins);
+    bead_fourier_destroy(s->fourier);
+    free(s->grid);
+    free(s->bins);
     *s = (struct bead_spectral){0};
 }
 
@@ -46,13 +32,13 @@ void bead_spectral_to_grid(struct bead_spectral *s, const struct bead_complex *c
 {
     memcpy(s->bins, c, (s->modes + 1) * sizeof *c);
     memset(s->bins + s->modes + 1, 0, (s->points / 2 - s->modes) * sizeof *c);
-    fftw_execute(s->to_grid);
+    bead_fourier_backward(s->fourier, s->bins, s->grid);
 }
 
 void bead_spectral_to_modes(struct bead_spectral *s, struct bead_complex *c)
 {
     double scale = 1 / (double)s->points;
-    fftw_execute(s->to_modes);
+    bead_fourier_forward(s->fourier, s->grid, s->bins);
     for (size_t j = 0; j <= s->modes; j++)
         c[j] = (struct bead_complex){scale * s->bins[j].re, scale * s->bins[j].im};
 }
@@ -61,8 +47,10 @@ void bead_spectral_at(const struct bead_complex *c, size_t modes, double phase, 
 {
     value[0] = c[0].re;
     value[1] = value[2] = 0;
-    for (size_t j = 1; j <= modes; j++) {
-        double k = (double)j, co = (double)cosl(k * (long double)phase), si = (double)sinl(k * (long double)phase);
+    const struct bead_turn turn = bead_turn_by(phase);
+    struct bead_turn at = turn;
+    for (size_t j = 1; j <= modes; j++, at = bead_turn_on(at, turn)) {
+        double k = (double)j, co = (double)at.c, si = (double)at.s;
         double re = 2 * (c[j].re * co - c[j].im * si), im = 2 * (c[j].re * si + c[j].im * co);
         value[0] += re;
         value[1] -= k * im;

@@ -9,21 +9,13 @@
 #include <stddef.h>
 
 #include "beadreel/error.h"
-
-struct bead_complex {
-    double re, im;
-};
-
-static inline struct bead_complex bead_complex_times(struct bead_complex a, struct bead_complex b)
-{
-    return (struct bead_complex){a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-}
+#include "sim/equation/fourier.h"
 
 struct bead_spectral {
     size_t points, modes;
     double *grid; /* [points]: values, scratch of both directions */
     struct bead_complex *bins;
-    void *to_grid, *to_modes; /* plans */
+    struct bead_fourier *fourier;
 };
 
 /* Errors: MEMORY. On failure there is nothing to destroy. */

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/wide.h"
 #include "sim/integrate/events_private.h"
 
 /* Room for `count` elements of `size` bytes in an array that keeps what it has. */
@@ -58,7 +59,7 @@ static void find_limits(struct bead_events *e, double h, double tolerance)
         *(worst * loss_outside(x) > tolerance ? &low : &high) = x;
     }
     e->limits.reach = high;
-    e->limits.slow = alike * pow(tolerance / (BEAD_EFFECT_INSIDE * e->hardest * h), 1 / e->rule.exponent);
+    e->limits.slow = alike * bead_pow(tolerance / (BEAD_EFFECT_INSIDE * e->hardest * h), 1 / e->rule.exponent);
     e->limits.tolerance = tolerance;
     e->limits_h = h;
 }

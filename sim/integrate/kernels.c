@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "beadreel/law.h"
+#include "sim/base/elementary.h"
 
 extern const struct bead_kernels bead_kernels_portable;
 
@@ -83,7 +84,7 @@ void bead_force_printed(size_t n, const struct bead_contact_table *table, const 
     (void)v;
     for (size_t k = 0; k < n; k++) {
         double d = table->static_compression[k] + (u[k] - u[k + 1]);
-        f[k] = (d > 0 ? table->stiffness[k] * pow(d, 1.5) : 0) - table->static_force[k];
+        f[k] = (d > 0 ? table->stiffness[k] * bead_three_halves(d) : 0) - table->static_force[k];
     }
 }
 

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "sim/base/elementary.h"
+
 /* Contacts at the strike and at the end of the chain, and whole cells more at the end, that do not count; fewest means of a fit. */
 enum { MARGIN = 5, MARGIN_CELLS = 2, FEWEST = 8 };
 /* Standard errors that a rate must exceed. */
@@ -29,7 +31,7 @@ static double cell_force(const struct bead_measures *m, size_t k, size_t cell)
     double sum = 0;
     for (size_t i = 0; i < cell; i++)
         sum += bead_pulses_first(m->pulses, k + i).force;
-    return log(sum / (double)cell);
+    return bead_log(sum / (double)cell);
 }
 
 /* A line through points that come one by one; sums about the means so far lose no digits. */

@@ -4,6 +4,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "sim/base/elementary.h"
+#include "sim/base/wide.h"
+
 /* A pulse ends where the force falls to this part of its maximum, or of the next one's. */
 static const double valley = 0.1;
 /* Maxima below this part of the largest force, or of a contact's first pulse, are no pulses. */
@@ -69,11 +72,11 @@ static void look_ahead(struct bead_pulses *p, double x)
             column(p, p->probe + n, values);
         for (size_t i = 0; there && i < BEAD_CURVE_POINTS; i++) {
             there = values[i] > 0;
-            values[i] = log(values[i]);
+            values[i] = bead_log(values[i]);
         }
         if (there) {
             struct bead_curve curve = bead_curve_through(values, BEAD_CURVE_POINTS);
-            p->ahead[n - 1] = exp(bead_curve_value(&curve, x));
+            p->ahead[n - 1] = bead_exp(bead_curve_value(&curve, x));
         }
     }
 }

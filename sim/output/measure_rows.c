@@ -5,6 +5,8 @@
 
 #include "beadreel/law.h"
 #include "beadreel/participation.h"
+#include "sim/base/elementary.h"
+#include "sim/base/wide.h"
 #include "sim/output/measure_decay.h"
 #include "sim/output/measure_private.h"
 #include "sim/output/sink_grid.h"
@@ -213,7 +215,7 @@ static double past_defect(const struct reading *r, int energy)
         after += bead_pulses_first(r->m->pulses, places->probe + i).force;
     }
     const double power = law->row->exponent(law);
-    return energy ? pow(after / before, (power + 1) / power) : after / before;
+    return energy ? bead_pow(after / before, (power + 1) / power) : after / before;
 }
 
 static double at_wall(const struct reading *r, int reflected)

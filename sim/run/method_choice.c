@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "sim/base/wide.h"
 #include "sim/chain/chain_data.h"
 #include "sim/integrate/stepper.h"
 
@@ -24,7 +25,7 @@ static const double usual_beads = 70, most_beads = 600, length_power = 1.2;
 static double share_of(const struct bead_chain *chain)
 {
     const double beads = (double)chain->beads;
-    return beads > usual_beads ? pow(usual_beads / fmin(beads, most_beads), length_power) : 1;
+    return beads > usual_beads ? bead_pow(usual_beads / fmin(beads, most_beads), length_power) : 1;
 }
 
 /* Energy that would open contact k, J. */
@@ -105,5 +106,5 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
 
 double bead_method_theta(const struct bead_method_choice *choice, double accuracy)
 {
-    return fmin(choice->theta * pow(choice->share * accuracy / row_accuracy, 1 / choice->order), choice->cap);
+    return fmin(choice->theta * bead_pow(choice->share * accuracy / row_accuracy, 1 / choice->order), choice->cap);
 }

@@ -2,6 +2,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "sim/base/elementary.h"
+#include "sim/base/wide.h"
 #include "sim/sweep/sweep_data.h"
 
 /* Closer to the striker the wave is still forming. */
@@ -38,8 +40,8 @@ void bead_sweep_smooth(const struct bead_sweep *sweep, size_t panel, const doubl
     for (size_t i = 0; i < *count; i++) {
         double sum = 0;
         for (size_t k = 0; k < cell; k++)
-            sum += log(values[i + k]) / (double)cell;
-        means[i] = exp(sum);
+            sum += bead_log(values[i + k]) / (double)cell;
+        means[i] = bead_exp(sum);
     }
 }
 
@@ -52,8 +54,8 @@ static enum bead_error fit(const struct decay_panel *p, const struct sweep_entry
         struct bead_sweep_configuration c;
         bead_sweep_configuration(p->sweep, p->index, entries[i].index, &c);
         for (size_t j = 0; j < p->random; j++) {
-            force[i * p->random + j] = log(c.bead_force[j] / p->clean.bead_force[j]);
-            energy[i * p->random + j] = log(c.bead_energy[j] / p->clean.bead_energy[j]);
+            force[i * p->random + j] = bead_log(c.bead_force[j] / p->clean.bead_force[j]);
+            energy[i * p->random + j] = bead_log(c.bead_energy[j] / p->clean.bead_energy[j]);
         }
     }
     const struct bead_decay_profiles profiles = {force, energy, d->count, p->random, NEAR, p->cell};
@@ -72,15 +74,15 @@ static enum bead_error find_decay(const struct decay_panel *p, const struct swee
         struct bead_sweep_configuration c;
         bead_sweep_configuration(p->sweep, p->index, entries[i].index, &c);
         for (size_t j = 0; j < beads; j++) {
-            d->force[j] += log(c.bead_force[j]) / (double)d->count;
-            d->energy[j] += log(c.bead_energy[j]) / (double)d->count;
+            d->force[j] += bead_log(c.bead_force[j]) / (double)d->count;
+            d->energy[j] += bead_log(c.bead_energy[j]) / (double)d->count;
         }
         d->force_participation += bead_participation(c.last_force, beads) / (double)d->count;
         d->energy_participation += bead_participation(c.last_energy, beads) / (double)d->count;
     }
     for (size_t j = 0; j < beads; j++) {
-        d->force[j] = exp(d->force[j]);
-        d->energy[j] = exp(d->energy[j]);
+        d->force[j] = bead_exp(d->force[j]);
+        d->energy[j] = bead_exp(d->energy[j]);
     }
     return fit(p, entries, d, msg);
 }

@@ -1,0 +1,32 @@
+/* Discrete Fourier transforms of any length, as sums and products in one order on every machine: results have the same bits, which
+ * those of a library do not that is compiled with fused multiply-adds on one processor and without on another.
+ *
+ * Self-sorting (Stockham), with radices 4, 2 and the other prime factors p of the length, at a cost of p each: T. G. Stockham,
+ * AFIPS Conf. Proc. 28, 229 (1966). Real numbers in pairs, as half as many complex ones. */
+#ifndef BEADREEL_SIM_EQUATION_FOURIER_H
+#define BEADREEL_SIM_EQUATION_FOURIER_H
+
+#include <stddef.h>
+
+#include "beadreel/error.h"
+
+struct bead_complex {
+    double re, im;
+};
+
+static inline struct bead_complex bead_complex_times(struct bead_complex a, struct bead_complex b)
+{
+    return (struct bead_complex){a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
+struct bead_fourier;
+
+/* Of `points` >= 2 real numbers. Errors: MEMORY; *fourier is NULL then. */
+BEAD_CHECK enum bead_error bead_fourier_create(size_t points, struct bead_fourier **fourier, struct bead_message *msg);
+void bead_fourier_destroy(struct bead_fourier *fourier); /* NULL is allowed */
+/* bins[k] = sum over j of grid[j] exp(-2 pi i j k / points), k = 0 .. points / 2. */
+void bead_fourier_forward(struct bead_fourier *fourier, const double *grid, struct bead_complex *bins);
+/* grid[j] = sum over all k of bins[k] exp(2 pi i j k / points), where those behind points / 2 are the conjugates. */
+void bead_fourier_backward(struct bead_fourier *fourier, const struct bead_complex *bins, double *grid);
+
+#endif

@@ -1,0 +1,52 @@
+# Sourced by the scripts that make a Debian system of their own (fresh.sh, arm64.sh): as root, with debootstrap, in a temporary
+# directory that goes when they end. MIRROR=URL names another mirror than the host's.
+cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
+me=$(basename "$0" .sh)${suite:+ $suite}
+say() { echo "$me: $*"; }
+# Exit status 77: it cannot be tried here.
+cannot() { say "$*" >&2; exit 77; }
+
+# Mounts and processes live in name spaces that end with them and with the script: nothing of the host is below $root here.
+inside=
+alone() {
+    unshare --mount-proc --pid --fork --kill-child --propagation private "$@" </dev/null &
+    inside=$!
+    wait $inside
+    local status=$?
+    inside=
+    return $status
+}
+clean_up() {
+    if [ -n "$inside" ]; then kill -KILL "$inside" && wait "$inside"; fi 2>/dev/null
+    rm -rf --one-file-system "$root" "$root.log"
+}
+
+# What the host needs to reach a mirror: its own mirror, its proxies.
+find_mirror() {
+    local proxy
+    mirror=${MIRROR:-$(apt-get indextargets --format '$(REPO_URI)' 2>/dev/null | grep -m 1 -E '/debian/?$')}
+    mirror=${mirror:-http://deb.debian.org/debian}
+    eval "$(apt-config shell http_set Acquire::http::Proxy https_set Acquire::https::Proxy)"
+    export http_proxy=${http_proxy:-${http_set:-}} https_proxy=${https_proxy:-${https_set:-}}
+    for proxy in http_proxy https_proxy; do
+        case ${!proxy} in '' | DIRECT) unset $proxy ;; esac
+    done
+}
+
+# make_root SUITE [OPTION of debootstrap]... : a minimal system in $root.
+make_root() {
+    local suite=$1
+    shift
+    [ "$(id -u)" = 0 ] || cannot "only root can do this"
+    command -v debootstrap >/dev/null || cannot "debootstrap is not installed"
+    unshare --mount-proc --pid --fork true 2>/dev/null || cannot "no name spaces to be had here"
+    find_mirror
+    root=$(mktemp -d "${TMPDIR:-/tmp}/beadreel-${me%% *}.XXXXXX") || exit 1
+    chmod 755 "$root"
+    trap clean_up EXIT
+    trap 'exit 130' INT
+    trap 'exit 143' TERM HUP
+    say "minimal system from $mirror"
+    alone debootstrap --variant=minbase "$@" "$suite" "$root" "$mirror" >"$root.log" 2>&1 ||
+        { tail -n 20 "$root.log"; say "debootstrap failed" >&2; exit 1; }
+}

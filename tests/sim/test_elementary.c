@@ -1,0 +1,131 @@
+/* Functions and transforms that have the same bits on every processor: they are right, and they are these bits. */
+#include <float.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "sim/base/elementary.h"
+#include "sim/base/fingerprint.h"
+#include "sim/base/wide.h"
+#include "sim/equation/fourier.h"
+#include "support.h"
+
+static uint32_t random_bits(uint32_t *seed) /* xorshift: G. Marsaglia, J. Stat. Softw. 8 (2003), 14 */
+{
+    *seed ^= *seed << 13;
+    *seed ^= *seed >> 17;
+    *seed ^= *seed << 5;
+    return *seed;
+}
+
+/* From 2^-1000 to 2^1000, and near 1. */
+static double number(uint32_t *seed, int i)
+{
+    const double part = 1 + random_bits(seed) * 0x1p-32;
+    return i % 2 ? ldexp(part, (int)(random_bits(seed) % 2000) - 1000) : 0.75 * part;
+}
+
+static bool within(double x, bead_wide exact, double units)
+{
+    const double size = fabs((double)exact);
+    return fabs((double)(x - exact)) <= units * (nextafter(size, INFINITY) - size);
+}
+
+static void functions_are_right(void **state)
+{
+    (void)state;
+    uint32_t seed = 1;
+    for (int i = 0; i < 20000; i++) {
+        const double x = number(&seed, i), root = sqrt(x), cube = bead_cbrt(x);
+        assert_true(within(bead_log(x), BEAD_WIDE_NAME(log)(x), 2));
+        assert_true(within(cube, BEAD_WIDE_NAME(cbrt)(x), 0.5));
+        if (x < 0x1p600 && x > 0x1p-600)
+            assert_true(within(bead_three_halves(x), x * (root + (x - (bead_wide)root * root) / (2 * root)), 0.5));
+    }
+}
+
+static void ends_of_the_range(void **state)
+{
+    (void)state;
+    assert_true(bead_log(1) == 0 && bead_log(0) == -INFINITY && isnan(bead_log(-1)) && bead_log(INFINITY) == INFINITY);
+    assert_true(bead_cbrt(0) == 0 && bead_cbrt(27) == 3 && bead_cbrt(INFINITY) == INFINITY);
+    assert_true(within(bead_cbrt(DBL_TRUE_MIN), BEAD_WIDE_NAME(cbrt)(DBL_TRUE_MIN), 0.5));
+    assert_true(bead_three_halves(0) == 0 && bead_three_halves(4) == 8 && bead_three_halves(1e-300) == 0);
+    assert_true(bead_three_halves(1e300) == INFINITY);
+}
+
+/* By the definition, with turns of 113 bits. */
+static void slow_bin(const double *x, size_t n, size_t k, bead_wide sum[2])
+{
+    sum[0] = sum[1] = 0;
+    for (size_t j = 0; j < n; j++) {
+        const struct bead_turn turn = bead_turn_by(-2 * bead_wide_pi * (j * k % n) / n);
+        sum[0] += x[j] * turn.c;
+        sum[1] += x[j] * turn.s;
+    }
+}
+
+enum { LONGEST = 77 };
+
+static void transforms_of_every_length(void **state)
+{
+    (void)state;
+    uint32_t seed = 2;
+    struct bead_message msg = {""};
+    for (size_t n = 2; n <= LONGEST; n++) {
+        struct bead_fourier *fourier;
+        double x[LONGEST], back[LONGEST];
+        struct bead_complex bins[LONGEST / 2 + 1];
+        assert_int_equal(bead_fourier_create(n, &fourier, &msg), BEAD_OK);
+        for (size_t j = 0; j < n; j++)
+            x[j] = random_bits(&seed) * 0x1p-32 - 0.5;
+        bead_fourier_forward(fourier, x, bins);
+        for (size_t k = 0; k <= n / 2; k++) {
+            bead_wide sum[2];
+            slow_bin(x, n, k, sum);
+            assert_near(bins[k].re, (double)sum[0], 4e-15);
+            assert_near(bins[k].im, (double)sum[1], 4e-15);
+        }
+        bead_fourier_backward(fourier, bins, back);
+        for (size_t j = 0; j < n; j++)
+            assert_near(back[j], (double)n * x[j], 1e-15 * (double)(n * n));
+        bead_fourier_destroy(fourier);
+    }
+}
+
+/* The hash was made on x86-64; a processor that fuses multiplications and additions somewhere has another one. */
+static void bits_are_the_same_everywhere(void **state)
+{
+    (void)state;
+    enum { POINTS = 60 };
+    uint32_t seed = 3;
+    uint64_t hash = BEAD_FINGERPRINT_START;
+    struct bead_message msg = {""};
+    struct bead_fourier *fourier;
+    double x[POINTS];
+    struct bead_complex bins[POINTS / 2 + 1];
+    assert_int_equal(bead_fourier_create(POINTS, &fourier, &msg), BEAD_OK);
+    for (int i = 0; i < 2000; i++) {
+        const double y = number(&seed, i);
+        const double values[] = {bead_log(y),      bead_cbrt(y),         bead_three_halves(y),   bead_exp(fmod(y, 700)),
+                                 bead_pow(y, 0.4), bead_sin(fmod(y, 7)), bead_sech2(fmod(y, 30))};
+        hash = bead_fingerprint(hash, values, sizeof values);
+        x[i % POINTS] = bead_log(y);
+    }
+    bead_fourier_forward(fourier, x, bins);
+    hash = bead_fingerprint(hash, bins, sizeof bins);
+    bead_fourier_destroy(fourier);
+    if (hash != UINT64_C(0x3a3fdb104d742188))
+        fail_msg("the hash is %016" PRIx64, hash);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(functions_are_right),
+        cmocka_unit_test(ends_of_the_range),
+        cmocka_unit_test(transforms_of_every_length),
+        cmocka_unit_test(bits_are_the_same_everywhere),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
