@@ -146,8 +146,6 @@ static double stiffness_of(const struct bead_chain *chain, size_t k)
     const struct bead_law_spec *law = &chain->spec->law;
     const struct bead_material *materials = chain->scene->materials, *left = &materials[chain->material[k]];
     bool at_wall = k + 1 == chain->beads;
-    if (at_wall && chain->spec->wall == BEAD_WALL_NONE)
-        return 0;
     if (at_wall && chain->spec->wall == BEAD_WALL_RIGID)
         return law->row->coefficient(law, left, NULL, true);
     const struct bead_material *right = &materials[at_wall ? chain->spec->wall_material : chain->material[k + 1]];
@@ -211,8 +209,6 @@ static enum bead_error chain_fill(struct bead_chain *chain, struct bead_message 
     if (chain->system)
         return fill_points(chain, msg);
     chain->beads = count_beads(spec);
-    if (chain->beads < 2)
-        return wrong(chain, spec->place, msg, "chain: has no beads: at least one is needed behind the striker");
     chain->contacts = chain->beads - (spec->wall == BEAD_WALL_NONE);
     enum bead_error err = allocate(chain, msg);
     if (err)

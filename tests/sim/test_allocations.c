@@ -95,6 +95,9 @@ static const char sweep[] = "sweeps:\n"
                             "  - {name: b, cells: 3, magnetism: [0, 1], configurations: 2, measure: {decay: true}}\n"
                             "outputs: [{sweep: sweep.h5}, {table: sweep.csv}]\n";
 
+static const char decaying[] = "sweep: {cells: 7, magnetism: [0.1428571], configurations: 1, measure: {decay: true}}\n"
+                               "outputs: [{table: decay.csv, show: decay}]\n";
+
 static enum bead_error read_scene(const void *text, struct bead_message *msg)
 {
     static const char *const settings[] = {"title=Other", "simulate.accuracy=1e-6"};
@@ -143,11 +146,9 @@ static long fail_each_of_job(struct bead_job job)
 static long fail_each_of_scene(const char *text)
 {
     char path[512];
-    snprintf(path, sizeof path, "%s/../beadreel-allocations.yaml", directory);
+    snprintf(path, sizeof path, "%s/kept.yaml", directory);
     write_text(path, text);
-    long made = fail_each_of_job((struct bead_job){.input = path, .output = directory});
-    unlink(path);
-    return made;
+    return fail_each_of_job((struct bead_job){.input = path, .output = directory});
 }
 
 static void scenes(void **state)
@@ -169,6 +170,7 @@ static void runs_of_sweeps(void **state)
 {
     (void)state;
     assert_true(fail_each_of_scene(sweep) > 200);
+    assert_true(fail_each_of_scene(decaying) > 100);
 }
 
 /* Runs a scene, and keeps one of its files. */
