@@ -170,16 +170,13 @@ static void compress(struct bead_chain *chain)
     chain->striker_force = chain->mass[0] * slope;
 }
 
+/* Masses have been checked with their materials. */
 static enum bead_error chain_check(const struct bead_chain *chain, struct bead_message *msg)
 {
     for (size_t k = 0; k < chain->contacts; k++) {
         if (!(chain->stiffness[k] > 0) || !isfinite(chain->stiffness[k]) || !isfinite(chain->static_compression[k]))
             return wrong(chain, chain->spec->place, msg,
                          "chain: a contact's stiffness is not a positive finite number: check materials and law");
-    }
-    for (size_t i = 0; i < chain->beads; i++) {
-        if (!(chain->mass[i] > 0) || !isfinite(chain->inverse_mass[i]))
-            return wrong(chain, chain->spec->place, msg, "chain: a bead's mass is not a positive finite number");
     }
     return BEAD_OK;
 }

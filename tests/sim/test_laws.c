@@ -50,6 +50,9 @@ static void check_row(const struct bead_law *law)
     assert_near(law->compression(a, s, law->force(a, s, d)) / d, 1, 1e-12);
     assert_true(law->energy_compression(a, s, law->energy(a, s, d)) > (1 - 1e-12) * d);
     assert_true(law->one_sided == (law->force(a, s, -d) == 0));
+    /* Nothing presses, or there is no contact: no compression. */
+    assert_true(law->compression(a, s, 0) == 0 && law->energy_compression(a, s, 0) == 0);
+    assert_true(law->compression(0, s, 1) == 0 && law->energy_compression(0, s, 1) == 0);
     if (law->exponent)
         assert_near(log2(law->force(a, s, 2 * d) / law->force(a, s, d)), law->exponent(s), 1e-12);
 }
@@ -60,6 +63,29 @@ static void rows_agree_with_themselves(void **state)
     const struct bead_law *law;
     for (size_t i = 0; (law = bead_law_info(i)); i++)
         check_row(law);
+}
+
+/* The law k d (1 - alpha d) has a largest force, k / (4 alpha): more cannot be held, and no chain is made. */
+static void a_force_beyond_the_law_is_refused(void **state)
+{
+    (void)state;
+    const struct bead_law *law = bead_law_find("fpu-alpha");
+    const struct bead_law_spec spec = {.alpha = 1000};
+    assert_near(law->compression(1e7, &spec, 2499) * 1000, 0.5, 0.02);
+    assert_true(isnan(law->compression(1e7, &spec, 2501)));
+    static const char text[] =
+        "chain: {beads: [{bead: ptfe, count: 3}], law: {fpu-alpha: 1000, stiffness: 1e7}, precompression: 2501 N}\n"
+        "outputs: [{table: a.csv}]\n";
+    struct bead_message msg = {""};
+    struct bead_scene *scene = NULL;
+    struct bead_chain *chain = (void *)&msg; /* no chain: it must be cleared */
+    assert_int_equal(bead_scene_parse("test", text, strlen(text), NULL, 0, &scene, &msg), BEAD_OK);
+    assert_int_equal(bead_chain_create(scene, 0, &chain, &msg), BEAD_ERROR_SCENE);
+    assert_non_null(strstr(msg.text, "test:1:8: chain: a contact's stiffness is not"));
+    assert_null(chain);
+    assert_int_equal(bead_chain_create(scene, 1, &chain, &msg), BEAD_ERROR_USAGE);
+    assert_non_null(strstr(msg.text, "chain 1: the scene has 1"));
+    bead_scene_free(scene);
 }
 
 /* ---- a linear spring, which the program does not have ---- */
@@ -85,13 +111,13 @@ static double spring_stiffness(double a, const struct bead_law_spec *spec, doubl
 static double spring_compression(double a, const struct bead_law_spec *spec, double f)
 {
     (void)spec;
-    return f > 0 ? f / a : 0;
+    return f > 0 && a > 0 ? f / a : 0;
 }
 
 static double spring_energy_compression(double a, const struct bead_law_spec *spec, double e)
 {
     (void)spec;
-    return e > 0 ? sqrt(2 * e / a) : 0;
+    return e > 0 && a > 0 ? sqrt(2 * e / a) : 0;
 }
 
 static double spring_coefficient(const struct bead_law_spec *spec, const struct bead_material *left,
@@ -179,6 +205,13 @@ static void a_row_without_exponent_has_no_events(void **state)
     choose(&x, "rkn8", &err, &msg);
     assert_int_equal(err, BEAD_ERROR_SCENE);
     assert_non_null(strstr(msg.text, "`spring`"));
+    choose(&x, "euler", &err, &msg);
+    assert_int_equal(err, BEAD_ERROR_SCENE);
+    assert_non_null(strstr(msg.text, "there is no method `euler`"));
+    x.spec.damping_coefficient = 1;
+    choose(&x, "rkn8-plain", &err, &msg);
+    assert_int_equal(err, BEAD_ERROR_SCENE);
+    assert_non_null(strstr(msg.text, "is for forces without damping"));
     drop(&x, s);
     const double coarse = between(&plain, "rkn8-plain", 2e-6, &spring, 1e-6, 0);
     const double fine = between(&plain, "rkn8-plain", 0.25e-6, &spring, 1e-6, 0);
@@ -191,6 +224,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rows_are_whole),
         cmocka_unit_test(rows_agree_with_themselves),
+        cmocka_unit_test(a_force_beyond_the_law_is_refused),
         cmocka_unit_test(a_new_row_is_the_power_that_it_is),
         cmocka_unit_test(a_row_without_exponent_has_no_events),
     };

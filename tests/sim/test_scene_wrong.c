@@ -41,6 +41,81 @@ static void every_malformed_file_gets_its_message(void **state)
     assert_true(tried >= 30);
 }
 
+/* Values of another shape than the key's, lists that are empty or too long, names that are taken. */
+static void wrong_shapes_get_their_message(void **state)
+{
+    (void)state;
+#define SWEEP(keys)  "sweep: {cells: 4, configurations: 1, " keys "}\noutputs: [{sweep: a.h5}]\n"
+#define OUTPUT(keys) BEADS "outputs: [{" keys "}]\n"
+#define KDV(rest)    "chain: {equation: kdv, length: 32, start: " rest "\n"
+    static const struct {
+        const char *text, *expected;
+    } cases[] = {
+        {BEADS "outputs: {image: a.png}\n", "outputs: is a map; must be a list such as"},
+        {BEADS "outputs: []\n", "outputs: "},
+        {"chains: {a: b}\n" OUTPUTS, "chains: is a map; must be "},
+        {"chains: []\n" OUTPUTS, "chains: has 0 chains; must have from 1 to "},
+        {"chains:\n  - {name: a, beads: [{bead: ptfe, count: 60000000}]}\n  - {name: b, beads: [{bead: ptfe, count: "
+         "60000000}]}\n" OUTPUTS,
+         "makes more than 100000000 beads in all"},
+        {"chain: {beads: ptfe}\n" OUTPUTS, "chain.beads: is `ptfe`; must be "},
+        {"chain: {beads: [{bead: ptfe, sensor: ''}]}\n" OUTPUTS, "sensor: "},
+        {"chain: {beads: [{cell: [ptfe, brass], spins: 012}]}\n" OUTPUTS, "spins: "},
+        {"materials: {none: {mass: 1 g, radius: 1 mm, modulus: 1 GPa, poisson: 0.3}}\n" BEADS OUTPUTS,
+         "cannot be the name of a material"},
+        {"materials: {m: {mass: 1e-35 g, radius: 1 mm, modulus: 1 GPa, poisson: 0.3}}\n" BEADS OUTPUTS, "materials.m.mass: "},
+        {"materials: {m: {density: 1e-5 kg/m3, radius: 1e-6 mm, modulus: 1 GPa, poisson: 0.3}}\n" BEADS OUTPUTS,
+         "materials.m.density: gives a mass"},
+        {"materials: {m: {density: 1000 kg/m3, radius: 1 mm, modulus: 1 GPa, poisson: 0.3, colour: \"#12345g\"}}\n" BEADS OUTPUTS,
+         "colour: "},
+        {KDV("{solitons: 3}}") "simulate: {until: 1}\n" OUTPUTS, "solitons: is `3`; must be "},
+        {KDV("{solitons: []}}") "simulate: {until: 1}\n" OUTPUTS, "solitons: has 0 solitons; must have from 1 to "},
+        {KDV("{}}") "simulate: {until: 1}\n" OUTPUTS, "start: is none of those known here; must be a map with one of the keys"},
+        {KDV("7}") "simulate: {until: 1}\n" OUTPUTS, "start: is `7`; must be a map with one of the keys"},
+        {KDV("{cosine: 1, amplitude: 1}}") "simulate: {until: 1, method: verlet}\n" OUTPUTS,
+         "`verlet` does not solve the equation kdv"},
+        {OUTPUT("image: a.png, size: large"), "size: is `large`; must be "},
+        {OUTPUT("image: a.png, size: [30000, 30000]"), "size: is "},
+        {OUTPUT("image: a.png, range: 3"), "range: is `3`; must be "},
+        {OUTPUT("image: a.png, range: [1 N, 2 N, 3 N]"), "range: "},
+        {OUTPUT("image: a.png, time: 3"), "time: is `3`; must be [a, b]"},
+        {OUTPUT("image: a.png, beads: [1, 2, 3]"), "beads: is a list; must be "},
+        {OUTPUT("image: a.png, panels: [3]"), "panels.0: "},
+        {OUTPUT("image: a.png, panels: [[3]]"), "is `3`; must be a map such as {field: force}"},
+        {OUTPUT("image: a.png, panels: [[]]"), "panels.0: "},
+        {OUTPUT("table: a.csv, field: force, show: profiles, at: 3 us"), "at: is `3 us`; must be a list of 1 to "},
+        {OUTPUT("table: a.csv, field: force, show: profiles, at: []"), "at: "},
+        {BEADS "simulate: {until: 1 ms}\n"
+               "outputs: [{movie: a.mp4, captions: []}]\n",
+         "captions: "},
+        {KDV("{cosine: 1, amplitude: 1}}") "simulate: {until: 1}\noutputs: [{movie: a.mp4, views: [beads]}]\n",
+         "views: the equation has no beads to show"},
+        {"chain: {equation: fput, points: 31, start: {mode: 1}}\nsimulate: {until: 10}\noutputs: [{plot: a.svg, show: setup}]\n",
+         "draws beads, but there are none"},
+        {SWEEP("magnetism: []"), "magnetism: is an empty list"},
+        {SWEEP("spins: 1101"), "spins: is `1101`; must be a list such as"},
+        {SWEEP("spins: []"), "spins: is empty; must be a list such as"},
+        {SWEEP("spins: [\"1121\"]"), "spins.0: is `1121`; must be digits 0 and 1"},
+        {SWEEP("measure: {beads: 3}"), "beads: is `3`; must be "},
+        {SWEEP("measure: {beads: [4, 2]}"), "is [4, 2]; the first must not be greater than the last"},
+        {SWEEP("measure: {sensor: []}"), "has 0 names; must have from 1 to "},
+        {SWEEP("measure: {sensor: [a, a]}"), "`a` is in the list twice"},
+        {SWEEP("measure: {sensor: a, beads: [1, 2]}"), "is given beside `sensor`; give one of them"},
+        {SWEEP("measure: {peak: none}"), "leaves nothing to measure"},
+        {"sweeps: {name: a}\noutputs: [{sweep: a.h5}]\n", "sweeps: is a map; must be "},
+        {"sweeps: []\noutputs: [{sweep: a.h5}]\n", "has 0 sweeps; must have from 1 to "},
+        {"sweep: {cells: 4, configurations: 1, measure: {peak: none, decay: true}}\noutputs: [{table: a.csv, show: magnetism}]\n",
+         "peaks are not measured (measure: {peak: none}); must be decay"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        refuse(cases[i].text, cases[i].expected);
+    char *text = malloc(70000);
+    assert_non_null(text);
+    snprintf(text, 70000, "title: \"%066000d\"\n%s", 1, BEADS OUTPUTS);
+    refuse(text, "title: is too long: at most ");
+    free(text);
+}
+
 static void near_misses_are_suggested(void **state)
 {
     (void)state;
@@ -228,6 +303,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_malformed_file_gets_its_message),
+        cmocka_unit_test(wrong_shapes_get_their_message),
         cmocka_unit_test(near_misses_are_suggested),
         cmocka_unit_test(files_that_cannot_be_read),
         cmocka_unit_test(settings_change_the_scene),
