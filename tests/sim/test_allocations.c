@@ -98,6 +98,33 @@ static const char sweep[] = "sweeps:\n"
 static const char decaying[] = "sweep: {cells: 7, magnetism: [0.1428571], configurations: 1, measure: {decay: true}}\n"
                                "outputs: [{table: decay.csv, show: decay}]\n";
 
+/* Read, not drawn. */
+static const char pictures[] =
+    "chain: {striker: {bead: large-steel}, beads: [{bead: small-steel, count: 3}, {bead: ptfe, sensor: t}]}\n"
+    "simulate: {until: 30 us}\n"
+    "outputs:\n"
+    "  - {movie: a.mp4, views: [beads, profile], card: {for: 1 s, text: All}, poster: a.png,\n"
+    "     captions: [{at: 0, text: one}, {at: 10 us, text: two}]}\n"
+    "  - {image: [b.pdf, b.svg], panels: [[{field: force}], [{show: sensors}]], caption: Two}\n"
+    "  - {plot: c.svg, show: setup}\n";
+
+static const char sheet[] = "chain:\n"
+                            "  beads: [{cell: [large-steel, aluminium], count: 4, spins: random}, {bead: small-steel, sensor: s}]\n"
+                            "sweep: {spins: [\"1100\", \"0110\"], seed: 1, measure: {sensor: [s]}}\n"
+                            "outputs: [{sheet: a.png}, {plot: a.svg}]\n";
+
+/* The ready scenes, and one of them found. */
+static enum bead_error list_scenes(const void *name, struct bead_message *msg)
+{
+    struct bead_ready_scene *scenes = NULL;
+    size_t count = 0;
+    char path[4096];
+    enum bead_error err = bead_scene_ready(&scenes, &count, msg);
+    assert_true(err ? !scenes && count == 0 : count > 5);
+    bead_scene_ready_free(scenes, count);
+    return err ? err : bead_scene_find(name, path, sizeof path, msg);
+}
+
 static enum bead_error read_scene(const void *text, struct bead_message *msg)
 {
     static const char *const settings[] = {"title=Other", "simulate.accuracy=1e-6"};
@@ -157,6 +184,9 @@ static void scenes(void **state)
     assert_true(fail_each(read_scene, beads) > 50);
     assert_true(fail_each(read_scene, equations) > 50);
     assert_true(fail_each(read_scene, sweep) > 50);
+    assert_true(fail_each(read_scene, pictures) > 50);
+    assert_true(fail_each(read_scene, sheet) > 50);
+    assert_true(fail_each(list_scenes, "sweep") > 50);
 }
 
 static void runs(void **state)
