@@ -49,10 +49,15 @@ struct bead_at bead_at_key(const struct bead_at *at, const char *key)
 
 /* ---- single values ---- */
 
+static bool is_scalar(const struct bead_node *node)
+{
+    return node->kind == BEAD_NODE_SCALAR && !(node->plain && !*node->text);
+}
+
 enum bead_error bead_read_scalar(const struct bead_reader *reader, const struct bead_at *at, const char *wanted, const char **text)
 {
     char shown[64];
-    if (at->node->kind != BEAD_NODE_SCALAR || (at->node->plain && !*at->node->text))
+    if (!is_scalar(at->node))
         return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), wanted);
     *text = at->node->text;
     return BEAD_OK;
@@ -77,43 +82,48 @@ enum bead_error bead_read_number(const struct bead_reader *reader, const struct 
         plain.unit = NULL;
         option = &plain;
     }
-    bead_option_allowed(option, allowed, sizeof allowed);
-    enum bead_error err = bead_read_scalar(reader, at, allowed, &text);
-    if (err)
-        return err;
+    if (!is_scalar(at->node)) /* words for a message are put together where it is needed: most values are right */
+        return bead_read_scalar(reader, at, bead_option_allowed(option, allowed, sizeof allowed), &text);
+    text = at->node->text;
     if (option->word && strcmp(text, option->word) == 0) {
         *value = option->word_value;
         return BEAD_OK;
     }
     double read = 0;
-    err = bead_units_read(reader->units, text, option->unit, &read, why, sizeof why);
-    if (err)
-        return bead_wrong(reader, at, "%s; must be %s", why, allowed);
+    if (bead_units_read(reader->units, text, option->unit, &read, why, sizeof why) != BEAD_OK)
+        return bead_wrong(reader, at, "%s; must be %s", why, bead_option_allowed(option, allowed, sizeof allowed));
     bool whole = option->type != BEAD_OPTION_COUNT || read == floor(read);
     if (!whole || !in_range(option, read))
         return bead_wrong(reader, at, "%s is %s; must be %s", bead_node_show(at->node, why, 64),
-                          whole ? "out of range" : "not whole", allowed);
+                          whole ? "out of range" : "not whole", bead_option_allowed(option, allowed, sizeof allowed));
     *value = read;
     return BEAD_OK;
 }
 
-enum bead_error bead_read_choice(const struct bead_reader *reader, const struct bead_at *at, const char *const *choices,
-                                 unsigned *value)
+static enum bead_error no_choice(const struct bead_reader *reader, const struct bead_at *at, const char *const *choices)
 {
     char all[240] = "", shown[64], near[96];
     struct bead_suggest search;
     bead_suggest_begin(&search, at->node->kind == BEAD_NODE_SCALAR ? at->node->text : "");
     for (unsigned i = 0; choices[i]; i++) {
-        if (strcmp(search.word, choices[i]) == 0) {
-            *value = i;
-            return BEAD_OK;
-        }
         bead_suggest_try(&search, choices[i]);
         size_t used = strlen(all);
         snprintf(all + used, sizeof all - used, "%s%s", i == 0 ? "" : choices[i + 1] ? ", " : " or ", choices[i]);
     }
     return bead_wrong(reader, at, "is %s; must be %s%s", bead_node_show(at->node, shown, sizeof shown), all,
                       bead_suggest_text(&search, near, sizeof near));
+}
+
+enum bead_error bead_read_choice(const struct bead_reader *reader, const struct bead_at *at, const char *const *choices,
+                                 unsigned *value)
+{
+    for (unsigned i = 0; at->node->kind == BEAD_NODE_SCALAR && choices[i]; i++) {
+        if (strcmp(at->node->text, choices[i]) == 0) {
+            *value = i;
+            return BEAD_OK;
+        }
+    }
+    return no_choice(reader, at, choices);
 }
 
 /* U+0080 to U+009F in UTF-8. */
