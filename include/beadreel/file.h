@@ -46,6 +46,11 @@ typedef enum bead_error (*bead_file_fill)(void *context, FILE *file, const char 
 BEAD_API BEAD_CHECK enum bead_error bead_file_write(const char *path, bead_file_fill fill, void *context, uint64_t *bytes,
                                                     struct bead_message *msg);
 
+/* Open `part` as bead_file_open does, and lock it (flock) until the descriptor is closed, as the unfinished file of `path`. Errors:
+ * USAGE (another run is writing it), IO. */
+BEAD_API BEAD_CHECK enum bead_error bead_file_lock(const char *part, const char *path, int *descriptor, bool *created,
+                                                   struct bead_message *msg);
+
 /* A claim on a file that a run is going to write: its unfinished file is locked (flock) until the claim is released, so that of two
  * runs with the same output the second is refused before it has touched anything.
  *

@@ -190,19 +190,19 @@ static bool still_names(const char *part, int descriptor)
            open_file.st_ino == named.st_ino;
 }
 
-/* Open and lock; again where another run finished and renamed the file in between. */
-static enum bead_error lock(struct bead_claim *claim, const char *path, struct bead_message *msg)
+enum bead_error bead_file_lock(const char *part, const char *path, int *descriptor, bool *created, struct bead_message *msg)
 {
-    for (;;) {
-        enum bead_error err = bead_file_open(claim->part, &claim->descriptor, &claim->created, msg);
+    for (;;) { /* again where another run finished and renamed the file in between */
+        enum bead_error err = bead_file_open(part, descriptor, created, msg);
         if (err)
             return err;
-        bool locked = flock(claim->descriptor, LOCK_EX | LOCK_NB) == 0;
+        bool locked = flock(*descriptor, LOCK_EX | LOCK_NB) == 0;
         if (!locked && errno == EWOULDBLOCK)
             err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: another run is writing it", path);
-        else if (still_names(claim->part, claim->descriptor)) /* file systems without locks: as good as it gets */
+        else if (still_names(part, *descriptor)) /* file systems without locks: as good as it gets */
             return BEAD_OK;
-        close(claim->descriptor);
+        close(*descriptor);
+        *descriptor = -1;
         if (err)
             return err;
     }
@@ -216,7 +216,7 @@ enum bead_error bead_file_claim(const char *path, struct bead_claim **claim, str
         return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a file name");
     enum bead_error err = bead_file_part_name(path, &made->part, msg);
     if (!err)
-        err = lock(made, path, msg);
+        err = bead_file_lock(made->part, path, &made->descriptor, &made->created, msg);
     if (!err) {
         *claim = made;
         return BEAD_OK;

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/file.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -27,6 +26,7 @@ struct bead_sweep_journal {
     char *path;
     uint64_t *record; /* label, results, checksum */
     double synced;    /* s, clock */
+    bool empty;       /* begun here, without a record yet: worth nothing */
 };
 
 /* The first word of a record: its job, and its length in words, so that records can be counted without the sweep. */
@@ -179,13 +179,11 @@ static enum bead_error journal_begin(struct bead_sweep_journal *j, struct bead_s
     bool fresh = false;
     struct head head = head_of(sweep);
     off_t end = (off_t)sizeof head;
-    enum bead_error err = bead_file_open(j->path, &j->file, NULL, msg);
+    enum bead_error err = bead_file_lock(j->path, j->path, &j->file, NULL, msg);
     if (err)
         return err;
-    if (flock(j->file, LOCK_EX | LOCK_NB) != 0)
-        return errno == EWOULDBLOCK ? bead_fail(msg, BEAD_ERROR_USAGE, "%s: another process is computing this sweep", j->path)
-                                    : failed(j, "cannot be locked", msg);
     err = check_head(j, sweep, &fresh, msg);
+    j->empty = !err && fresh;
     if (!err && fresh &&
         (ftruncate(j->file, 0) != 0 || lseek(j->file, 0, SEEK_SET) != 0 || !write_all(j->file, &head, sizeof head)))
         err = failed(j, "cannot be written", msg);
@@ -247,6 +245,7 @@ enum bead_error bead_sweep_journal_add(struct bead_sweep_journal *j, const struc
                                        struct bead_message *msg)
 {
     size_t words = pack(sweep, job, j->record);
+    j->empty = false;
     if (!write_all(j->file, j->record, words * sizeof *j->record))
         return failed(j, "cannot be written", msg);
     if (now() - j->synced > sync_every) {
@@ -261,6 +260,8 @@ void bead_sweep_journal_close(struct bead_sweep_journal *j)
 {
     if (!j)
         return;
+    if (j->empty)
+        bead_file_discard(j->path); /* before the lock is released */
     if (j->file >= 0)
         close(j->file); /* everything is written already; closing releases the lock */
     free(j->path);

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "beadreel/file.h"
 #include "sim/base/h5.h"
@@ -200,12 +201,9 @@ static void write_head(struct bead_h5 *h5, const struct bead_sweep *sweep)
     bead_h5_write_text(h5, h5->file, "scene", sweep->scene->text);
 }
 
-enum bead_error bead_sweep_write(const struct bead_sweep *sweep, const char *path, struct bead_message *msg)
+static enum bead_error write_file(const struct bead_sweep *sweep, const char *name, struct bead_message *msg)
 {
     struct bead_h5 h5 = {.file = -1};
-    char *name = NULL;
-    if (asprintf(&name, "%s.new", path) < 0)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a name");
     bead_h5_create(&h5, name, msg);
     if (!h5.error)
         write_head(&h5, sweep);
@@ -213,11 +211,33 @@ enum bead_error bead_sweep_write(const struct bead_sweep *sweep, const char *pat
     for (size_t p = 0; p < sweep->panel_count && !err; p++)
         err = write_panel(&h5, sweep, p, msg);
     bead_h5_shut(&h5);
-    err = err ? err : h5.error;
-    if (err)
-        bead_file_discard(name);
-    else
-        err = bead_file_commit(name, path, msg);
+    return err ? err : h5.error;
+}
+
+/* `path.part` is the sweep's journal, so the unfinished file ends otherwise. */
+static enum bead_error name_of_new(const char *path, char **name, struct bead_message *msg)
+{
+    enum bead_error err = bead_file_part_name(path, name, msg);
+    if (!err)
+        strcpy(*name + strlen(*name) - strlen(".part"), ".new");
+    return err;
+}
+
+enum bead_error bead_sweep_write(const struct bead_sweep *sweep, const char *path, struct bead_message *msg)
+{
+    char *name = NULL;
+    int lock = -1;
+    enum bead_error err = name_of_new(path, &name, msg);
+    if (!err)
+        err = bead_file_lock(name, path, &lock, NULL, msg);
+    if (!err) {
+        err = write_file(sweep, name, msg);
+        if (err)
+            bead_file_discard(name);
+        else
+            err = bead_file_commit(name, path, msg);
+        close(lock);
+    }
     free(name);
     return err;
 }

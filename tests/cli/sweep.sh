@@ -55,6 +55,19 @@ ok "... and a long one has not" lacks_file ',open$' "$T/whole/configurations.csv
 ok "no fixed cells, written as 0.0" exits 0 "$beadsim" "$T/sweep.yaml" --set sweep.fixed=0.0 --set sweep.measure='{peak: none, decay: true}' \
     --set 'outputs=[{sweep: none.h5}]' -o "$T/none"
 
+# The results are written as sweep.h5.new: never by two runs at once, under names of any length.
+mkdir "$T/locked"
+touch "$T/locked/sweep.h5.new"
+ok "results that another run is writing" fails 2 flock "$T/locked/sweep.h5.new" "$beadsim" "$T/sweep.yaml" --only sweep.h5 -o "$T/locked"
+ok "... are refused" says "another run is writing it"
+ok "... and its file is as it was" [ "$(stat -c %s "$T/locked/sweep.h5.new")" = 0 ]
+long=$(printf '%0252d' 0).h5
+ok "a name of 255 bytes" exits 0 "$beadsim" "$T/sweep.yaml" --set "outputs=[{sweep: \"$long\"}]" -o "$T/long"
+ok "... and the only one" [ "$(ls "$T/long")" = "$long" ]
+# A failure before the first chain is finished leaves no journal.
+(ulimit -f 0; run "$beadsim" "$T/sweep.yaml" --only sweep.h5 -o "$T/unwritten") 2>/dev/null
+ok "nothing was computed: no journal" empty "$T/unwritten"
+
 # Stopped: what is done stays; the next run takes it from there.
 "$beadsim" "$T/sweep.yaml" --set sweep.configurations=200 --threads 1 --only sweep.h5 -o "$T/stopped" >/dev/null 2>"$T/err" &
 pid=$!
