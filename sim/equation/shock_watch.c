@@ -155,6 +155,12 @@ void bead_shock_watch_step(struct bead_shock_watch *w, const struct bead_shock_s
         look(w, s);
 }
 
+double bead_shock_lost(const struct bead_shock_watch *w, double t)
+{
+    const double smooth = 0.75; /* of the time until it breaks */
+    return t < smooth * w->breaking && w->start.energy > 0 ? 1 - w->energy / w->start.energy : 0;
+}
+
 /* Of a wave r = V sin(k x) that goes right: where a falling front meets itself first. */
 static double closed_form(const struct bead_equation_spec *spec)
 {

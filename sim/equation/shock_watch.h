@@ -34,6 +34,8 @@ struct bead_shock_watch {
 void bead_shock_watch_begin(struct bead_shock_watch *watch, const struct bead_equation_spec *spec, size_t cells, double *scratch,
                             const struct bead_shock_state *state);
 void bead_shock_watch_step(struct bead_shock_watch *watch, const struct bead_shock_state *state);
+/* Part of the energy that the grid has lost by time t, while the wave is smooth; 0 later, when shocks take some. */
+double bead_shock_lost(const struct bead_shock_watch *watch, double t);
 size_t bead_shock_measures(const struct bead_shock_watch *watch, const struct bead_shock_state *state, struct bead_measure *to,
                            size_t room);
 

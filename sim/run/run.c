@@ -220,6 +220,18 @@ static double energy_off(const struct bead_run *run)
     return run->input > 0 ? fabs(change) / run->input : fabs(change);
 }
 
+/* A contact whose force no longer opposes its compression, or its extension: no step is short enough for that. Contacts: none. */
+static size_t collapsed(const struct bead_run *run)
+{
+    const struct bead_stepper *s = run->stepper;
+    for (size_t k = 0; k < s->chain->contacts; k++) {
+        const double d = s->table.static_compression[k] + (s->end.u[k] - s->end.u[k + 1]);
+        if (d * s->chain->law->force(s->chain->stiffness[k], s->table.law, d) < 0)
+            return k;
+    }
+    return s->chain->contacts;
+}
+
 /* If the energy runs away, the numbers mean nothing. */
 static enum bead_error check_energy(struct bead_run *run, double error, struct bead_message *msg)
 {
@@ -227,6 +239,13 @@ static enum bead_error check_energy(struct bead_run *run, double error, struct b
     run->checked = s->steps;
     if (error <= energy_limit)
         return BEAD_OK;
+    const size_t gone = collapsed(run);
+    if (gone < s->chain->contacts)
+        return bead_fail(
+            msg, BEAD_ERROR_NUMBERS,
+            "chain%s%s: by %.6g s the spring of contact %zu has collapsed: beyond a compression of 1 / alpha the force of "
+            "`%s` pulls ever harder; no accuracy helps, but a smaller alpha or a slower striker",
+            *bead_chain_name(s->chain) ? " " : "", bead_chain_name(s->chain), s->t1, gone, s->chain->law->name);
     const char *name = bead_chain_name(s->chain), *advice = run->stepping.variable ? "give a smaller simulate.accuracy"
                                                                                    : "give a shorter simulate.step or leave it out";
     return bead_fail(

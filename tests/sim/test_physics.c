@@ -222,6 +222,25 @@ static void peaks_ahead_of_the_wave_are_static(void **state)
     }
 }
 
+/* An fpu-alpha spring struck beyond 1 / alpha: it is said, not blamed on the accuracy. */
+static void a_collapsing_spring_is_told(void **state)
+{
+    (void)state;
+    struct built built = build("chain: {striker: {bead: large-steel, velocity: 20}, wall: rigid,\n"
+                               "  law: {fpu-alpha: 2e3, stiffness: 1e6}, beads: [{bead: large-steel, count: 20}]}\n",
+                               "until: 5 ms");
+    struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = 5e-3});
+    struct bead_message msg = {""};
+    enum bead_error err = BEAD_OK;
+    while (!err && bead_run_time(run) < 5e-3)
+        err = bead_run_step(run, &msg);
+    assert_int_equal(err, BEAD_ERROR_NUMBERS);
+    assert_non_null(strstr(msg.text, "the spring of contact 0 has collapsed"));
+    assert_null(strstr(msg.text, "simulate.accuracy"));
+    bead_run_destroy(run);
+    release(&built);
+}
+
 /* A steel chain: speed 272.3646 F^{1/6} m/s with F the peak contact force, 543.393 m/s at 0.4 m/s of the pulse;
  * here from the times of two far peaks. The bead force's peak is 0.7073 of the contact force's. */
 static void solitary_wave_of_a_steel_chain(void **state)
@@ -331,6 +350,7 @@ int main(void)
         cmocka_unit_test(two_beads_collide),
         cmocka_unit_test(peaks_that_still_rise_are_the_force_at_the_end),
         cmocka_unit_test(peaks_ahead_of_the_wave_are_static),
+        cmocka_unit_test(a_collapsing_spring_is_told),
         cmocka_unit_test(solitary_wave_of_a_steel_chain),
         cmocka_unit_test(walls_reflect),
         cmocka_unit_test(contacts_are_hertzian),

@@ -326,6 +326,57 @@ static void steps_too_long_are_told(void **state)
     assert_non_null(strstr(msg.text, "too long"));
 }
 
+/* A grid that eats a smooth wave's energy is refused, as by kdv. */
+static void a_grid_too_coarse_is_told(void **state)
+{
+    (void)state;
+    static const size_t points[] = {16, 32, 128};
+    for (size_t i = 0; i < 3; i++) {
+        struct bead_equation_spec spec = simple_wave;
+        struct bead_message msg = {""};
+        enum bead_error err = BEAD_OK;
+        spec.epsilon = 0.5;
+        spec.points = points[i];
+        struct bead_motion *motion = start_motion(shock, &spec, 1e-6, 0, 8);
+        while (!err && shock->time(motion) < 8)
+            err = shock->step(motion, &msg);
+        assert_int_equal(err, points[i] < 64 ? BEAD_ERROR_NUMBERS : BEAD_OK);
+        assert_true(!err || strstr(msg.text, "needs more points"));
+        shock->destroy(motion);
+    }
+}
+
+/* What the manual says of the ripples behind a shock: how high, and they end soon behind it. */
+static void ripples_behind_a_shock_are_small(void **state)
+{
+    (void)state;
+    enum { POINTS = 1024, BEHIND = POINTS / 20 };
+    struct bead_equation_spec spec = simple_wave;
+    assert_non_null(strstr(shock->system.help, "ripples behind a shock, up to 0.4 %"));
+    spec.epsilon = 0.5;
+    spec.points = POINTS;
+    for (int t = 5; t <= 8; t++) {
+        struct bead_motion *motion = start_motion(shock, &spec, 1e-6, 0, t);
+        move_until(shock, motion, t);
+        double *u = field_at(shock, motion, POINTS, t, BEAD_FIELD_STRAIN), least = INFINITY, most = -INFINITY;
+        size_t front = 0;
+        for (size_t i = 0; i < POINTS; i++) {
+            least = fmin(least, u[i]);
+            most = fmax(most, u[i]);
+            if (u[i] - u[(i + 1) % POINTS] > u[front] - u[(front + 1) % POINTS])
+                front = i;
+        }
+        for (size_t k = 3; k < 2 * BEHIND; k++) {
+            const double *a = &u[(front + POINTS - k) % POINTS];
+            double down = u[(front + POINTS - k - 1) % POINTS] - *a, up = *a - u[(front + POINTS - k + 1) % POINTS];
+            if (down * up < 0) /* an extremum */
+                assert_below(fmin(fabs(down), fabs(up)), k < BEHIND ? 0.004 * (most - least) : 1e-4 * (most - least));
+        }
+        free(u);
+        shock->destroy(motion);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(simple_waves_break_when_they_should),
@@ -338,6 +389,8 @@ int main(void)
                                        cmocka_unit_test(shocks_have_their_speed),
                                        cmocka_unit_test(a_pulse_to_the_left_mirrors_that_to_the_right),
                                        cmocka_unit_test(strains_without_waves_are_refused),
-                                       cmocka_unit_test(steps_too_long_are_told)};
+                                       cmocka_unit_test(steps_too_long_are_told),
+                                       cmocka_unit_test(a_grid_too_coarse_is_told),
+                                       cmocka_unit_test(ripples_behind_a_shock_are_small)};
     return cmocka_run_group_tests_name("shock", tests, NULL, NULL);
 }
