@@ -87,4 +87,5 @@ static inline void blend(words_anywhere *pixels, const words bgr[3], words cover
 #include "render/paint/pixel_kernels_yuv.h"
 
 extern const struct bead_pixel_kernels KERNELS_TABLE;
-const struct bead_pixel_kernels KERNELS_TABLE = {KERNELS_NAME, paint_balls, paint_marks, paint_way, curve_columns, two_rows_to_yuv420};
+const struct bead_pixel_kernels KERNELS_TABLE = {KERNELS_NAME, paint_balls,   paint_marks,
+                                                 paint_way,    curve_columns, two_rows_to_yuv420};
