@@ -84,12 +84,17 @@ static enum bead_error set_instructions(struct command *command, const char *val
     return BEAD_OK;
 }
 
+static enum bead_error check_draws(const struct command *command, const char *option, struct bead_message *msg)
+{
+    if (command->program->canvases)
+        return BEAD_OK;
+    return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: %s does not draw", option, command->program->name);
+}
+
 static enum bead_error set_canvas(struct command *command, const char *value, struct bead_message *msg)
 {
-    if (!command->program->canvases)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--canvas: %s does not draw", command->program->name);
     command->canvas = value;
-    return BEAD_OK;
+    return check_draws(command, "canvas", msg);
 }
 
 static enum bead_error set_list(struct command *command, const char *value, struct bead_message *msg)
@@ -134,9 +139,9 @@ static enum bead_error set_allow_outside(struct command *command, const char *va
 
 static enum bead_error set_sheet(struct command *command, const char *value, struct bead_message *msg)
 {
-    (void)value, (void)msg;
+    (void)value;
     command->sheet = true;
-    return BEAD_OK;
+    return check_draws(command, "sheet", msg);
 }
 
 static enum bead_error set_shard(struct command *command, const char *value, struct bead_message *msg)
@@ -211,10 +216,10 @@ static const struct option_row rows[] = {
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
-/* Does this program have the option? */
+/* Does this program have the option? One that does not draw has none for drawing. */
 static bool offered(const struct command_program *program, const struct option_row *row)
 {
-    return row->apply != set_canvas || program->canvases;
+    return program->canvases || (row->apply != set_canvas && row->apply != set_sheet);
 }
 
 /* The only values that an option takes, at most WORDS of them; returns how many: 0 where any may be tried. */

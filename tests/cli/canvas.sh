@@ -60,4 +60,6 @@ ok "a still without beads opens no canvas" test "$(opened --set outputs.0.views=
 if there osmesa; then ok "... one with beads does" test "$(opened)" -gt 0; else skip "${package[osmesa]}" "... one with beads does"; fi
 ok "an unknown canvas is refused" fails 2 "$BUILD/beadreel" "$T/scene.yaml" --canvas etching
 ok "beadsim draws nothing" fails 2 "$BUILD/beadsim" "$T/scene.yaml" --canvas egl
+ok "no contact sheet either" fails 2 "$BUILD/beadsim" "$T/scene.yaml" --sheet -o "$T/sheet.png"
+ok "and its help offers neither" eval '! "$BUILD/beadsim" --help | grep -e --canvas -e --sheet'
 finish
