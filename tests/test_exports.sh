@@ -2,7 +2,7 @@
 # What the shared libraries export and need.
 source "$(dirname "$0")/shell.bash"
 only_bead() {
-    nm -D --defined-only "$1" | awk '$2 ~ /[A-Z]/ {print $3}' | grep -vE '^(bead_|__asan_|__odr_asan|_init$|_fini$)' >"$T/others"
+    nm -D --defined-only "$1" | awk '$2 ~ /[A-Z]/ {print $3}' | grep -vE '^(bead_|__asan_|__odr_asan|__gcov_|mangle_path$|_init$|_fini$)' >"$T/others"
     [ ! -s "$T/others" ] || { cat "$T/others"; return 1; }
     nm -D --defined-only "$1" | grep -q ' T bead_'
 }
