@@ -16,6 +16,7 @@ struct bead_made {
     bool shared;                              /* draws from the samples of the trajectory output */
     bool ended;
     char *path;                   /* where it goes */
+    char *poster;                 /* of `changed`, own */
     char *part;                   /* what a stopped run leaves of it; NULL: nothing */
     struct bead_claim *claims[2]; /* on `path` and on a second file; NULL: none */
     struct bead_needs needs;

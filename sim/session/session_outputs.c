@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "beadreel/file.h"
 #include "sim/scene/output_kinds.h"
 #include "sim/session/session_data.h"
 
@@ -121,6 +122,22 @@ const struct bead_output *bead_session_find_again(const struct bead_scene *scene
     return found;
 }
 
+/* A poster goes beside the movie, wherever `-o FILE` puts that. */
+static enum bead_error place_poster(struct bead_made *m, struct bead_message *msg)
+{
+    const char *path = m->changed.path, *poster = m->changed.movie.poster;
+    size_t length = (size_t)(base_name(path) - path);
+    if (!poster || !*poster || length == 0)
+        return BEAD_OK;
+    char *directory = strndup(path, length);
+    if (!directory)
+        return bead_session_out_of_memory(msg);
+    enum bead_error err = bead_file_join(directory, poster, &m->poster, msg);
+    free(directory);
+    m->changed.movie.poster = m->poster;
+    return err;
+}
+
 enum bead_error bead_session_take_again(struct bead_session *s, const char *from, size_t *index, struct bead_message *msg)
 {
     const struct bead_output *again = bead_session_find_again(s->source, s->job.output);
@@ -135,7 +152,8 @@ enum bead_error bead_session_take_again(struct bead_session *s, const char *from
     s->made->output = &s->made->changed;
     s->made->asked = true;
     *index = (size_t)(again - s->source->outputs);
-    return bead_session_check_inside(s, again, again->movie.poster, msg);
+    enum bead_error err = bead_session_check_inside(s, again, again->movie.poster, msg);
+    return err ? err : place_poster(s->made, msg);
 }
 
 static enum bead_error no_kind(const char *file, const struct bead_file_kind *kinds, struct bead_message *msg)

@@ -30,6 +30,10 @@ scene 'trajectory: run.h5' "$film, poster: ../evil.png"
 redrawn() { rm -rf made && exits 0 "$beadreel" scene.yaml -o made --allow-outside && rm evil.png && mkdir -p in &&
     (cd in && fails 2 "$beadreel" ../made/run.h5 -o film.mp4 && says evil.png) && [ ! -e evil.png ]; }
 ok "a poster that a trajectory names is refused" redrawn
+scene 'trajectory: run.h5' "$film, poster: poster.png"
+beside() { rm -rf made && exits 0 "$beadreel" scene.yaml -o made && mkdir -p in/sub &&
+    (cd in && exits 0 "$beadreel" ../made/run.h5 -o sub/film.mp4 && [ -s sub/poster.png ] && [ ! -e poster.png ]); }
+ok "... and one inside goes beside the movie" beside
 scene 'table: sub/deep/peaks.csv, show: peaks' 'table: ..x/..csv, show: bead-peaks' 'image: a/b/c.png, size: [160, 120]'
 inside() { rm -rf made && exits 0 "$beadreel" scene.yaml -o made && [ -s made/sub/deep/peaks.csv ] && [ -s made/..x/..csv ] && [ -s made/a/b/c.png ]; }
 ok "directories inside are made" inside
