@@ -7,13 +7,14 @@
 #include <string.h>
 
 #include "beadreel/scene.h"
+#include "sim/base/stop.h"
 
 /* Set by the handler, read by sessions. */
 static volatile sig_atomic_t stop_signal;
 
 static void on_signal(int number)
 {
-    stop_signal = number;
+    bead_stop_ask(&stop_signal, number);
 }
 
 /* The first signal ends the run in good order; a second of the same kind kills the program. */

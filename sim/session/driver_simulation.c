@@ -5,6 +5,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "sim/base/stop.h"
 #include "sim/base/thread_pool.h"
 #include "sim/run/run_kinds.h"
 #include "sim/session/driver.h"
@@ -31,7 +32,7 @@ static double now(void)
 static enum bead_error look_up(struct pass *pass, double time, struct bead_message *msg)
 {
     const struct bead_driver *p = pass->driver;
-    if (p->stop && *p->stop) {
+    if (bead_stop_is_asked(p->stop)) {
         return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped at %.4g s", time);
     }
     if (pass->quiet || !p->progress || pass->turn++ % 64 != 0 || now() - pass->told < 0.1)

@@ -1,6 +1,7 @@
 /* Delivers the samples stored in a trajectory to their consumers. */
 #include <math.h>
 
+#include "sim/base/stop.h"
 #include "sim/session/driver.h"
 
 /* Index of the stored sample at `time`, which must be one of them. */
@@ -40,7 +41,7 @@ enum bead_error bead_drive_trajectory(const struct bead_driver *driver, struct b
     while (!err && bead_driver_due(driver, &due)) {
         if (due.time > last + 1e-6 * bead_trajectory_grid(trajectory)->every)
             break; /* its run was stopped before */
-        if (driver->stop && *driver->stop)
+        if (bead_stop_is_asked(driver->stop))
             return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped at %.4g s", due.time);
         err = give(driver, trajectory, &due, msg);
         counts->samples += driver->chain_count;

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "sim/base/stop.h"
 #include "sim/base/thread_pool.h"
 #include "sim/chain/chain_data.h"
 #include "sim/run/run.h"
@@ -105,7 +106,7 @@ enum bead_error bead_sweep_step(const struct bead_sweep *sweep, struct bead_run 
                                 const volatile sig_atomic_t *stop, struct bead_message *msg)
 {
     const double now = bead_run_time(run);
-    if (step % LOOK_EVERY == 0 && stop && *stop)
+    if (step % LOOK_EVERY == 0 && bead_stop_is_asked(stop))
         return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped");
     if (now > give_up)
         return bead_fail(msg, BEAD_ERROR_NUMBERS,
