@@ -13,7 +13,10 @@ VERSION := $(shell sed -n 's/^\#define BEADREEL_VERSION "\(.*\)"/\1/p' include/b
 SOVERSION = 0
 SUITE   ?= bookworm
 FUZZ_SECONDS ?= 30
+FUZZ_RUNS ?= -1
+FUZZ_SANITIZERS ?= address,undefined
 KILLS   ?= 60
+PAIRS   ?= 5
 ALLOCATIONS ?= 60
 STRICT_LINK ?= -Wl,-z,defs
 
@@ -237,21 +240,29 @@ coverage: ## lines and branches of sim and render that the tests reach, by room 
 	@tests/coverage.sh $(BUILD)-coverage
 counted: all $(TESTS) $(EXAMPLES) $(FAIL_ALLOC)
 
+tsan: ## demo, sweep and every kind of output under the thread sanitizer; ends with `N passed, M failed`
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)-tsan STRICT_LINK= CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=thread" all
+	@tests/tsan.sh $(BUILD)-tsan
+
 $(FAIL_ALLOC): tests/torture/fail_alloc.c
 	@mkdir -p $(@D)
 	$(call say,TEST,$<) $(run) $(CC) -std=c17 -D_GNU_SOURCE -O1 -g -fPIC -fno-builtin $(WARN) -shared -o $@ $<
-torture: all $(FAIL_ALLOC) ## kills, full disks, signals, failing allocations; KILLS=60, ALLOCATIONS=60 or all; ends with `N passed, M failed`
-	@tests/torture/torture.sh $(BUILD) $(KILLS) $(ALLOCATIONS)
+torture: all $(FAIL_ALLOC) ## kills, full disks, signals, failing allocations; KILLS=60, PAIRS=5, ALLOCATIONS=60 or all; ends with `N passed, M failed`
+	@tests/torture/torture.sh $(BUILD) $(KILLS) $(ALLOCATIONS) $(PAIRS)
 
-# Each target for FUZZ_SECONDS: in a build of its own, with clang's libFuzzer and sanitizers in all of the project's code.
+# Each target for FUZZ_SECONDS, or FUZZ_RUNS where that is shorter: in a build of its own, with clang's libFuzzer and sanitizers in all of
+# the project's code. Comparisons of numbers are not traced, which would halve the speed; those of texts are.
 $(FUZZERS): $(BUILD)/fuzz/%: tests/fuzz/%.c $(FUZZ_SUPPORT) tests/fuzz/fuzz.h $(STATIC)
 	@mkdir -p $(@D)
 	$(call say,FUZZ,$<) $(run) $(filter-out -MMD -MP,$(compile_test)) -fsanitize=fuzzer -o $@ $< $(FUZZ_SUPPORT) $(STATIC) $(render_libs) $(sim_libs)
 fuzzers: $(BUILD)/beadsim $(FUZZERS)
 fuzz: ## random scenes, settings and files, FUZZ_SECONDS each; ends with `N passed, M failed`
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)-fuzz CC=$(if $(findstring clang,$(CC)),"$(CC)",clang) \
-	    CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" fuzzers
-	@tests/fuzz/run.sh $(BUILD)-fuzz $(FUZZ_SECONDS) $(TARGETS)
+	    CFLAGS="-O2 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,$(FUZZ_SANITIZERS) -fno-sanitize-recover=all -fno-sanitize-coverage=trace-cmp" fuzzers
+	@tests/fuzz/run.sh $(BUILD)-fuzz $(FUZZ_SECONDS) $(FUZZ_RUNS) $(TARGETS)
+
+campaign: ## all of that at full length, an hour or two, and its figures: tests/stress/RESULTS.md
+	@tests/campaign.sh $(BUILD)
 
 # The programs and scripts of a folder of tests, one after the other; a script x.sh itself runs the programs x_*.
 scripts  = $(wildcard tests/$(1)/*.sh)
@@ -316,13 +327,13 @@ uninstall: ## remove what `make install` put there
 	rm -rf $(DESTDIR)$(PREFIX)/include/beadreel $(SHARE)/beadreel
 
 clean: ## remove what was built
-	rm -rf $(BUILD) $(BUILD)-asan $(BUILD)-fuzz $(BUILD)-coverage
+	rm -rf $(BUILD) $(BUILD)-asan $(BUILD)-tsan $(BUILD)-fuzz $(BUILD)-undefined-fuzz $(BUILD)-coverage
 
 # Sources that have moved or gone: dependencies of an older build may still name them.
 sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan coverage counted fuzz fuzzers torture bench stress lint man doc install uninstall clean always compile findings deps-peers peers
+.PHONY: all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan tsan coverage counted fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "beadreel/render.h"
+#include "beadreel/scene.h"
 #include "beadreel/session.h"
 #include "beadreel/sweep.h"
 
@@ -37,6 +38,16 @@ void fuzz_result(enum bead_error err, const struct bead_message *msg, bool made)
     fuzz_must(!strchr(msg->text, '\n'), "a message is one line");
 }
 
+/* Of the leak sanitizer, where there is one. */
+void __lsan_do_leak_check(void) __attribute__((weak));
+
+void fuzz_leaks(void)
+{
+    static unsigned executions;
+    if (++executions % 1000 == 0 && __lsan_do_leak_check)
+        __lsan_do_leak_check();
+}
+
 const char *fuzz_path(const char *name)
 {
     static char path[4096];
@@ -61,6 +72,18 @@ FILE *fuzz_null(void)
     if (!null && !(null = fopen("/dev/null", "w")))
         exit(1);
     return null;
+}
+
+/* Of libFuzzer: before the first input. Without the ready materials every scene would be refused, and nothing tried. */
+int LLVMFuzzerInitialize(int *argc, char ***argv)
+{
+    struct bead_scene *scene = NULL;
+    struct bead_message msg = {""};
+    (void)argc;
+    (void)argv;
+    fuzz_must(bead_scene_materials(&scene, &msg) == BEAD_OK, "the ready materials are there");
+    bead_scene_free(scene);
+    return 0;
 }
 
 static double now(void)
@@ -96,7 +119,7 @@ static void tell(void *context, const struct bead_progress *progress)
     (void)progress;
 }
 
-void fuzz_session(const char *input, const char *output, bool run)
+bool fuzz_session(const char *input, const char *output, bool run)
 {
     const struct bead_sink_type *const *const sinks[] = {bead_data_sinks(), bead_render_sinks(), NULL};
     const struct bead_sweep_sink *const *const sweep_sinks[] = {bead_sweep_data_sinks(), bead_sweep_render_sinks(), NULL};
@@ -119,13 +142,15 @@ void fuzz_session(const char *input, const char *output, bool run)
     if (!err) {
         err = bead_session_plan(session, fuzz_null(), &msg);
         fuzz_result(err, &msg, !err);
-        if (run) {
-            err = bead_session_run(session, &msg);
-            fuzz_result(err, &msg, !err);
-        }
+    }
+    bool planned = !err;
+    if (planned && run) {
+        err = bead_session_run(session, &msg);
+        fuzz_result(err, &msg, !err);
     }
     bead_session_close(session);
     began = 0;
+    return planned;
 }
 
 void fuzz_seed(unsigned seed)

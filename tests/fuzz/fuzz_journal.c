@@ -65,5 +65,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     size_t known = 0, all = bead_sweep_count(sweep, &known);
     fuzz_must(known <= all, "no more configurations are known than there are");
     bead_sweep_close(sweep);
+    fuzz_leaks();
     return 0;
 }

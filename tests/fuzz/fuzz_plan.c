@@ -10,6 +10,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     const char *path = fuzz_path("scene.yaml");
     fuzz_write(path, data, size);
-    fuzz_session(path, "/nonexistent", false);
+    if (fuzz_session(path, "/nonexistent", false))
+        fuzz_accept(data, size);
+    fuzz_leaks();
     return 0;
 }

@@ -42,5 +42,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     bead_scene_free(again);
     bead_scene_free(scene);
     free(text);
+    fuzz_leaks();
     return 0;
 }

@@ -47,5 +47,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         unlink(fuzz_path("run.png"));
     }
     fuzz_must(fuzz_open_h5() == before, "nothing stays open in HDF5");
+    fuzz_leaks();
     return 0;
 }

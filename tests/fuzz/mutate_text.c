@@ -1,9 +1,10 @@
-/* Mutator of scenes: words and lines, not bytes alone, so that most of what comes out is YAML. */
+/* Mutator of scenes: words and lines, not bytes alone, so that most of what comes out is YAML. Half of the texts that it starts
+ * from are ones that were accepted. */
 #include <string.h>
 
 #include "tests/fuzz/fuzz.h"
 
-enum { MOST = 1 << 16, SPANS = 4096 };
+enum { MOST = 1 << 16, SPANS = 4096, ACCEPTED = 1024, KEPT = 512, LONGEST = 8192 };
 
 struct text {
     char bytes[MOST];
@@ -12,6 +13,13 @@ struct text {
 struct span {
     size_t from, to;
 };
+
+/* Not of malloc: libFuzzer would take what grows for leaks. */
+static struct {
+    uint8_t bytes[LONGEST];
+    size_t size;
+} accepted[ACCEPTED];
+static size_t accepted_count;
 
 static const char *const odd[] = {"0",
                                   "1",
@@ -157,18 +165,41 @@ static void add_mark(struct text *t)
     replace(t, (struct span){at, at}, &marks[fuzz_random(sizeof marks - 1)], 1);
 }
 
+/* The first half stays: seeds and the corpus come first. Among the others a new one takes the place of any. */
+void fuzz_accept(const uint8_t *data, size_t size)
+{
+    if (size > LONGEST)
+        return;
+    size_t slot = accepted_count < ACCEPTED ? accepted_count++ : KEPT + fuzz_random(ACCEPTED - KEPT);
+    memcpy(accepted[slot].bytes, data, size);
+    accepted[slot].size = size;
+}
+
+/* What is changed: an accepted text, or what libFuzzer has chosen. */
+static void begin(struct text *t, const uint8_t *data, size_t size)
+{
+    if (accepted_count > 0 && fuzz_random(2)) {
+        size_t slot = fuzz_random((unsigned)accepted_count), other = fuzz_random((unsigned)accepted_count);
+        slot = accepted[other].size < accepted[slot].size ? other : slot; /* rather short ones, which are fast */
+        data = accepted[slot].bytes;
+        size = accepted[slot].size < t->most ? accepted[slot].size : t->most;
+    }
+    memcpy(t->bytes, data, size);
+    t->size = size;
+}
+
 size_t fuzz_mutate_text(uint8_t *data, size_t size, size_t most, unsigned seed)
 {
     static struct text t;
     fuzz_seed(seed);
     t.most = most < MOST ? most : MOST;
-    if (size > t.most || fuzz_random(4) == 0)
+    if (size > t.most || fuzz_random(8) == 0)
         return LLVMFuzzerMutate(data, size, most);
-    memcpy(t.bytes, data, size);
-    t.size = size;
-    for (unsigned rounds = 1 + fuzz_random(4); rounds > 0; rounds--) {
-        unsigned kind = fuzz_random(8);
-        (kind < 5 ? change_word : kind < 7 ? change_line : add_mark)(&t);
+    begin(&t, data, size);
+    /* A parser stops at the first error: mostly one change. */
+    for (unsigned rounds = fuzz_random(4) > 0 ? 1 : 1 + fuzz_random(4); rounds > 0; rounds--) {
+        unsigned kind = fuzz_random(16);
+        (kind < 11 ? change_word : kind < 15 ? change_line : add_mark)(&t);
     }
     memcpy(data, t.bytes, t.size);
     return t.size;
