@@ -73,7 +73,7 @@ scene long <<'YAML'
   - {trajectory: run.h5, every: 10 us, fields: all}
   - {movie: m.mp4, duration: 100 s, size: [160, 120], fps: 60}
 YAML
-sed -i 's/until: 200 us/until: 10 s/' "$T/long.yaml"
+sed -i 's/until: 200 us/until: 20 ms/' "$T/long.yaml"
 cat >"$T/sweep.yaml" <<'YAML'
 sweep: {cells: 8, magnetism: [0, 0.5, 1], configurations: 6, measure: {decay: true, beads: [1, 3]}}
 outputs: [{sweep: sweep.h5}, {table: sweep.csv}, {plot: sweep.png, size: [320, 200]}, {sheet: sheet.png}]
