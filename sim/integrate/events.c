@@ -22,7 +22,7 @@ static bool copy_constants(struct bead_events *e, const struct bead_stepper *s)
 {
     const struct bead_chain *chain = s->chain;
     size_t length = chain->beads + 2 * BEAD_EVENTS_MARGIN;
-    e->constants = calloc(length, 5 * sizeof *e->constants);
+    e->constants = calloc(length, 8 * sizeof *e->constants);
     if (!e->constants)
         return false;
     e->stiffness = e->constants + BEAD_EVENTS_MARGIN;
@@ -30,6 +30,9 @@ static bool copy_constants(struct bead_events *e, const struct bead_stepper *s)
     e->static_force = e->static_compression + length;
     e->inverse_mass = e->static_force + length;
     e->hardness = e->inverse_mass + length;
+    e->speeds = (struct bead_event_speeds){.weighed = e->hardness + length, .hardness = e->hardness};
+    e->speeds.most = e->speeds.weighed + length;
+    e->speeds.known = e->speeds.most + length;
     memcpy(e->stiffness, chain->stiffness, chain->beads * sizeof(double));
     memcpy(e->static_compression, chain->static_compression, chain->beads * sizeof(double));
     memcpy(e->static_force, chain->static_force, chain->beads * sizeof(double));
@@ -165,6 +168,28 @@ static void describe_step(struct bead_events *e, const struct bead_stepper *s)
     }
 }
 
+void bead_events_weigh(struct bead_events *e, const struct bead_stepper *s)
+{
+    const size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
+    const double roomy = 1.5;
+    if (!e || !s->kernels->weigh_speeds(n, s->end.v, &e->speeds))
+        return;
+    double hardest = s->kernels->largest(s->chain->contacts, e->speeds.weighed);
+    if (hardest > e->hardest || roomy * roomy * hardest < e->hardest) {
+        e->hardest = roomy * hardest;
+        e->limits_h = 0; /* find the limits again */
+    }
+}
+
+/* The weight of the flagged contacts of a patch: the largest. */
+static double weight_of(const struct bead_events *e, const size_t *flagged, size_t count)
+{
+    double most = 1;
+    for (size_t i = 0; i < count; i++)
+        most = fmax(most, e->speeds.weighed[flagged[i]] / e->hardness[flagged[i]]);
+    return most;
+}
+
 /* Contacts first..last of the chain, and the frozen ones around them. */
 static bool load(struct bead_events *e, const struct bead_stepper *s, size_t first, size_t last)
 {
@@ -203,6 +228,7 @@ static void insert(struct bead_events *e, struct bead_patch_branch branch)
 static bool find_branches(struct bead_events *e, size_t first, const size_t *flagged, size_t count)
 {
     e->branch_count = 0;
+    e->patch.enough = SWEEP_GAIN * e->limits.tolerance * e->source.h / weight_of(e, flagged, count);
     if (!bead_events_grow((void **)&e->branch, &e->branch_room, count * BEAD_BRANCHES_MAX, sizeof *e->branch))
         return false;
     for (size_t i = 0; i < count; i++) {
@@ -229,7 +255,7 @@ static void integrate_piece(struct bead_events *e, const struct bead_stepper *s,
         load_quintic(&e->patch, k, c);
         e->patch.closed[k] = bead_patch_value(c, 0.5 * (from + to)) > 0;
     }
-    s->kernels->integrate_piece(from, to, tau, &e->rule, SWEEPS, SWEEP_GAIN * s->event_tolerance * s->h, &e->patch);
+    s->kernels->integrate_piece(from, to, tau, &e->rule, SWEEPS, e->patch.enough, &e->patch);
 }
 
 /* The nearest branch point at or before branch[at] that must not be approached from behind, unless it is too far from the piece. */
@@ -368,7 +394,8 @@ static bool correct_cluster(struct bead_events *e, struct bead_stepper *s, size_
         return correct_patch(e, s, first, last, e->flags.contact + at, count);
     for (size_t i = at; i < at + count; i++)
         owe_kink(e, s, i);
-    s->event_change = fmax(s->event_change, left);
+    if (left > s->event_change)
+        s->event_change = fmax(s->event_change, left / weight_of(e, e->flags.contact + at, count));
     return true;
 }
 

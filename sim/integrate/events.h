@@ -35,6 +35,10 @@ struct bead_events;
 /* For steps of this stepper; NULL where no contact opens (two-sided laws), or where the law has no exponent. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_events_create(const struct bead_stepper *stepper, struct bead_events **events,
                                               struct bead_message *msg);
+/* From now on event_tolerance is meant for a contact whose rate has been as fast as the striker. Weigh the events of the slower
+ * ones by how fast they have been up to the end of the step just made: what is small beside the striker's velocity may be much
+ * beside theirs. To be called every few steps. NULL is allowed. */
+void bead_events_weigh(struct bead_events *events, const struct bead_stepper *stepper);
 /* Contacts near an event in the step just made, ascending. */
 const size_t *bead_events_flagged(const struct bead_events *events, size_t *count);
 /* NULL is allowed. */

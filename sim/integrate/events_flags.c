@@ -19,18 +19,24 @@ bool bead_events_grow(void **array, size_t *room, size_t count, size_t size)
     return true;
 }
 
+/* Contacts that have been as fast as this part of the striker, which those of most chains are, count as they are; and rates that
+ * are too small to be weighed, as parts of that. */
+static const double usual_speed = 1 / 8.0, least_speed = 1 / 16384.0;
+
 /* Two beads of reduced mass m part or meet at less than sqrt(2 E/m). On a slope the energy grows: no bound. */
 void bead_events_bound(struct bead_events *e, const struct bead_stepper *s)
 {
     double lightest = 0;
     for (size_t k = 0; k < s->beads; k++) {
         double left = e->inverse_mass[k], right = e->inverse_mass[k + 1];
-        e->hardness[k] = e->stiffness[k] * fmax(left, right);
+        e->hardness[k] = e->speeds.weighed[k] = e->stiffness[k] * fmax(left, right);
         e->hardest = fmax(e->hardest, e->hardness[k]);
         lightest = fmax(lightest, left + right);
     }
     e->fastest = s->chain->striker_force == 0 ? sqrt(2 * bead_chain_energy(s->chain) * lightest) : 0;
-    e->limits = (struct bead_event_limits){&e->rule, e->hardness, BEAD_EVENTS_REACH, 0, 0};
+    e->limits = (struct bead_event_limits){&e->rule, e->speeds.weighed, BEAD_EVENTS_REACH, 0, 0};
+    e->speeds.unit = fabs(s->chain->spec->striker_velocity) * usual_speed;
+    e->speeds.least = e->speeds.unit * least_speed;
 }
 
 static double force_power(const struct bead_patch_rule *rule, double r)

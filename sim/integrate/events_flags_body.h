@@ -104,3 +104,27 @@ static size_t flag_events(size_t n, const struct bead_patch_source *source, cons
     }
     return count;
 }
+
+/* A rate counts when it falls again: that of a contact which the front is just reaching is not yet known. Rates that have grown by
+ * less than `much` keep their weight. */
+static bool weigh_speeds(size_t n, const double *v, const struct bead_event_speeds *speeds)
+{
+    const struct bead_event_speeds s = *speeds;
+    const double much = 1.25;
+    const lanes unit = (lanes){0} + s.unit, least = (lanes){0} + s.least, one = (lanes){0} + 1;
+    bool any = false;
+    for (size_t k = 0; k < n; k += LANES) {
+        const lanes rate = magnitude(load_lanes(v + k) - load_lanes(v + k + 1)), most = load_lanes(s.most + k);
+        const lanes known = load_lanes(s.known + k);
+        const lane_masks rising = rate > most, fresh = ~rising & (most > much * known) & (most > least);
+        if (any_lane(rising))
+            store_lanes(s.most + k, larger_lanes(rate, most));
+        if (!any_lane(fresh))
+            continue;
+        any = true;
+        const lanes weight = larger_lanes(unit / choose(fresh, most, one), one);
+        store_lanes(s.known + k, choose(fresh, most, known));
+        store_lanes(s.weighed + k, choose(fresh, load_lanes(s.hardness + k) * weight, load_lanes(s.weighed + k)));
+    }
+    return any;
+}

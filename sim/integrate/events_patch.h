@@ -51,6 +51,7 @@ struct bead_patch {
     bool *closed;              /* in the piece at hand */
     uint32_t *pushing;         /* those contacts, in order */
     bool *bends;               /* opens, closes or is about to */
+    double enough;             /* m: Picard steps end where they change no h^2 f/m by more */
     double change;             /* m: largest h^2/m |f - f before| at a node in the last Picard sweep */
     void *memory;
 };
@@ -87,9 +88,18 @@ struct bead_patch_rule bead_patch_rule_make(const struct bead_law *law, const st
 /* Which branch points matter. */
 struct bead_event_limits {
     const struct bead_patch_rule *rule;
-    const double *hardness;  /* A/m, m the lighter bead's, of the contacts */
+    const double *hardness;  /* A/m, m the lighter bead's, of the contacts, times their weights */
     double reach, tolerance; /* so many steps outside; effects of more, m/s */
     double slow;             /* m: rates times h that are too small to do so much anywhere in the chain */
+};
+
+/* How fast the contacts have been, and what their events count for that: all arrays have room for whole vectors. */
+struct bead_event_speeds {
+    double *most;           /* m/s: fastest rate of the compression so far */
+    double *known;          /* m/s: that rate when it was weighed last; 0: not yet */
+    double *weighed;        /* A/m times the weight, `unit` over that rate, at least 1 */
+    const double *hardness; /* A/m */
+    double unit, least;     /* m/s: what tolerances are of; rates below the least are not weighed */
 };
 
 /* A part of the step in which every force of the patch is analytic in the variable that places the nodes. */

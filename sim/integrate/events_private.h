@@ -18,6 +18,7 @@ struct bead_events {
     struct bead_patch_rule rule;
     /* Constants of the contacts, 0 in the margins but for "contact -1", the constant force on the striker. */
     double *constants, *stiffness, *static_compression, *static_force, *inverse_mass, *hardness;
+    struct bead_event_speeds speeds;
     struct bead_event_flags flags; /* d0 to r1: of one block of contacts only */
     double *block;
     size_t flagged_count, flag_room;
@@ -28,7 +29,8 @@ struct bead_events {
     struct bead_patch_source source;
     struct bead_patch_branch *branch; /* in order of s */
     size_t branch_room, branch_count;
-    /* Bounds over the chain: of A/m, and of the rate of a compression that the energy allows, m/s (0: not known). */
+    /* Bounds over the chain: of A/m times the weights, and of the rate of a compression that the energy allows, m/s (0: not known).
+     */
     double hardest, fastest;
     struct bead_event_limits limits;
     double limits_h; /* s: length of the longest steps that they are for */

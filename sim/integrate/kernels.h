@@ -11,6 +11,7 @@
 
 struct bead_event_flags;
 struct bead_event_limits;
+struct bead_event_speeds;
 struct bead_kink_method;
 struct bead_kinks;
 struct bead_law_spec;
@@ -69,6 +70,9 @@ struct bead_kernels {
      * unless beads n, n + 1, ... are at rest; whole vectors are read, and written. Returns how many. */
     size_t (*flag_events)(size_t n, const struct bead_patch_source *source, const struct bead_event_limits *limits,
                           struct bead_event_flags *flags);
+    /* The rates of contacts 0..n-1 in velocities v, and the weights that follow from them. Whole vectors are read, and written.
+     * Returns whether a weight has changed. */
+    bool (*weigh_speeds)(size_t n, const double *v, const struct bead_event_speeds *speeds);
     /* Contact 0 of the patch is contact `at` of the chain: -1 is the constant force on the striker. */
     void (*load_patch)(const struct bead_patch_source *source, ptrdiff_t at, struct bead_patch *patch);
     /* See events_kinks.h: of the first `count` flags, which there are; what changes no velocity by half of `tolerance` may be left

@@ -246,6 +246,6 @@ static bool turns(size_t n, const struct bead_step_ends *ends, const double *lea
 #endif
 
 const struct bead_kernels KERNELS_TABLE = {
-    KERNELS_NAME, KERNELS_DESCRIPTION, hertz,         hertz_static,   hertz_move, hertz_stiffness,
-    circles,      accelerations,       rk4_sum,       combine,        largest,    turns,
-    flag_events,  load_patch,          correct_kinks, integrate_piece};
+    KERNELS_NAME, KERNELS_DESCRIPTION, hertz,      hertz_static,  hertz_move,     hertz_stiffness,
+    circles,      accelerations,       rk4_sum,    combine,       largest,        turns,
+    flag_events,  weigh_speeds,        load_patch, correct_kinks, integrate_piece};

@@ -15,7 +15,9 @@
 #include "sim/run/step_control.h"
 
 /* What one contact that opens or closes may spoil of a velocity, of the accuracy asked times the striker's. */
-static const double event_part = 0.25;
+static const double event_part = 0.4;
+/* Steps between looks at how fast the contacts are, which say what may be left undone of each. */
+enum { WEIGH_EVERY = 8 };
 /* Energy is checked at least this often, in steps, and before a sample is delivered; and how far it may be off, as a part of the
  * input. */
 enum { CHECK_EVERY = 64, CHECK_SAMPLES = 8 };
@@ -272,8 +274,11 @@ static void advance(struct bead_run *run)
 {
     struct bead_stepper *s = run->stepper;
     double h = run->stepping.step, t = (double)(s->steps + 1) * h;
-    if (run->stepping.variable)
+    if (run->stepping.variable) {
         h = bead_step_control_next(&run->control, s);
+        if (s->steps % WEIGH_EVERY == 0)
+            bead_events_weigh(s->events, s);
+    }
     if (run->stepping.variable || s->closed) /* with damping steps end where contacts close */
         t = s->t1 + h;
     /* Where the front's arrival ends the run the steps keep their length: they must not depend on whether it was known before. */

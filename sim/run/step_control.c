@@ -17,23 +17,23 @@ static double stiffness(const struct bead_stepper *s, size_t k, double d)
 }
 
 /* The stiffness expected of contact k: at its present compression, or at the one that its rate leads to within `ahead` seconds. */
-static double expected(const struct bead_stepper *s, size_t k, double ahead)
+static double expected(const struct bead_stepper *s, size_t k, const double *v, double ahead)
 {
     const struct bead_state *now = &s->end;
-    double rate = now->v[k] - now->v[k + 1], d = s->table.static_compression[k] + (now->u[k] - now->u[k + 1]);
+    double rate = v[k] - v[k + 1], d = s->table.static_compression[k] + (now->u[k] - now->u[k + 1]);
     return stiffness(s, k, d + (rate > 0 ? ahead * rate : 0));
 }
 
 /* Gershgorin's circles of contacts 0..n-1, omega^2; see bead_chain_omega. */
-static double circles(const struct bead_stepper *s, size_t n, double ahead, bool at_rest)
+static double circles(const struct bead_stepper *s, size_t n, const double *v, double ahead, bool at_rest)
 {
     const double *w = s->chain->inverse_mass, *d0 = s->table.static_compression;
     const size_t contacts = s->chain->contacts;
-    double worst = 0, before = 0, here = at_rest ? stiffness(s, 0, d0[0]) : expected(s, 0, ahead);
+    double worst = 0, before = 0, here = at_rest ? stiffness(s, 0, d0[0]) : expected(s, 0, v, ahead);
     for (size_t k = 0; k < n; k++) {
         double after = 0, right = k + 1 < s->beads ? w[k + 1] : 0;
         if (k + 1 < contacts)
-            after = at_rest ? stiffness(s, k + 1, d0[k + 1]) : expected(s, k + 1, ahead);
+            after = at_rest ? stiffness(s, k + 1, d0[k + 1]) : expected(s, k + 1, v, ahead);
         double row = here * (w[k] + right) + before * w[k] + after * right;
         worst = row > worst ? row : worst;
         before = here;
@@ -43,12 +43,12 @@ static double circles(const struct bead_stepper *s, size_t n, double ahead, bool
 }
 
 /* The same for Hertz's law, with vectors; works in stepper->w[0], which Nystrom methods leave alone. */
-static double hertz_circles(const struct bead_stepper *s, size_t n, double ahead)
+static double hertz_circles(const struct bead_stepper *s, size_t n, const double *v, double ahead)
 {
     const double *w = s->chain->inverse_mass;
     const size_t contacts = s->chain->contacts, known = n < contacts ? n + 1 : contacts, inner = n < s->beads ? n : s->beads - 1;
     double *k = s->w[0];
-    s->kernels->hertz_stiffness(known, &s->table, s->end.u, s->end.v, ahead, k);
+    s->kernels->hertz_stiffness(known, &s->table, s->end.u, v, ahead, k);
     k[known] = 0;
     double worst = s->kernels->circles(inner, k, w);
     if (inner == n)
@@ -60,27 +60,38 @@ static double hertz_circles(const struct bead_stepper *s, size_t n, double ahead
 struct bead_step_control bead_step_control_start(const struct bead_stepper *s, double theta, double omega)
 {
     double first = theta / omega;
-    return (struct bead_step_control){theta, sqrt(circles(s, s->chain->contacts, 0, true)), growth * first, first};
+    return (struct bead_step_control){theta, sqrt(circles(s, s->chain->contacts, s->end.v, 0, true)), growth * first, first};
 }
 
-/* The step that the expected stiffnesses allow, if steps of length h are made until the next check. */
-static double allowed(const struct bead_step_control *control, const struct bead_stepper *s, double h)
+/* The step that the stiffnesses expected of velocities v allow, if steps of length h are made until the next check. */
+static double allowed(const struct bead_step_control *control, const struct bead_stepper *s, const double *v, double h)
 {
     size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
     const double ahead = EVERY * h;
-    double worst = s->chain->law->hertz ? hertz_circles(s, n, ahead) : circles(s, n, ahead, false);
+    double worst = s->chain->law->hertz ? hertz_circles(s, n, v, ahead) : circles(s, n, v, ahead, false);
     double omega = fmax(sqrt(worst), control->static_omega);
     return omega * control->longest > control->theta ? control->theta / omega : control->longest;
+}
+
+/* The same where beads turn back: the accelerations close contacts that are open or opening now, and make them hard before the next
+ * check. Of what they would do to the compressions if they stayed so long as they are, half. */
+static double allowed_with_turns(const struct bead_step_control *control, const struct bead_stepper *s, double h)
+{
+    const double part = 0.5, ahead = EVERY * h;
+    double *v = s->w[1];
+    for (size_t j = 0; j <= s->active && j <= s->beads; j++)
+        v[j] = s->end.v[j] + part * (0.5 * ahead) * s->end.a[j];
+    return allowed(control, s, v, h);
 }
 
 double bead_step_control_next(struct bead_step_control *control, const struct bead_stepper *s)
 {
     if (s->steps == 0 || s->steps % EVERY != 0)
         return control->h;
-    double h = allowed(control, s, control->h);
+    double h = allowed(control, s, s->end.v, control->h);
     /* Much longer steps must look further ahead. */
     if (h > much * control->h)
-        h = fmax(control->h, allowed(control, s, h));
+        h = fmax(control->h, fmin(allowed(control, s, s->end.v, h), allowed_with_turns(control, s, h)));
     control->h = h;
     return h;
 }

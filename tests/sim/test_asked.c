@@ -22,6 +22,52 @@ static void check(const char *name, struct asking *asking, double least)
     }
 }
 
+/* Beads of three materials in random order: the wave loses all but a ten-thousandth of its speed on the way. */
+static const char quiet_beads[] = "011220201000001100222000200000210111000122202012022021021102"
+                                  "222001211201000011100211101102001202221211211120212";
+
+static void quiet_chain(char *text, size_t size)
+{
+    size_t used = (size_t)snprintf(text, size,
+                                   "materials: {m0: {density: 9492.3, modulus: 12.175 GPa, poisson: 0.398, radius: 7.562 mm},\n"
+                                   "  m1: {density: 3256.6, modulus: 493.83 GPa, poisson: 0.1, radius: 3.0357 mm},\n"
+                                   "  m2: {density: 4514.7, modulus: 24.469 GPa, poisson: 0.088, radius: 1.1454 mm}}\n"
+                                   "chain: {striker: {bead: m2, velocity: 3.0567 m/s}, wall: rigid, beads: [");
+    for (const char *bead = quiet_beads; *bead; bead++)
+        used += (size_t)snprintf(text + used, size - used, "%s{bead: m%c}", bead > quiet_beads ? ", " : "", *bead);
+    snprintf(text + used, size - used, "]}\n");
+}
+
+/* What is little beside the striker's velocity is much beside that of the last beads. */
+static void quiet_contacts_are_as_asked(void **state)
+{
+    (void)state;
+    char text[4096];
+    quiet_chain(text, sizeof text);
+    struct asking asking = asking_start(text, 0, 0.1e-6, false);
+    for (size_t i = 0; i < 3; i++) {
+        struct answer answer = ask(&asking, asked[i]);
+        assert_below(answer.known, 0.1);
+        assert_below(answer.worst, 0.5);
+    }
+    asking_end(&asking);
+}
+
+/* A light bead that rattles between others: where the wave has passed steps become longer, too long for its next collision. */
+static void rattling_beads_are_as_asked(void **state)
+{
+    (void)state;
+    struct asking asking =
+        asking_start("materials: {m0: {density: 3532.5, modulus: 27.451 GPa, poisson: 0.418, radius: 4.9623 mm},\n"
+                     "  m1: {density: 4441.5, modulus: 62.772 GPa, poisson: 0.184, radius: 1.3647 mm},\n"
+                     "  m2: {density: 3112.5, modulus: 1.7884 GPa, poisson: 0.398, radius: 7.3241 mm}}\n"
+                     "chain: {striker: {bead: m1, velocity: 0.87038 m/s}, wall: rigid,\n"
+                     "  beads: [{cell: [m0, m1, m2], count: 16}]}\n",
+                     0, 0.15e-6, false);
+    check("a rattling bead", &asking, 0.005);
+    asking_end(&asking);
+}
+
 /* All contacts and beads of all chains but the longest, until the front has passed. */
 static void disordered_chains_are_as_asked(void **state)
 {
@@ -106,6 +152,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(disordered_chains_are_as_asked),
         cmocka_unit_test(other_chains_are_as_asked),
+        cmocka_unit_test(quiet_contacts_are_as_asked),
+        cmocka_unit_test(rattling_beads_are_as_asked),
         cmocka_unit_test(bead_peaks_within_long_steps_are_found),
     };
     return cmocka_run_group_tests_name("asked", tests, NULL, NULL);
