@@ -20,6 +20,7 @@ struct bead_strike {
     double compression[BEAD_CURVE_POINTS]; /* m, the last samples */
     size_t fed;
     double largest, opened; /* m; s, when it first let go; NaN: it has not */
+    double behind[2];       /* m, m/s: compression and its rate at the first sample after that, until the next; else NaN */
     double velocity;        /* m/s of the striker, at the last sample */
 };
 

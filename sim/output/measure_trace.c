@@ -226,24 +226,42 @@ struct bead_pulse_found bead_trace_read(const struct bead_measures *m)
     return (struct bead_pulse_found){NAN, NAN, NAN, NAN, NAN, NAN, {NAN, NAN}, {NAN, NAN}, NAN, NAN, NAN, NAN};
 }
 
+/* Where a cubic is 0 before x = 0, in steps: d and r are its values and its slopes, per step, at 0 and 1. */
+static double zero_before(const double d[2], const double r[2])
+{
+    double third = r[0] + r[1] - 2 * (d[1] - d[0]), second = d[1] - d[0] - r[0] - third, x = -d[0] / r[0];
+    for (int i = 0; i < 5; i++)
+        x -= (((third * x + second) * x + r[0]) * x + d[0]) / ((3 * third * x + 2 * second) * x + r[0]);
+    return x;
+}
+
+/* When the contact opened, from the samples behind: before them the force's branch point lies, and the motion is less smooth. */
+static void find_opening(struct bead_strike *s, double time, double step, double d, double rate)
+{
+    bool first = isnan(s->opened);
+    double at[2] = {first ? d : s->behind[0], d}, slope[2] = {step * (first ? rate : s->behind[1]), step * rate};
+    double x = first ? fmax(-1, -d / slope[0]) : zero_before(at, slope);
+    if (x >= -1 && x <= 0 && d <= 0)
+        s->opened = time + (first ? x : x - 1) * step;
+    s->behind[0] = first ? d : NAN;
+    s->behind[1] = rate;
+}
+
 void bead_strike_feed(struct bead_measures *m, const struct bead_sample *sample)
 {
     struct bead_strike *s = &m->strike;
-    const double *u = sample->field[BEAD_FIELD_DISPLACEMENT], *d = s->compression;
+    const double *u = sample->field[BEAD_FIELD_DISPLACEMENT], *v = sample->field[BEAD_FIELD_VELOCITY], *before = s->compression;
     double largest;
-    s->velocity = sample->field[BEAD_FIELD_VELOCITY][0];
-    if (bead_chain_beads(m->chain) < 2 || !isnan(s->opened))
+    s->velocity = v[0];
+    if (bead_chain_beads(m->chain) < 2 || (!isnan(s->opened) && isnan(s->behind[0])))
         return;
+    double d = bead_chain_static_compression(m->chain)[0] + u[0] - u[1];
     memmove(s->compression, s->compression + 1, sizeof s->compression - sizeof *s->compression);
-    s->compression[BEAD_CURVE_POINTS - 1] = bead_chain_static_compression(m->chain)[0] + u[0] - u[1];
+    s->compression[BEAD_CURVE_POINTS - 1] = d;
     if (++s->fed < BEAD_CURVE_POINTS)
         return;
     bead_samples_maximum(s->compression, BEAD_CURVE_POINTS, &largest);
     s->largest = fmax(s->largest, largest);
-    /* The force's branch point lies at the crossing: points before it, and the first behind. */
-    if (d[BEAD_CURVE_POINTS - 2] > 0 && d[BEAD_CURVE_POINTS - 1] <= 0) {
-        struct bead_curve curve = bead_curve_through(d + 2, BEAD_CURVE_POINTS - 2);
-        double x = bead_curve_crossing(&curve, 0, BEAD_CURVE_POINTS - 4, BEAD_CURVE_POINTS - 3);
-        s->opened = sample->time + (x - (BEAD_CURVE_POINTS - 3)) * (sample->time - m->time);
-    }
+    if (!isnan(s->opened) || (before[BEAD_CURVE_POINTS - 2] > 0 && d <= 0))
+        find_opening(s, sample->time, sample->time - m->time, d, v[0] - v[1]);
 }
