@@ -31,6 +31,8 @@ struct bead_look {
 /* Paper look (lengths with dpi: 8 pt type) or screen look (type in proportion to the height, never unreadably small). */
 BEAD_API void bead_look_paper(struct bead_look *look, double dpi);
 BEAD_API void bead_look_screen(struct bead_look *look, int width, int height, bool dark);
+/* Screen look for films: type in parts of the shorter side of the frame, 3 % for labels; `large`: 4 %. */
+BEAD_API void bead_look_film(struct bead_look *look, int width, int height, bool dark, bool large);
 /* Screen look for a projector: larger type, thicker lines. */
 BEAD_API void bead_look_slide(struct bead_look *look, int width, int height, bool dark);
 
@@ -102,6 +104,8 @@ enum bead_side { BEAD_SIDE_LEFT, BEAD_SIDE_BOTTOM, BEAD_SIDE_RIGHT };
 BEAD_API double bead_axis_draw(cairo_t *cr, const struct bead_look *look, const struct bead_axis *axis, struct bead_rect plot,
                                enum bead_side side, bool downwards, bool labels, const char *title);
 
+/* Markup of "time (ms)" from the title "time". */
+BEAD_API void bead_axis_title(const struct bead_axis *axis, const char *title, char *out, size_t size);
 /* A line of look->line around the plot rectangle, just outside of its pixels. */
 BEAD_API void bead_box_draw(cairo_t *cr, const struct bead_look *look, struct bead_rect plot);
 
@@ -114,6 +118,10 @@ struct bead_colours;
  * far right of the bar it reached, px. cr NULL: measures only. */
 BEAD_API double bead_colour_bar_draw(cairo_t *cr, const struct bead_look *look, const struct bead_colours *colours,
                                      const char *si_unit, const char *title, struct bead_rect bar, bool over, bool under);
+
+/* The same lying, low values at the left, ticks below; `title` stands elsewhere. Returns how far below the bar it reached. */
+BEAD_API double bead_colour_bar_draw_lying(cairo_t *cr, const struct bead_look *look, const struct bead_colours *colours,
+                                           const char *si_unit, struct bead_rect bar, bool over, bool under);
 
 /* A number with a unit prefix that suits it: "1.640 ms", "35 N"; `digits` significant. */
 BEAD_API void bead_quantity(double value, const char *si_unit, int digits, char *out, size_t size);

@@ -185,6 +185,15 @@ enum bead_quality { BEAD_QUALITY_DRAFT, BEAD_QUALITY_STANDARD, BEAD_QUALITY_HIGH
 enum bead_style { BEAD_STYLE_AUTO, BEAD_STYLE_PAPER, BEAD_STYLE_SLIDE, BEAD_STYLE_MOVIE };
 enum bead_theme { BEAD_THEME_AUTO, BEAD_THEME_LIGHT, BEAD_THEME_DARK };
 enum bead_follow { BEAD_FOLLOW_ALL, BEAD_FOLLOW_FRONT };
+enum bead_layout {
+    BEAD_LAYOUT_AUTO,
+    BEAD_LAYOUT_STACKED,
+    BEAD_LAYOUT_COLUMNS,
+    BEAD_LAYOUT_GRID,
+    BEAD_LAYOUT_OVERLAY,
+    BEAD_LAYOUT_BESIDE
+};
+enum bead_type { BEAD_TYPE_NORMAL, BEAD_TYPE_LARGE };
 
 /* ---- outputs: groups of settings that several kinds share ---- */
 
@@ -280,6 +289,8 @@ struct bead_card {
 struct bead_movie_asked {
     double fps, duration; /* 1/s, s; duration is that of the film, not of the motion */
     enum bead_quality quality;
+    enum bead_layout layout;       /* where chains and views stand */
+    enum bead_type type;           /* size of letters */
     struct bead_caption *captions; /* by rising times */
     size_t caption_count;
     struct bead_card card;

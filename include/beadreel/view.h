@@ -24,6 +24,9 @@ BEAD_BEGIN
 
 struct bead_camera;
 
+/* Where titles of vertical axes stand: turned, beside the axis (figures); above the plot (movies). */
+enum bead_titles { BEAD_TITLES_BESIDE, BEAD_TITLES_ABOVE, BEAD_TITLES_NONE };
+
 struct bead_view_setup {
     const struct bead_chain *chain;
     size_t chain_index;
@@ -32,8 +35,12 @@ struct bead_view_setup {
     double time[2];              /* s: span of the picture's time axis */
     struct bead_colours colours; /* the range is that of all chains and all times */
     const struct bead_look *look;
-    bool axes;        /* axes and labels around the plot */
-    bool ticks_only;  /* no labels on the vertical axis: plots are so low that they would run into those of the next */
+    bool axes;       /* axes and labels around the plot */
+    bool ticks_only; /* no labels on the vertical axis: plots are low, or the plot at the left has them */
+    enum bead_titles titles;
+    bool name_left;   /* the title of the axis along the chain stands left of its numbers, where vertical axes have theirs */
+    int beyond[2];    /* px: panels along the chain reach so far left and right of the plot, for what is beside the beads there */
+    bool own_colour;  /* profile: in the colour of the chain's number; others are on the same axis */
     bool bead_labels; /* label the bead axis; false where a view below shares it */
     bool time_down;   /* spacetime: time runs down and beads to the right (movies); else beads up, time to the right (papers) */
     bool time_shared; /* spacetime, sensors: no labels on the time axis; a view below has them */
@@ -68,6 +75,12 @@ struct bead_view_type {
     /* The same contents into a vector file: curves as paths, rasters with nearest-neighbour filter. */
     enum bead_error (*vector)(struct bead_view *view, double time, cairo_t *cr, struct bead_message *msg);
     void (*destroy)(struct bead_view *view);
+
+    /* ---- with BEAD_OVERLAYS ---- */
+
+    /* Before place: `other`, of another chain, is drawn by `view`, which alone is decorated and drawn from then on; both are fed,
+     * and destroyed by their owner, `other` not before `view`. Errors: UNSUPPORTED (too many). */
+    enum bead_error (*overlay)(struct bead_view *view, struct bead_view *other, struct bead_message *msg);
 
     /* ---- for layouts; NULL where there is nothing to say ---- */
 

@@ -21,6 +21,7 @@ enum bead_view_trait {
     BEAD_SHOWS_COLOURS = 32,    /* values as colours: the picture has a colour bar */
     BEAD_FOLLOWS_FRONT = 64,    /* shows a window that moves, where a movie follows the front */
     BEAD_DRAWS_ON_CANVAS = 128, /* paints beads: needs a canvas */
+    BEAD_OVERLAYS = 256,        /* can show several chains on one axis */
 };
 
 /* What the horizontal axis counts. An image's counts time where it does not run down. */
@@ -28,19 +29,19 @@ enum bead_view_across { BEAD_ACROSS_CHAIN, BEAD_ACROSS_TIME, BEAD_ACROSS_MODES }
 
 /* Shares are of the height that all views of a picture have; `most` is the largest useful height in widths of the plot. `shape`:
  * width / height that suits the view alone in a still. */
-#define BEAD_VIEWS(VIEW)                                                                                                       \
-    VIEW(BEADS, beads, .help = "the beads, coloured by the field; a lens follows the front",                                   \
-         .traits = BEAD_SHOWS_BEADS | BEAD_SHOWS_COLOURS | BEAD_FOLLOWS_FRONT | BEAD_DRAWS_ON_CANVAS, .still_share = 0.34,     \
-         .shape = 8, .movie_share = 1.45, .movie_most = 0.135)                                                                 \
-    VIEW(PROFILE, profile, .help = "the field along the chain at one time", .traits = BEAD_FOLLOWS_FRONT, .still_share = 0.22, \
-         .shape = 1.35, .movie_share = 0.8, .movie_most = 0.25)                                                                \
-    VIEW(SPACETIME, spacetime, .help = "the field over chain and time, area-averaged; fills as time passes in movies",         \
-         .traits = BEAD_SHOWS_ALL_TIMES | BEAD_SHOWS_IMAGE | BEAD_SHOWS_COLOURS, .still_share = 0.5, .shape = 1.35,            \
-         .movie_share = 1.25, .movie_most = 2)                                                                                 \
-    VIEW(SENSORS, sensors, .help = "force against time of every sensor", .traits = BEAD_SHOWS_ALL_TIMES | BEAD_SHOWS_SENSORS,  \
-         .across = BEAD_ACROSS_TIME, .still_share = 0.3, .shape = 1.35, .movie_share = 1.2, .movie_most = 0.5)                 \
-    VIEW(MODES, modes, .help = "energies of an equation's linear modes, as fractions of the total at the start",               \
-         .traits = BEAD_SHOWS_MODES, .across = BEAD_ACROSS_MODES, .still_share = 0.3, .shape = 1.35, .movie_share = 1,         \
+#define BEAD_VIEWS(VIEW)                                                                                                      \
+    VIEW(BEADS, beads, .help = "the beads, coloured by the field; a lens follows the front",                                  \
+         .traits = BEAD_SHOWS_BEADS | BEAD_SHOWS_COLOURS | BEAD_FOLLOWS_FRONT | BEAD_DRAWS_ON_CANVAS, .still_share = 0.34,    \
+         .shape = 8, .movie_share = 1, .movie_most = 0.135)                                                                   \
+    VIEW(PROFILE, profile, .help = "the field along the chain at one time", .traits = BEAD_FOLLOWS_FRONT | BEAD_OVERLAYS,     \
+         .still_share = 0.22, .shape = 1.35, .movie_share = 1.6, .movie_most = 0.5)                                           \
+    VIEW(SPACETIME, spacetime, .help = "the field over chain and time, area-averaged; fills as time passes in movies",        \
+         .traits = BEAD_SHOWS_ALL_TIMES | BEAD_SHOWS_IMAGE | BEAD_SHOWS_COLOURS, .still_share = 0.5, .shape = 1.35,           \
+         .movie_share = 2, .movie_most = 2)                                                                                   \
+    VIEW(SENSORS, sensors, .help = "force against time of every sensor", .traits = BEAD_SHOWS_ALL_TIMES | BEAD_SHOWS_SENSORS, \
+         .across = BEAD_ACROSS_TIME, .still_share = 0.3, .shape = 1.35, .movie_share = 1.2, .movie_most = 0.5)                \
+    VIEW(MODES, modes, .help = "energies of an equation's linear modes, as fractions of the total at the start",              \
+         .traits = BEAD_SHOWS_MODES, .across = BEAD_ACROSS_MODES, .still_share = 0.3, .shape = 1.35, .movie_share = 1,        \
          .movie_most = 0.3)
 
 enum bead_view_kind {

@@ -125,16 +125,20 @@ static bool words_fit(const struct drawing *d, const struct bead_text_style *sty
     return true;
 }
 
+void bead_axis_title(const struct bead_axis *axis, const char *title, char *out, size_t size)
+{
+    char name[2048], symbols[512];
+    bead_markup_symbols(title, symbols, sizeof symbols);
+    bead_markup(symbols, name, sizeof name);
+    snprintf(out, size, *axis->unit ? "%s (%s)" : "%s", name, axis->unit);
+}
+
 /* Finds a title that fits: a little smaller, then in lines (*wrap), then small, then only its unit, then none. */
 static bool fit_title(const struct drawing *d, const char *title, struct bead_text_style *style, double *wrap, char *markup,
                       size_t size)
 {
-    char name[2048], symbols[512];
     double full = style->size, width, height, room = d->side == BEAD_SIDE_BOTTOM ? d->plot.width : d->plot.height;
-    const char *unit = d->axis->unit;
-    bead_markup_symbols(title, symbols, sizeof symbols);
-    bead_markup(symbols, name, sizeof name);
-    snprintf(markup, size, *unit ? "%s (%s)" : "%s", name, unit);
+    bead_axis_title(d->axis, title, markup, size);
     bead_text_size(d->cr, style, markup, &width, &height);
     style->size = full * fmin(1, fmax(little_smaller, 0.99 * room / width)); /* widths are not quite proportional to the size */
     if (fits(d, style, 0, markup, room, INFINITY))
@@ -148,7 +152,8 @@ static bool fit_title(const struct drawing *d, const char *title, struct bead_te
     if (fits(d, style, 0, markup, room, INFINITY))
         return true;
     style->size = full;
-    snprintf(markup, size, "%s", *unit ? unit : name);
+    if (*d->axis->unit)
+        snprintf(markup, size, "%s", d->axis->unit);
     bead_text_size(d->cr, style, markup, &width, &height);
     style->size = full * fmin(1, fmax(smallest_title, 0.99 * room / width));
     return fits(d, style, 0, markup, room, INFINITY);

@@ -66,22 +66,44 @@ static void draw_point(cairo_t *cr, const struct bead_colours *colours, struct b
     cairo_fill(cr);
 }
 
+/* The bar, standing. */
+static void draw_bar(cairo_t *cr, const struct bead_look *look, const struct bead_colours *colours, struct bead_rect bar, bool over,
+                     bool under)
+{
+    draw_bands(cr, colours, bar);
+    if (over)
+        draw_point(cr, colours, bar, true);
+    if (under)
+        draw_point(cr, colours, bar, false);
+    cairo_set_source_rgb(cr, look->axis.r, look->axis.g, look->axis.b);
+    cairo_set_line_width(cr, look->line);
+    cairo_set_line_join(cr, CAIRO_LINE_JOIN_MITER);
+    outline(cr, &bar, look->line / 2, over, under);
+    cairo_stroke(cr);
+}
+
 double bead_colour_bar_draw(cairo_t *cr, const struct bead_look *look, const struct bead_colours *colours, const char *si_unit,
                             const char *title, struct bead_rect bar, bool over, bool under)
 {
     struct bead_axis axis;
     bead_axis_make(&axis, colours->low, colours->high, si_unit, colours->scale, bar.height, look->tick, false);
-    if (cr) {
-        draw_bands(cr, colours, bar);
-        if (over)
-            draw_point(cr, colours, bar, true);
-        if (under)
-            draw_point(cr, colours, bar, false);
-        cairo_set_source_rgb(cr, look->axis.r, look->axis.g, look->axis.b);
-        cairo_set_line_width(cr, look->line);
-        cairo_set_line_join(cr, CAIRO_LINE_JOIN_MITER);
-        outline(cr, &bar, look->line / 2, over, under);
-        cairo_stroke(cr);
-    }
+    if (cr)
+        draw_bar(cr, look, colours, bar, over, under);
     return bead_axis_draw(cr, look, &axis, bar, BEAD_SIDE_RIGHT, false, true, title);
+}
+
+double bead_colour_bar_draw_lying(cairo_t *cr, const struct bead_look *look, const struct bead_colours *colours,
+                                  const char *si_unit, struct bead_rect bar, bool over, bool under)
+{
+    struct bead_axis axis;
+    bead_axis_make(&axis, colours->low, colours->high, si_unit, colours->scale, bar.width, look->tick, true);
+    if (cr) { /* the standing bar's up is right here, its right is down */
+        cairo_matrix_t turn;
+        cairo_matrix_init(&turn, 0, 1, -1, 0, bar.x + bar.width, bar.y);
+        cairo_save(cr);
+        cairo_transform(cr, &turn);
+        draw_bar(cr, look, colours, (struct bead_rect){0, 0, bar.height, bar.width}, over, under);
+        cairo_restore(cr);
+    }
+    return bead_axis_draw(cr, look, &axis, bar, BEAD_SIDE_BOTTOM, false, true, NULL);
 }

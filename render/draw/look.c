@@ -70,6 +70,18 @@ void bead_look_screen(struct bead_look *look, int width, int height, bool dark)
     snprintf(look->family, sizeof look->family, "Lato");
 }
 
+/* Labels, ticks and the facts have one size; titles and captions are larger. Floors keep type readable in small frames. */
+void bead_look_film(struct bead_look *look, int width, int height, bool dark, bool large)
+{
+    double side = fmin(height, width), part = large ? 0.04 : 0.03;
+    bead_look_screen(look, width, height, dark);
+    look->label = look->tick = fmax(11, part * side);
+    look->title = fmax(13, 1.15 * part * side);
+    look->line = whole(side / 800);
+    look->gap = fmax(5, 0.012 * side);
+    look->margin = round(look->gap);
+}
+
 /* Legible from the back of a room: type 1/28 of the height. */
 void bead_look_slide(struct bead_look *look, int width, int height, bool dark)
 {

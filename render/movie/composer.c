@@ -1,6 +1,5 @@
 /* Composes the frames of a movie: lays out, creates the views, draws the static layer once, then lets views and overlay update the
  * frame. */
-#include "render/draw/chain_axis.h"
 #include "render/movie/composer_private.h"
 
 #include <math.h>
@@ -47,7 +46,7 @@ static struct bead_view **view_at(const struct bead_composer *c, size_t chain, s
     return &c->views[chain * c->wants.view_count + view];
 }
 
-static struct bead_span composer_span_of(const struct bead_composer *c, size_t chain)
+struct bead_span bead_composer_span(const struct bead_composer *c, size_t chain)
 {
     const struct bead_output *output = c->setup.output;
     const struct bead_chain *own = c->setup.chains[chain];
@@ -60,133 +59,53 @@ static struct bead_span composer_span_of(const struct bead_composer *c, size_t c
     return span;
 }
 
-static double reach(const struct bead_look *look, double low, double high, const char *unit, enum bead_scale scale, double length,
-                    enum bead_side side, const char *title)
-{
-    struct bead_axis axis;
-    struct bead_rect plot = {0, 0, (int)length, (int)length};
-    bead_axis_make(&axis, low, high, unit, scale, length, look->tick, side == BEAD_SIDE_BOTTOM);
-    return bead_axis_draw(NULL, look, &axis, plot, side, false, true, title);
-}
-
-static double reach_along(const struct bead_composer *c, size_t chain, size_t last, double length, enum bead_side side)
-{
-    struct bead_axis axis;
-    struct bead_rect plot = {0, 0, (int)length, (int)length};
-    const struct bead_chain *own = c->setup.chains[chain];
-    const char *title = bead_axis_along_chain(&axis, own, false, 0, last, length, c->look.tick, side == BEAD_SIDE_BOTTOM);
-    return bead_axis_draw(NULL, &c->look, &axis, plot, side, false, true, title);
-}
-
-/* How far the axes of beads, values and times reach to the left of plots of this height. */
-static double reach_left(const struct bead_composer *c, double length)
-{
-    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->shown.field);
-    const char *unit = bead_chain_time_unit(c->setup.chains[0]);
-    const double *range = c->setup.range, *time = c->setup.time;
-    double most = reach(&c->look, range[0], range[1], field->unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, field->title);
-    most = fmax(most, reach(&c->look, time[0], time[1], unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, "time"));
-    for (size_t i = 0; i < c->wants.chain_count; i++)
-        most = fmax(most, reach_along(c, i, composer_span_of(c, i).last, length, BEAD_SIDE_LEFT));
-    return most;
-}
-
-/* Estimates how far axes reach out of plots. Titles beside low plots are broken into lines, which reach further. */
-static void measure_axes(struct bead_composer *c)
-{
-    struct bead_movie_wants *w = &c->wants;
-    const struct bead_look *look = &c->look;
-    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->shown.field);
-    const char *unit = bead_chain_time_unit(c->setup.chains[0]);
-    double length = fmax(40, 0.12 * w->height), most = 1, rows = (double)(w->chain_count * w->view_count);
-    w->left = fmax(reach_left(c, length), fmax(reach_left(c, fmax(24, 0.4 * w->height / rows)), reach_left(c, 40)));
-    w->same_beads = true;
-    for (size_t i = 0; i < w->chain_count; i++) {
-        struct bead_span span = composer_span_of(c, i), first = composer_span_of(c, 0);
-        w->same_beads = w->same_beads && span.first == first.first && span.last == first.last;
-        most = fmax(most, (double)span.last);
-        w->below_beads = fmax(w->below_beads, reach_along(c, i, span.last, 8 * length, BEAD_SIDE_BOTTOM));
-    }
-    const double *time = c->setup.time;
-    w->below_moving = reach(look, 0, most, "1", BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, NULL);
-    for (size_t i = 0; w->follow && i < w->chain_count; i++) {
-        struct bead_span beads = bead_composer_beads(c, i);
-        double radius, spacing = bead_chain_spacing(c->setup.chains[i], beads, &radius);
-        double shown = fmin((double)c->setup.output->movie.window, (double)(beads.last - beads.first + 1));
-        w->bead_height = fmax(w->bead_height, 0.9 * w->width * 2 * radius / (spacing * shown));
-    }
-    w->below_time = reach(look, time[0], time[1], unit, BEAD_SCALE_LINEAR, 8 * length, BEAD_SIDE_BOTTOM, "time");
-    struct bead_rect bar = {0, 0, 20, (int)(4 * length)};
-    w->bar = bead_colour_bar_draw(NULL, look, &c->colours, field->unit, field->title, bar, false, false);
-    char text[256];
-    double height;
-    struct bead_text_style style = bead_clock_style(look);
-    bead_clock_text(&c->clock, c->setup.time[1], look, text, sizeof text);
-    bead_text_size(NULL, &style, text, &w->time_width, &height);
-    w->time_width = ceil(w->time_width + 0.5 * look->gap);
-}
-
-static enum bead_error fill_wants(struct bead_composer *c, struct bead_message *msg)
+static struct bead_view_setup setup_of(const struct bead_composer *c, size_t chain, size_t view)
 {
     const struct bead_output *output = c->setup.output;
-    struct bead_movie_wants *w = &c->wants;
-    *w = (struct bead_movie_wants){.width = c->setup.width,
-                                   .height = c->setup.height,
-                                   .look = &c->look,
-                                   .chain_count = c->setup.chain_count,
-                                   .axes = output->views.axes,
-                                   .title = c->setup.title && c->setup.title[0],
-                                   .trust = output->shown.trust,
-                                   .follow = output->movie.follow == BEAD_FOLLOW_FRONT,
-                                   .caption_lines = bead_captions_lines(&output->movie, &c->look, c->setup.width),
-                                   .caption_line = bead_caption_height(&c->look)};
-    for (size_t i = 0; i < output->views.count && i < BEAD_STACK_VIEWS; i++) {
-        const struct bead_view_type *type = bead_view_find(output->views.kinds[i]);
-        if (!type)
-            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: there is no such view in this program", output->path);
-        w->views[w->view_count++] = type;
-    }
-    if (w->view_count == 0)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: views: at least one is needed", output->path);
-    w->colourless = !bead_views_any(output->views.kinds, output->views.count, BEAD_SHOWS_COLOURS);
-    for (size_t i = 0; i < w->chain_count; i++) {
-        size_t sensors;
-        (void)bead_chain_sensors(c->setup.chains[i], &sensors);
-        w->sensors = w->sensors || sensors > 0;
-        w->headings = w->headings || bead_heading_has(c->setup.chains[i]);
-    }
-    measure_axes(c);
-    return BEAD_OK;
+    const struct bead_movie_chain *place = &c->layout.chains[chain];
+    bool time = c->wants.views[view]->info->across == BEAD_ACROSS_TIME, labels = place->labels[view];
+    bool along = c->wants.views[view]->info->across == BEAD_ACROSS_CHAIN;
+    return (struct bead_view_setup){.chain = c->setup.chains[chain],
+                                    .chain_index = chain,
+                                    .field = output->shown.field,
+                                    .beads = bead_composer_span(c, chain),
+                                    .time = {c->setup.time[0], c->setup.time[1]},
+                                    .colours = c->colours,
+                                    .look = &c->look,
+                                    .axes = c->layout.axes,
+                                    .ticks_only = !place->values[view],
+                                    .titles = c->layout.titles ? BEAD_TITLES_ABOVE : BEAD_TITLES_NONE,
+                                    .name_left = c->name_left,
+                                    .beyond = {along ? c->layout.beyond[0] : 0, along ? c->layout.beyond[1] : 0},
+                                    .own_colour = c->layout.layout == BEAD_LAYOUT_OVERLAY,
+                                    .bead_labels = labels && !time,
+                                    .time_down = true,
+                                    .time_shared = time && !labels,
+                                    .fill = true,
+                                    .magnify = c->magnify,
+                                    .camera = c->cameras ? c->cameras[chain] : NULL,
+                                    .modes = output->movie.modes,
+                                    .trust = output->shown.trust};
+}
+
+/* Is the view of this chain drawn by that of the first? */
+static bool overlaid(const struct bead_composer *c, size_t chain, size_t view)
+{
+    return view == c->layout.overlay && chain > 0;
 }
 
 static enum bead_error create_views(struct bead_composer *c, struct bead_message *msg)
 {
-    const struct bead_output *output = c->setup.output;
     c->views = calloc(c->wants.chain_count * c->wants.view_count + 1, sizeof *c->views);
     if (!c->views)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for views");
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++) {
         size_t chain = i / c->wants.view_count, view = i % c->wants.view_count;
-        bool time = c->wants.views[view]->info->across == BEAD_ACROSS_TIME, labels = c->layout.chains[chain].labels[view];
-        struct bead_view_setup setup = {.chain = c->setup.chains[chain],
-                                        .chain_index = chain,
-                                        .field = output->shown.field,
-                                        .beads = composer_span_of(c, chain),
-                                        .time = {c->setup.time[0], c->setup.time[1]},
-                                        .colours = c->colours,
-                                        .look = &c->look,
-                                        .axes = c->layout.axes,
-                                        .ticks_only = c->layout.ticks_only,
-                                        .bead_labels = labels && !time,
-                                        .time_down = true,
-                                        .time_shared = time && !labels,
-                                        .fill = true,
-                                        .magnify = c->magnify,
-                                        .camera = c->cameras ? c->cameras[chain] : NULL,
-                                        .modes = output->movie.modes,
-                                        .trust = output->shown.trust};
+        struct bead_view_setup setup = setup_of(c, chain, view);
         err = c->wants.views[view]->create(&setup, view_at(c, chain, view), msg);
+        if (!err && overlaid(c, chain, view))
+            err = c->wants.views[view]->overlay(*view_at(c, 0, view), *view_at(c, chain, view), msg);
     }
     return err;
 }
@@ -194,7 +113,8 @@ static enum bead_error create_views(struct bead_composer *c, struct bead_message
 static enum bead_error composer_fill(struct bead_composer *c, struct bead_message *msg)
 {
     const struct bead_output *output = c->setup.output;
-    bead_look_screen(&c->look, c->setup.width, c->setup.height, output->paper.theme != BEAD_THEME_LIGHT);
+    bead_look_film(&c->look, c->setup.width, c->setup.height, output->paper.theme != BEAD_THEME_LIGHT,
+                   output->movie.type == BEAD_TYPE_LARGE);
     enum bead_error err = bead_colour_range_map(output, c->setup.chains[0], "inferno", &c->map, msg);
     if (err)
         return err;
@@ -209,7 +129,7 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
         if (!c->lit)
             return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
     }
-    err = fill_wants(c, msg);
+    err = bead_composer_measure(c, msg);
     if (!err)
         err = bead_movie_arrange(&c->wants, &c->layout, msg);
     if (!err && c->wants.follow)
@@ -247,12 +167,10 @@ static enum bead_error create_canvas(struct bead_composer *c, struct bead_messag
         size_t view = i % c->wants.view_count;
         const struct bead_rect *plot = &c->layout.chains[i / c->wants.view_count].plot[view];
         const struct bead_view_type *type = c->wants.views[view];
-        int left = 0, right = 0;
+        int across = plot->width + c->layout.beyond[0] + c->layout.beyond[1];
         if (!bead_view_has(type, BEAD_DRAWS_ON_CANVAS))
             continue;
-        if (type->margins)
-            type->margins(&c->look, &left, &right);
-        width = left + plot->width + right > width ? left + plot->width + right : width;
+        width = across > width ? across : width;
         height = plot->height > height ? plot->height : height;
     }
     if (!width)
@@ -274,6 +192,8 @@ static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, stru
     for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++) {
         size_t chain = i / c->wants.view_count, view = i % c->wants.view_count;
         const struct bead_view_type *type = c->wants.views[view];
+        if (overlaid(c, chain, view))
+            continue;
         err = type->place(c->views[i], c->layout.chains[chain].plot[view],
                           bead_view_has(type, BEAD_DRAWS_ON_CANVAS) ? c->canvas : NULL, msg);
         cairo_save(cr);
@@ -287,36 +207,51 @@ static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, stru
 static struct bead_facts facts_of(const struct bead_composer *c)
 {
     bool beads = bead_views_any(c->setup.output->views.kinds, c->setup.output->views.count, BEAD_SHOWS_BEADS);
-    return (struct bead_facts){
-        .slowed = c->slowed, .magnify = beads ? c->magnify : 0, .chains = c->setup.chains, .chain_count = c->setup.chain_count};
+    return (struct bead_facts){.slowed = c->slowed,
+                               .clock = c->clock,
+                               .magnify = beads ? c->magnify : 0,
+                               .chains = c->setup.chains,
+                               .chain_count = c->setup.chain_count};
 }
 
 static void composer_draw_words(struct bead_composer *c, cairo_t *cr)
 {
     const struct bead_movie_layout *layout = &c->layout;
     const struct bead_look *look = &c->look;
-    bool stacked = layout->facts.x <= layout->time.x;
     if (layout->title.width > 0) {
-        struct bead_text_style style = {
-            look->family, 1.05 * look->label, look->ink, true, stacked ? BEAD_ALIGN_START : BEAD_ALIGN_END, BEAD_ALIGN_MIDDLE,
-            false};
+        struct bead_text_style style = {.family = look->family,
+                                        .size = look->label,
+                                        .colour = look->ink,
+                                        .bold = true,
+                                        .across = layout->words_left ? BEAD_ALIGN_START : BEAD_ALIGN_END};
         bead_line_draw(cr, style, c->setup.title, layout->title);
     }
     struct bead_facts facts = facts_of(c);
     if (layout->facts.width > 0)
-        bead_facts_draw(cr, look, &facts, layout->facts, stacked);
+        bead_facts_draw(cr, look, &facts, layout->facts, layout->words_left);
     for (size_t i = 0; i < layout->chain_count; i++) {
+        struct bead_heading heading = {c->setup.chains[i], look->ink, layout->label_lines};
+        if (layout->layout == BEAD_LAYOUT_OVERLAY)
+            heading.colour = bead_look_curve(look, i);
         if (layout->chains[i].heading.width > 0)
-            bead_heading_draw(cr, look, c->setup.chains[i], layout->chains[i].heading);
+            bead_heading_draw(cr, look, &heading, layout->chains[i].heading);
     }
+}
+
+static enum bead_error watch_texts(const struct bead_composer *c, cairo_surface_t *surface, struct bead_message *msg)
+{
+    if (!c->setup.watch || bead_text_watch(surface, c->setup.watch))
+        return BEAD_OK;
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
 }
 
 static enum bead_error draw_background(struct bead_composer *c, struct bead_message *msg)
 {
     cairo_t *cr = bead_raster_begin(&c->background);
+    enum bead_error watched = watch_texts(c, cairo_get_target(cr), msg);
     cairo_set_source_rgb(cr, c->look.background.r, c->look.background.g, c->look.background.b);
     cairo_paint(cr);
-    enum bead_error err = decorate_views(c, cr, msg);
+    enum bead_error err = watched ? watched : decorate_views(c, cr, msg);
     composer_draw_words(c, cr);
     bead_overlay_draw_bar(c, cr);
     enum bead_error drawn = bead_raster_end(cr, "drawing the background", err ? NULL : msg);
@@ -336,27 +271,15 @@ enum bead_error bead_composer_open(struct bead_composer *c, struct bead_message 
     c->cr = cairo_create(c->surface);
     if (cairo_status(c->cr) != CAIRO_STATUS_SUCCESS)
         return bead_fail(msg, BEAD_ERROR_GRAPHICS, "drawing: %s", cairo_status_to_string(cairo_status(c->cr)));
-    return bead_warnings_check(msg);
-}
-
-/* Notes whether values lie beyond the ends of the colour range. */
-static void look_beyond(struct bead_composer *c, const struct bead_sample *sample)
-{
-    const double *value = sample->field[c->setup.output->shown.field];
-    struct bead_span span = composer_span_of(c, sample->chain);
-    double slack = 1e-9 * (c->colours.high - c->colours.low), high = c->colours.high + slack, low = c->colours.low - slack;
-    bool below = c->colours.scale != BEAD_SCALE_LOG; /* a logarithmic scale always leaves out the smallest values */
-    for (size_t i = span.first; value && i <= span.last && i <= sample->active; i++) {
-        c->over = c->over || value[i] > high;
-        c->under = c->under || (below && value[i] < low);
-    }
+    err = watch_texts(c, c->surface, msg);
+    return err ? err : bead_warnings_check(msg);
 }
 
 /* Mean distance from zero along the colour bar. */
 static void look_lit(struct bead_composer *c, const struct bead_sample *sample)
 {
     const double *value = sample->field[c->setup.output->shown.field];
-    struct bead_span span = composer_span_of(c, sample->chain);
+    struct bead_span span = bead_composer_span(c, sample->chain);
     double zero = bead_colours_place(&c->colours, 0), sum = 0;
     zero = fmin(1, fmax(0, zero));
     for (size_t i = span.first; value && i <= span.last && i <= sample->active; i++)
@@ -377,7 +300,6 @@ double bead_composer_interest(const struct bead_composer *c, double time)
 enum bead_error bead_composer_feed(struct bead_composer *c, const struct bead_sample *sample, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
-    look_beyond(c, sample);
     if (c->lit)
         look_lit(c, sample);
     if (c->cameras)
@@ -412,15 +334,17 @@ enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct 
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; c->cameras && i < c->wants.chain_count; i++)
         bead_camera_advance(c->cameras[i], time);
-    for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++)
-        err = c->wants.views[i % c->wants.view_count]->draw(c->views[i], time, &c->frame, &c->background, changes, msg);
+    for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++) {
+        size_t chain = i / c->wants.view_count, view = i % c->wants.view_count;
+        if (!overlaid(c, chain, view))
+            err = c->wants.views[view]->draw(c->views[i], time, &c->frame, &c->background, changes, msg);
+    }
     if (err)
         return err;
     cairo_surface_mark_dirty(c->surface); /* the views wrote its pixels */
     bead_overlay_time(c, time, changes);
     bead_overlay_trust(c, time, changes);
     bead_overlay_caption(c, time, changes);
-    bead_overlay_bar(c, changes);
     return bead_warnings_check(msg);
 }
 

@@ -18,6 +18,7 @@ struct bead_composer {
     double magnify;
     struct bead_movie_wants wants;
     struct bead_movie_layout layout;
+    bool name_left;               /* see bead_view_setup */
     struct bead_camera **cameras; /* of the chains; NULL: none follows */
     struct bead_view **views;     /* of chain c: from c * wants.view_count on */
     struct bead_canvas *canvas;
@@ -28,14 +29,19 @@ struct bead_composer {
     char time_text[256];  /* as shown now */
     bool carded, started; /* the card has been drawn; the static layer has been */
     bool trust_said;
-    size_t caption;                        /* shown now; SIZE_MAX: none */
-    double *lit;                           /* of each chain: see bead_composer_interest; NULL: no poster */
-    double slowed;                         /* s of the film for one of the motion */
-    bool over, under, bar_over, bar_under; /* values beyond the colours' range: seen so far; shown by the bar */
+    size_t caption; /* shown now; SIZE_MAX: none */
+    double *lit;    /* of each chain: see bead_composer_interest; NULL: no poster */
+    double slowed;  /* s of the film for one of the motion */
 };
 
 /* Beads that are shown, also where the field is one of contacts. */
 struct bead_span bead_composer_beads(const struct bead_composer *composer, size_t chain);
+/* Values that are shown. */
+struct bead_span bead_composer_span(const struct bead_composer *composer, size_t chain);
+/* Fills in what the layout needs to know. Errors: SCENE, UNSUPPORTED (views). */
+BEAD_CHECK enum bead_error bead_composer_measure(struct bead_composer *composer, struct bead_message *msg);
+/* Markup such as "force (N)". */
+void bead_composer_bar_title(const struct bead_composer *composer, char *out, size_t size);
 /* Creates a camera for each chain; plots that follow the front become narrower if their rows of beads would be too high. Errors:
  * MEMORY. */
 BEAD_CHECK enum bead_error bead_composer_cameras(struct bead_composer *composer, struct bead_message *msg);
@@ -45,6 +51,5 @@ void bead_overlay_draw_bar(struct bead_composer *composer, cairo_t *cr);
 void bead_overlay_time(struct bead_composer *composer, double time, struct bead_changes *changes);
 void bead_overlay_trust(struct bead_composer *composer, double time, struct bead_changes *changes);
 void bead_overlay_caption(struct bead_composer *composer, double time, struct bead_changes *changes);
-void bead_overlay_bar(struct bead_composer *composer, struct bead_changes *changes);
 
 #endif

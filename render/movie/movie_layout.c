@@ -1,24 +1,25 @@
-/* The layout of a movie's frame. Levels leave out words, headings and axes one after the other until the plots fit; composer.c asks
- * for it once. */
+/* The layout of a movie's frame. For every number of columns that the scene allows, levels leave out words, headings and axes one
+ * after the other until the cells fit; the arrangement that leaves out least is taken. composer.c asks for it once. */
 #include "render/movie/movie_layout.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* What is left out, in this order, until the rest fits. */
-enum level { EVERYTHING, NO_WORDS, FEW_LABELS, TIGHT, NO_HEADINGS, NO_AXES, VIEWS_ONLY, LEVELS };
+#include "render/movie/movie_cells.h"
 
-/* Lengths of one level, px. */
-struct measures {
-    enum level level;
-    bool axes, headings;
-    int margin, left, right, top, bottom; /* around the plots */
-    int heading, view_gap, chain_gap;
+/* Frames less wide than this, in heights, have the bar beside the clock. */
+static const double wide_frame = 1.5;
+/* A cell looks best with this width, in heights; what a level, an empty cell and a wrong shape cost. */
+static const double best_shape = 0.8, level_costs = 0.7, hole_costs = 1;
+enum { MOST_COLUMNS = 12, MOST_CHAINS = 100000 };
+
+/* What surrounds the cells at one level, px. */
+struct frame {
+    int margin, header, bottom, right; /* header: below the margin */
+    int time_height, line_height, lines, caption;
     int bar_gap, bar_width;
-    int width;    /* of the plots */
-    bool stacked; /* words below the time, not beside it */
-    int time_height, line_height;
-    int caption; /* height of captions, between the lowest axis and the margin */
+    bool title_beside; /* the clock; else in a line of its own, or nowhere */
+    bool lying;        /* the bar */
 };
 
 static int whole(double x)
@@ -26,170 +27,95 @@ static int whole(double x)
     return (int)ceil(x);
 }
 
-/* Axes and what views draw beside their plots. */
-static double left_of_plots(const struct bead_movie_wants *w)
+static bool has_bar(const struct bead_movie_wants *w, enum bead_level level)
 {
-    double most = w->left;
-    for (size_t i = 0; i < w->view_count; i++) {
-        int left = 0, right = 0;
-        if (w->views[i]->margins)
-            w->views[i]->margins(w->look, &left, &right);
-        most = fmax(most, left);
-    }
-    return most;
+    return w->axes && level < BEAD_LEVEL_NO_AXES && !w->colourless;
 }
 
-static struct measures layout_measure(const struct bead_movie_wants *w, enum level level)
+static bool lies(const struct bead_movie_wants *w)
+{
+    return w->width < wide_frame * w->height;
+}
+
+/* Room for the title right of the clock, which stands above the first panel. */
+static double beside_clock(const struct bead_movie_wants *w, const struct frame *f)
+{
+    return w->width - 2 * f->margin - f->right - w->left - w->time_width - 2 * w->look->gap;
+}
+
+static struct frame measure_frame(const struct bead_movie_wants *w, enum bead_level level)
 {
     const struct bead_look *look = w->look;
-    struct measures m = {
-        .level = level, .axes = w->axes && level < NO_AXES, .headings = w->axes && w->headings && level < NO_HEADINGS};
-    /* Labels at the ends of vertical axes reach out by half their height; tight plots have no labels. */
-    m.view_gap = whole(level < FEW_LABELS ? 1.1 * look->tick : m.axes && level != TIGHT ? look->tick : 0.7 * look->gap);
-    m.view_gap = level == VIEWS_ONLY ? 0 : m.view_gap;
-    m.chain_gap = level == VIEWS_ONLY ? 0 : whole((level < FEW_LABELS ? 1.5 : 0.7) * look->gap);
-    if (w->axes && level < VIEWS_ONLY) {
-        m.margin = whole(1.3 * look->gap);
-        m.time_height = whole(1.45 * look->title);
-        m.line_height = whole(1.4 * look->label);
-        m.stacked = w->width < w->time_width + 22 * look->label;
+    struct frame f = {.lying = has_bar(w, level) && lies(w)};
+    if (!w->axes || level == BEAD_LEVEL_VIEWS_ONLY) {
+        f.caption = w->axes ? whole(w->caption_lines * w->caption_line) : 0;
+        f.bottom = f.caption;
+        return f;
     }
-    int lines = m.time_height ? (level == EVERYTHING ? 1 + w->title : 0) + w->trust : 0;
-    int words = lines * m.line_height;
-    int header = m.stacked ? m.time_height + words : words > m.time_height ? words : m.time_height;
-    m.top = m.time_height > 0 ? m.margin + header : 0;
-    m.heading = m.headings ? whole((level < FEW_LABELS ? 1.7 : level < TIGHT ? 1.5 : 1.15) * look->title) : 0;
-    if (m.top > 0 && !m.headings)
-        m.top += whole(0.5 * look->gap);
-    m.left = m.right = m.margin;
-    if (m.axes) {
-        m.left += whole(left_of_plots(w));
-        m.bar_gap = whole(1.8 * look->gap);
-        m.bar_width = whole(bead_colour_bar_width(look, BEAD_BAR_OF_MOVIE));
-        m.right += w->colourless ? 0 : m.bar_gap + m.bar_width + whole(w->bar);
-    }
+    f.margin = whole(look->gap);
+    f.time_height = whole(1.45 * look->title);
+    f.line_height = whole(1.35 * look->label);
+    f.bar_width = whole(bead_colour_bar_width(look, BEAD_BAR_OF_MOVIE));
+    f.bar_gap = whole(0.8 * look->tick);
+    if (has_bar(w, level) && !f.lying)
+        f.right = f.bar_gap + whole(fmax(f.bar_width + w->bar, w->bar_title));
+    bool title = w->title_width > 0 && level < BEAD_LEVEL_FEW_LABELS;
+    f.title_beside = title && !f.lying && w->title_width <= beside_clock(w, &f);
+    f.lines = (level == BEAD_LEVEL_EVERYTHING ? 1 + (title && !f.title_beside) : 0) + w->trust;
+    int first = f.lying ? whole(fmax(f.time_height, f.bar_width + w->bar_below + 0.2 * look->tick)) : f.time_height;
+    f.header = first + f.lines * f.line_height + (level < BEAD_LEVEL_FEW_LABELS && !w->headings ? whole(0.5 * look->gap) : 0);
     /* The scene asks for captions: they are never left out. */
-    m.caption = w->axes ? whole(w->caption_lines * w->caption_line) : 0;
-    m.bottom = m.margin + m.caption + (m.caption > 0 ? whole(0.5 * look->gap) : 0);
-    m.width = w->width - m.left - m.right;
-    return m;
+    f.caption = whole(w->caption_lines * w->caption_line);
+    f.bottom = f.margin + f.caption + (f.caption > 0 ? whole(0.5 * look->gap) : 0);
+    return f;
 }
 
-static bool moves(const struct bead_movie_wants *w, size_t view)
+static struct bead_cells make_cells(const struct bead_movie_wants *w, const struct frame *f, enum bead_level level,
+                                    enum bead_layout layout, size_t columns)
 {
-    return w->follow && bead_view_has(w->views[view], BEAD_FOLLOWS_FRONT);
+    double room = (w->width - 2 * f->margin - f->right - (layout == BEAD_LAYOUT_BESIDE ? 2 : 1) * w->left) / (double)columns;
+    room = (layout == BEAD_LAYOUT_BESIDE ? 0.36 : 1) * room - 1.3 * w->look->tick;
+    struct bead_cells cells = {.wants = w,
+                               .level = level,
+                               .layout = layout,
+                               .columns = columns,
+                               .rows = (w->chain_count + columns - 1) / columns,
+                               .axes = w->axes && level < BEAD_LEVEL_NO_AXES,
+                               .headings = w->axes && w->headings &&
+                                           level<BEAD_LEVEL_NO_HEADINGS, .label_lines = w->heading_width> room &&
+                                           level == BEAD_LEVEL_EVERYTHING};
+    int top = f->margin + f->header;
+    cells.area = (struct bead_rect){f->margin, top, w->width - 2 * f->margin - f->right, w->height - top - f->bottom};
+    return cells;
 }
 
-static bool shows_beads(const struct bead_movie_wants *w, size_t view)
+static bool along(const struct bead_movie_wants *w, size_t view)
 {
-    return bead_view_has(w->views[view], BEAD_SHOWS_BEADS);
+    return w->views[view]->info->across == BEAD_ACROSS_CHAIN;
 }
 
-static bool has_bead_axis(const struct bead_movie_wants *w, size_t view)
+static void place_words(const struct bead_movie_wants *w, const struct frame *f, enum bead_level level,
+                        struct bead_movie_layout *layout)
 {
-    return !moves(w, view) && !shows_beads(w, view) && w->views[view]->info->across == BEAD_ACROSS_CHAIN;
-}
-
-/* The last of the moving views has the numbers. */
-static bool labels_window(const struct bead_movie_wants *w, size_t view)
-{
-    bool last = moves(w, view);
-    for (size_t i = view + 1; i < w->view_count; i++)
-        last = last && !moves(w, i);
-    return last;
-}
-
-/* The lowest view with a bead axis labels it for those above; without one, the row of beads has the numbers. */
-static bool labels_beads(const struct bead_movie_wants *w, size_t view)
-{
-    size_t best = w->view_count;
-    for (size_t i = 0; i < w->view_count; i++) {
-        if (has_bead_axis(w, i))
-            best = i;
-    }
-    for (size_t i = 0; best == w->view_count && i < w->view_count; i++)
-        best = shows_beads(w, i) ? i : best;
-    return view == best;
-}
-
-static bool labelled(const struct bead_movie_wants *w, const struct measures *m, size_t chain, size_t view)
-{
-    bool lowest = chain + 1 == w->chain_count;
-    if (!m->axes)
-        return false;
-    if (w->views[view]->info->across != BEAD_ACROSS_CHAIN)
-        return lowest;
-    if (moves(w, view))
-        return labels_window(w, view) && m->level < FEW_LABELS;
-    bool one_for_all = w->same_beads ? lowest : m->level < FEW_LABELS;
-    return labels_beads(w, view) && (one_for_all || shows_beads(w, view));
-}
-
-static int below(const struct bead_movie_wants *w, const struct measures *m, size_t chain, size_t view)
-{
-    if (!labelled(w, m, chain, view) || shows_beads(w, view))
-        return 0;
-    if (moves(w, view))
-        return whole(w->below_moving);
-    return whole(w->views[view]->info->across == BEAD_ACROSS_TIME ? w->below_time : w->below_beads);
-}
-
-/* Rows that follow the front show large beads and get the height these need, if there is room. */
-static double layout_share_of(const struct bead_movie_wants *w, size_t view)
-{
-    return (moves(w, view) && shows_beads(w, view) ? 1.5 : 1) * w->views[view]->info->movie_share;
-}
-
-static int layout_most_height(const struct bead_movie_wants *w, const struct measures *m, size_t view)
-{
-    if (moves(w, view) && shows_beads(w, view))
-        return whole((w->sensors || labels_window(w, view) ? 1.35 * w->look->tick : 0) +
-                     fmax(1.3 * w->bead_height, w->bead_height + w->look->gap));
-    return whole(w->views[view]->info->movie_most * m->width);
-}
-
-/* The least average height of a view: labels are left out before plots become too low to read. */
-static int least_height(const struct bead_movie_wants *w, const struct measures *m)
-{
-    int least = m->level == VIEWS_ONLY ? 1 : 12, readable = whole(1.6 * w->look->tick);
-    return m->level < FEW_LABELS && w->view_count > 1 && readable > least ? readable : least;
-}
-
-static struct bead_stack make_stack(const struct bead_movie_wants *w, const struct measures *m, struct bead_stack_reach *reach)
-{
-    struct bead_stack stack = {.rows = w->chain_count,
-                               .views = w->view_count,
-                               .heading = m->heading,
-                               .between_rows = m->chain_gap,
-                               .between_views = m->view_gap,
-                               .reach = reach};
-    for (size_t i = 0; i < w->chain_count * w->view_count; i++)
-        reach[i] = (struct bead_stack_reach){0, below(w, m, i / w->view_count, i % w->view_count)};
-    for (size_t v = 0; v < w->view_count; v++) {
-        int most = layout_most_height(w, m, v);
-        stack.share[v] = layout_share_of(w, v);
-        stack.most[v] = m->level < VIEWS_ONLY && most > 0 ? most : INFINITY;
-    }
-    return stack;
-}
-
-static void place_header(const struct bead_movie_wants *w, const struct measures *m, struct bead_movie_layout *layout)
-{
-    int right = m->left + m->width, top = m->margin, gap = whole(w->look->gap);
-    if (m->time_height == 0)
+    const struct bead_rect *first = &layout->chains[0].plot[0];
+    int left = first->x - (along(w, 0) ? layout->beyond[0] : 0), right = w->width - f->margin - f->right;
+    int gap = whole(w->look->gap);
+    int time = whole(w->time_width) < right - left ? whole(w->time_width) : right - left;
+    int y = f->margin + f->header - f->lines * f->line_height;
+    if (f->time_height == 0 || right <= left)
         return;
-    int time_width = whole(w->time_width) < m->width ? whole(w->time_width) : m->width;
-    layout->time = (struct bead_rect){m->left, top, time_width, m->time_height};
-    int x = m->stacked ? m->left : m->left + time_width + 2 * gap;
-    int y = m->stacked ? top + m->time_height : top;
-    if (right <= x)
-        return;
-    struct bead_rect line = {x, y, right - x, m->line_height};
-    if (w->title && m->level == EVERYTHING) {
+    if (level < BEAD_LEVEL_FEW_LABELS && !w->headings)
+        y -= whole(0.5 * w->look->gap);
+    layout->time = (struct bead_rect){left, f->margin, time, f->time_height};
+    layout->words_left = f->lying || w->width < w->time_width + 22 * w->look->label;
+    struct bead_rect line = {left, y, right - left, f->line_height};
+    if (f->title_beside)
+        layout->title = (struct bead_rect){left + time + 2 * gap, f->margin, right - left - time - 2 * gap, f->time_height};
+    else if (level == BEAD_LEVEL_EVERYTHING && w->title_width > 0) {
         layout->title = line;
         line.y += line.height;
     }
-    if (m->level == EVERYTHING) {
+    if (level == BEAD_LEVEL_EVERYTHING) {
         layout->facts = line;
         line.y += line.height;
     }
@@ -197,73 +123,154 @@ static void place_header(const struct bead_movie_wants *w, const struct measures
         layout->trust = line;
 }
 
-/* False: there is no room. */
-static bool place_chains(const struct bead_movie_wants *w, const struct measures *m, struct bead_stack_reach *reach,
-                         struct bead_movie_layout *layout)
+static void place_standing_bar(const struct bead_movie_wants *w, const struct frame *f, const struct bead_cells *cells,
+                               struct bead_movie_layout *layout)
 {
-    struct bead_stack stack = make_stack(w, m, reach);
-    int chains = (int)w->chain_count, room = (w->height - m->top - m->bottom - (int)bead_stack_fixed(&stack)) / chains;
-    if (room < least_height(w, m) * (int)w->view_count || m->width < (m->level == VIEWS_ONLY ? 1 : 80))
-        return false;
-    int spare = (room - bead_stack_divide(&stack, room)) * chains;
-    double y = m->top + spare / (2 * chains);
-    stack.between_rows += spare / chains;
-    for (size_t c = 0; c < w->chain_count; c++) {
-        struct bead_movie_chain *chain = &layout->chains[c];
-        struct bead_stack_places places;
-        y = bead_stack_row(&stack, c, y, &places) + stack.between_rows;
-        if (m->heading)
-            chain->heading = (struct bead_rect){m->left, places.heading, m->width, m->heading};
-        for (size_t v = 0; v < w->view_count; v++) {
-            if (stack.height[v] < 1)
-                return false;
-            chain->plot[v] = (struct bead_rect){m->left, places.plot[v], m->width, stack.height[v]};
-            chain->labels[v] = labelled(w, m, c, v);
-        }
+    int top = w->height, bottom = 0, pad = whole(0.6 * w->look->tick), x = w->width - f->margin - f->right + f->bar_gap;
+    for (size_t i = 0; i < layout->chain_count * w->view_count; i++) {
+        const struct bead_rect *plot = &layout->chains[i / w->view_count].plot[i % w->view_count];
+        top = plot->y < top ? plot->y : top;
+        bottom = plot->y + plot->height > bottom ? plot->y + plot->height : bottom;
     }
+    layout->bar_title = (struct bead_rect){x, cells->area.y, w->width - f->margin - x, f->line_height};
+    if (w->headings && cells->headings) /* on one line with these */
+        layout->bar_title.height = whole(1.45 * w->look->title);
+    int least = layout->bar_title.y + layout->bar_title.height;
+    top = (top > least ? top : least) + pad;
+    bottom -= pad;
+    if (bottom - top >= 8)
+        layout->bar = (struct bead_rect){x, top, f->bar_width, bottom - top};
+    else
+        layout->bar_title = (struct bead_rect){0};
+}
+
+/* Right of the clock, as far as there is room. */
+static void place_lying_bar(const struct bead_movie_wants *w, const struct frame *f, struct bead_movie_layout *layout)
+{
+    int pad = whole(1.2 * w->look->tick), title = whole(w->bar_title + 0.5 * w->look->gap), most = (int)(0.4 * w->width);
+    int right = w->width - f->margin - pad, left = layout->time.x + layout->time.width + whole(w->look->gap) + title + pad;
+    int length = right - left;
+    length = length < most ? length : most;
+    if (length < 4 * w->look->tick)
+        return;
+    layout->bar = (struct bead_rect){right - length, f->margin + whole(0.2 * w->look->tick), f->bar_width, 0};
+    layout->bar.height = layout->bar.width;
+    layout->bar.width = length;
+    layout->bar_title = (struct bead_rect){layout->bar.x - pad - title, f->margin, title, f->time_height};
+}
+
+/* ---- the choice ---- */
+
+static bool fits(const struct bead_movie_wants *w, enum bead_level level, enum bead_layout layout, size_t columns, bool share,
+                 struct bead_stack_reach *reach, struct bead_movie_layout *to)
+{
+    struct frame f = measure_frame(w, level);
+    struct bead_cells cells = make_cells(w, &f, level, layout, columns);
+    cells.share = share;
+    if (cells.area.height < 1 || !bead_cells_place(&cells, reach, to))
+        return false;
+    to->layout = layout;
+    to->axes = cells.axes;
+    to->titles = bead_level_titles(level);
+    to->label_lines = cells.label_lines;
+    to->overlay = bead_cells_overlay(&cells);
+    to->beyond[0] = cells.beyond[0];
+    to->beyond[1] = cells.beyond[1];
+    place_words(w, &f, level, to);
+    if (f.lying)
+        place_lying_bar(w, &f, to);
+    else if (has_bar(w, level))
+        place_standing_bar(w, &f, &cells, to);
+    if (f.caption > 0)
+        to->caption = (struct bead_rect){f.margin, w->height - f.margin - f.caption, w->width - 2 * f.margin, f.caption};
     return true;
 }
 
-static void place_bar(const struct bead_movie_wants *w, const struct measures *m, struct bead_movie_layout *layout)
+/* How far an arrangement is from what one would like; lower is better. */
+static double cost_of(const struct bead_movie_wants *w, enum bead_level level, enum bead_layout layout, size_t columns)
 {
-    if (!m->axes || w->colourless)
-        return;
-    const struct bead_rect *first = &layout->chains[0].plot[0];
-    const struct bead_rect *last = &layout->chains[w->chain_count - 1].plot[w->view_count - 1];
-    int pad = whole(0.5 * w->look->tick); /* half a label at both ends */
-    int from = first->y + pad, to = last->y + last->height - pad;
-    if (to - from >= 8)
-        layout->bar = (struct bead_rect){m->left + m->width + m->bar_gap, from, m->bar_width, to - from};
+    struct frame f = measure_frame(w, level);
+    struct bead_cells cells = make_cells(w, &f, level, layout, columns);
+    double width = (double)cells.area.width / (double)columns, height = fmax(1, (double)cells.area.height / (double)cells.rows);
+    double holes = (double)(cells.rows * columns - w->chain_count) / (double)w->chain_count;
+    return level_costs * level + fabs(log(width / (height * best_shape))) + hole_costs * holes;
 }
 
-/* Leaves out as little as possible. False: the frame is too small. */
-static bool layout_arrange(const struct bead_movie_wants *wants, struct bead_stack_reach *reach, struct bead_movie_layout *layout)
+/* Least and most columns of cells. */
+static void column_range(const struct bead_movie_wants *w, enum bead_layout layout, size_t range[2])
 {
-    for (enum level level = wants->axes ? EVERYTHING : VIEWS_ONLY; level < LEVELS; level++) {
-        struct measures m = layout_measure(wants, level);
-        if (wants->chain_count > 100000 || !place_chains(wants, &m, reach, layout))
-            continue;
-        layout->axes = m.axes;
-        layout->ticks_only = level == TIGHT;
-        place_header(wants, &m, layout);
-        place_bar(wants, &m, layout);
-        if (m.caption > 0)
-            layout->caption =
-                (struct bead_rect){m.margin, wants->height - m.margin - m.caption, wants->width - 2 * m.margin, m.caption};
-        return true;
+    size_t n = w->chain_count, most = n < MOST_COLUMNS ? n : MOST_COLUMNS, square = (size_t)ceil(sqrt((double)n) - 1e-9);
+    range[0] = 1;
+    range[1] = most;
+    if (layout == BEAD_LAYOUT_STACKED || layout == BEAD_LAYOUT_BESIDE)
+        range[1] = 1;
+    else if (layout == BEAD_LAYOUT_COLUMNS)
+        range[0] = range[1] = n;
+    else if (layout == BEAD_LAYOUT_GRID)
+        range[0] = range[1] = square;
+}
+
+/* A profile alone tells several chains apart only on one axis. */
+static enum bead_layout resolved(const struct bead_movie_wants *w)
+{
+    bool overlays = w->chain_count > 1 && w->chain_count <= 6 && !w->follow;
+    for (size_t v = 0; v < w->view_count; v++)
+        overlays = overlays && bead_view_has(w->views[v], BEAD_OVERLAYS);
+    return w->layout == BEAD_LAYOUT_AUTO && overlays ? BEAD_LAYOUT_OVERLAY : w->layout;
+}
+
+/* What a layout is called that has so many columns. */
+static enum bead_layout named(const struct bead_movie_wants *w, enum bead_layout layout, size_t columns)
+{
+    if (layout != BEAD_LAYOUT_AUTO)
+        return layout;
+    return columns == 1 ? BEAD_LAYOUT_STACKED : columns == w->chain_count ? BEAD_LAYOUT_COLUMNS : BEAD_LAYOUT_GRID;
+}
+
+static void forget(struct bead_movie_layout *layout)
+{
+    struct bead_movie_chain *chains = layout->chains;
+    size_t count = layout->chain_count;
+    for (size_t i = 0; i < count; i++)
+        chains[i] = (struct bead_movie_chain){.heading = {0}};
+    *layout = (struct bead_movie_layout){.chains = chains, .chain_count = count};
+}
+
+/* The best of all levels and numbers of columns. False: the frame is too small. */
+static bool choose(const struct bead_movie_wants *w, bool share, struct bead_stack_reach *reach, struct bead_movie_layout *layout)
+{
+    enum bead_layout asked = resolved(w);
+    size_t range[2], best = 0;
+    enum bead_level at = BEAD_LEVELS;
+    double least = INFINITY;
+    column_range(w, asked, range);
+    for (size_t columns = range[0]; columns <= range[1]; columns++) {
+        enum bead_layout name = named(w, asked, columns);
+        for (enum bead_level level = w->axes ? BEAD_LEVEL_EVERYTHING : BEAD_LEVEL_VIEWS_ONLY; level < BEAD_LEVELS; level++) {
+            forget(layout);
+            if (!fits(w, level, name, columns, share, reach, layout))
+                continue;
+            double cost = cost_of(w, level, name, columns);
+            best = cost < least ? columns : best;
+            at = cost < least ? level : at;
+            least = fmin(least, cost);
+            break;
+        }
     }
-    return false;
+    forget(layout);
+    return best > 0 && fits(w, at, named(w, asked, best), best, share, reach, layout);
 }
 
 enum bead_error bead_movie_arrange(const struct bead_movie_wants *wants, struct bead_movie_layout *layout, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
-    struct bead_stack_reach *reach = calloc(wants->chain_count * wants->view_count + 1, sizeof *reach);
+    /* Grids may have empty cells. */
+    struct bead_stack_reach *reach = calloc((2 * wants->chain_count + MOST_COLUMNS) * (wants->view_count + 1), sizeof *reach);
     *layout = (struct bead_movie_layout){.chain_count = wants->chain_count};
     layout->chains = calloc(wants->chain_count + 1, sizeof *layout->chains);
     if (!layout->chains || !reach)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a layout");
-    else if (!layout_arrange(wants, reach, layout))
+    else if (wants->chain_count > MOST_CHAINS || (!choose(wants, true, reach, layout) && !choose(wants, false, reach, layout)))
         err = bead_fail(msg, BEAD_ERROR_SCENE, "size: %d x %d pixels are too small for %zu views of %zu chains", wants->width,
                         wants->height, wants->view_count, wants->chain_count);
     if (err)

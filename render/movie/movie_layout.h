@@ -1,6 +1,11 @@
-/* Layout of a movie's frame: rectangles only. A heading and the views, stacked, for each chain; time and words above, a colour bar
- * at the right, captions at the bottom. Plots of all views have the same left and right edge. What does not fit is left out: words
- * first, then headings, axes, and last the time. Rectangles never overlap and never leave the frame. */
+/* Layout of a movie's frame: rectangles only. The clock and words above, captions at the bottom, a colour bar at the right or, in
+ * frames that are not wide, beside the clock. Between them cells, one for each chain: a heading and the chain's views, below each
+ * other. The cells stand below each other, side by side, or both; an overlay has one profile for all chains above the cells, and
+ * with `beside` the images of a cell stand at the right of its other views.
+ *
+ * The space-time images of up to four chains have BEAD_IMAGE_SHARE of the frame's area together, counted in pixels of the images,
+ * without axes and margins. What does not fit gives way, in this order: facts, title, titles of axes and gaps, labels of vertical
+ * axes, headings, axes, clock. Rectangles never overlap and never leave the frame. */
 #ifndef BEADREEL_RENDER_MOVIE_MOVIE_LAYOUT_H
 #define BEADREEL_RENDER_MOVIE_MOVIE_LAYOUT_H
 
@@ -10,39 +15,58 @@
 #include "beadreel/error.h"
 #include "beadreel/frame.h"
 #include "beadreel/look.h"
+#include "beadreel/scene.h"
 #include "beadreel/view.h"
 #include "render/view/stack.h"
+
+#define BEAD_IMAGE_SHARE 0.35
 
 /* What is to be arranged; lengths in px. */
 struct bead_movie_wants {
     int width, height;
     const struct bead_look *look;
+    enum bead_layout layout;
     size_t chain_count;
     const struct bead_view_type *views[BEAD_STACK_VIEWS];
     size_t view_count;
-    bool axes; /* false: nothing but the views */
-    bool title, headings;
-    bool trust;                                              /* a line about the horizon, left out after the other words */
-    int caption_lines;                                       /* reserved at the bottom */
-    double caption_line;                                     /* height of one */
-    bool follow;                                             /* beads and profiles follow the front, with bead axes of their own */
-    bool sensors;                                            /* some bead has a sensor, whose name is shown */
-    double bead_height;                                      /* of the largest bead in a row that moves */
-    bool colourless;                                         /* no view shows values as colours: no bar */
-    bool same_beads;                                         /* all chains have the same bead axis: only the lowest is labelled */
-    double time_width;                                       /* of the widest time that is shown */
-    double left, below_beads, below_moving, below_time, bar; /* how far the axes reach out of plots, and the bar's out of the bar */
+    bool axes;     /* false: nothing but the views */
+    bool headings; /* some chain has one */
+    double
+        heading_width;   /* of the widest with its label beside the name; where cells are narrower, it stands below. 0: no labels */
+    bool trust;          /* a line about the horizon, left out after the other words */
+    int caption_lines;   /* reserved at the bottom */
+    double caption_line; /* height of one */
+    bool follow;         /* beads and profiles follow the front, with bead axes of their own */
+    bool sensors;        /* some bead has a sensor, whose name is shown */
+    double bead_height;  /* of the largest bead in a row that moves, in a plot as wide as the frame */
+    bool striker, wall;  /* some chain has one, which needs room beside its beads */
+    size_t beads;        /* of the longest chain, in units of the mean distance of its beads */
+    bool colourless;     /* no view shows values as colours: no bar */
+    bool same_beads;     /* all chains have the same bead axis: only the lowest is labelled */
+    double time_width;   /* of the widest time that is shown */
+    double title_width;  /* of the title; 0: none */
+    double left;         /* how far ticks and labels of vertical axes reach out of plots */
+    double below_beads, below_moving, below_time; /* axes below plots, with their titles */
+    double bar, bar_below, bar_title;             /* ticks and labels beside the bar, below it; the width of its title */
 };
 
 struct bead_movie_chain {
     struct bead_rect heading; /* width 0: none, also below */
     struct bead_rect plot[BEAD_STACK_VIEWS];
-    bool labels[BEAD_STACK_VIEWS]; /* this view labels the bead axis (sensors: the time axis) */
+    bool labels[BEAD_STACK_VIEWS]; /* this view labels its horizontal axis */
+    bool values[BEAD_STACK_VIEWS]; /* and its vertical one */
 };
 
 struct bead_movie_layout {
-    bool axes, ticks_only; /* vertical axes without labels */
-    struct bead_rect time, title, facts, trust, bar, caption;
+    enum bead_layout layout; /* never AUTO */
+    bool axes;
+    bool titles;      /* of vertical axes are shown */
+    bool label_lines; /* headings have two lines */
+    int beyond[2];    /* px that panels reach beyond the plots along chains, left and right */
+    size_t overlay;   /* the view that shows all chains in the plot of the first; view_count: none */
+    struct bead_rect time, title, facts, trust, caption;
+    struct bead_rect bar, bar_title; /* a bar that is wider than high lies, with its low end at the left */
+    bool words_left;                 /* title and facts stand below the clock, from the left; else at the right */
     struct bead_movie_chain *chains; /* of the layout */
     size_t chain_count;
 };

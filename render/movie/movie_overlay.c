@@ -1,4 +1,4 @@
-/* What changes around the views: time, line about the horizon, caption, ends of the colour bar. The composer updates it after the
+/* What changes around the views: time, line about the horizon, caption; and the colour bar. The composer updates it after the
  * views. */
 #include <math.h>
 #include <stdio.h>
@@ -6,36 +6,37 @@
 
 #include "render/movie/captions.h"
 #include "render/movie/composer_private.h"
+#include "render/view/panel.h"
 #include "render/view/trust_words.h"
+
+void bead_composer_bar_title(const struct bead_composer *c, char *out, size_t size)
+{
+    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->shown.field);
+    struct bead_axis axis;
+    bead_axis_make(&axis, c->colours.low, c->colours.high, field->unit, c->colours.scale, c->setup.height, c->look.tick, false);
+    bead_axis_title(&axis, bead_field_short(field), out, size);
+}
 
 void bead_overlay_draw_bar(struct bead_composer *c, cairo_t *cr)
 {
     const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->shown.field);
-    if (c->layout.bar.width > 0)
-        bead_colour_bar_draw(cr, &c->look, &c->colours, field->unit, field->title, c->layout.bar, c->bar_over, c->bar_under);
-}
-
-/* The bar gets pointed ends once values beyond its range have appeared. */
-void bead_overlay_bar(struct bead_composer *c, struct bead_changes *changes)
-{
-    const struct bead_rect *bar = &c->layout.bar;
-    if (bar->width == 0 || (c->over == c->bar_over && c->under == c->bar_under))
+    const struct bead_rect *bar = &c->layout.bar, *title = &c->layout.bar_title;
+    bool lies = bar->width > bar->height;
+    char markup[256];
+    struct bead_text_style style = {.family = c->look.family,
+                                    .size = c->look.label,
+                                    .colour = c->look.ink,
+                                    .across = lies ? BEAD_ALIGN_END : BEAD_ALIGN_START,
+                                    .down = BEAD_ALIGN_MIDDLE};
+    if (bar->width == 0)
         return;
-    c->bar_over = c->over;
-    c->bar_under = c->under;
-    int pad = 2 * bar->width, x = bar->x - bar->width / 2, y = bar->y - pad > 0 ? bar->y - pad : 0;
-    int bottom = bar->y + bar->height + pad < c->frame.height ? bar->y + bar->height + pad : c->frame.height;
-    struct bead_rect rect = {x, y, c->frame.width - x, bottom - y};
-    cairo_save(c->cr);
-    cairo_rectangle(c->cr, rect.x, rect.y, rect.width, rect.height);
-    cairo_clip(c->cr);
-    cairo_set_source_rgb(c->cr, c->look.background.r, c->look.background.g, c->look.background.b);
-    cairo_paint(c->cr);
-    bead_overlay_draw_bar(c, c->cr);
-    cairo_restore(c->cr);
-    cairo_surface_flush(c->surface);
-    bead_frame_copy(&c->background, &c->frame, rect);
-    bead_changes_add(changes, rect);
+    bead_composer_bar_title(c, markup, sizeof markup);
+    bead_text_draw(cr, &style, lies ? title->x + title->width : title->x,
+                   lies ? bar->y + 0.5 * bar->height : title->y + 0.5 * title->height, markup);
+    if (lies)
+        bead_colour_bar_draw_lying(cr, &c->look, &c->colours, field->unit, *bar, c->setup.over, c->setup.under);
+    else
+        bead_colour_bar_draw(cr, &c->look, &c->colours, field->unit, NULL, *bar, c->setup.over, c->setup.under);
 }
 
 /* Redraws the time if its text has changed. */
@@ -89,7 +90,7 @@ void bead_overlay_trust(struct bead_composer *c, double time, struct bead_change
     cairo_save(c->cr);
     cairo_rectangle(c->cr, rect.x, rect.y, rect.width, rect.height);
     cairo_clip(c->cr);
-    bead_trust_draw(c->cr, &c->look, &trust, rect, rect.x > c->layout.time.x);
+    bead_trust_draw(c->cr, &c->look, &trust, rect, !c->layout.words_left);
     cairo_restore(c->cr);
     cairo_surface_flush(c->surface);
     bead_changes_add(changes, rect);

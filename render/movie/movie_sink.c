@@ -168,12 +168,20 @@ static enum bead_error movie_create(const struct bead_output *output, const stru
     return err;
 }
 
+/* The range of the values: for the colours, and for the ends of their bar, which say from the first frame on whether there are
+ * values beyond a range that the scene gives. */
+static bool needs_range(const struct bead_output *output)
+{
+    bool bar = output->views.axes && bead_views_any(output->views.kinds, output->views.count, BEAD_SHOWS_COLOURS);
+    return bar || isnan(output->colours.range[0]) || isnan(output->colours.range[1]);
+}
+
 static void movie_needs(const struct bead_sink *s, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){.fields = s->fields,
                                  .beads = {s->output->shown.beads.first, s->last_bead},
                                  .grid = s->times.grid,
-                                 .range = isnan(s->output->colours.range[0]) || isnan(s->output->colours.range[1]),
+                                 .range = needs_range(s->output),
                                  .range_field = s->output->shown.field,
                                  .comparison = s->comparison,
                                  .until = s->times.time[1],
@@ -338,6 +346,8 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
         &s->output->colours, bead_chain_signed(s->context.chains[0], s->output->shown.field), range.low, range.high);
     setup.range[0] = colours.low;
     setup.range[1] = colours.high;
+    setup.over = colours.over;
+    setup.under = colours.under;
     enum bead_error err = bead_composer_create(&setup, &s->composer, msg);
     struct bead_movie_settings settings = movie_settings_of(s);
     if (!err && s->poster_path)

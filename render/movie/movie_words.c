@@ -12,16 +12,17 @@
 #define FIGURE_SPACE "\u2007"
 #define ELLIPSIS     "\u2026"
 
+/* The second line of a heading, in units of the label's font size. */
+static const double heading_line = 1.35;
+/* Its first: in units of the title's font size, and of the look's gap between its parts. */
+static const double heading_size = 1.1, heading_gap = 1.2, smallest_name = 0.6;
+
 struct bead_clock bead_clock_make(double end, double step, const char *unit)
 {
-    static const struct {
-        double unit;
-        const char *sign;
-    } units[] = {{1, "s"}, {1e-3, "ms"}, {1e-6, "\u00b5s"}, {1e-9, "ns"}};
-    size_t u = 0;
-    while (*unit && u < 3 && !(end >= 0.0995 * units[u].unit))
-        u++;
-    struct bead_clock clock = {units[u].unit, *unit ? units[u].sign : "", 1, 0};
+    int exponent = bead_prefix_exponent(end, unit);
+    struct bead_clock clock = {.unit = bead_power_of_ten(exponent), .digits = 1};
+    if (*unit)
+        snprintf(clock.sign, sizeof clock.sign, "%s%s", bead_prefix_sign(exponent), unit);
     double most = fabs(end) / clock.unit, small = step / clock.unit;
     clock.digits = most >= 1 ? 1 + (int)fmin(9, floor(log10(most + 1e-9))) : 1;
     clock.decimals = small > 0 ? (int)fmax(0, fmin(4, ceil(-log10(small) - 1e-9))) : 0;
@@ -119,20 +120,22 @@ void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size)
 
 enum { MOST_FACTS = 3 };
 
+/* "1 s of film = 0.28 ms", in the unit of the clock; equations have times without a unit. */
+static void say_speed(const struct bead_facts *facts, char *out, size_t size)
+{
+    char number[64];
+    bead_round_number(1 / facts->slowed / facts->clock.unit, number, sizeof number);
+    snprintf(out, size, "1\u00a0s of film = %s\u00a0%s", number, facts->clock.sign[0] ? facts->clock.sign : "time units");
+}
+
 static size_t words_gather(const struct bead_facts *facts, char text[MOST_FACTS][256])
 {
     char number[64];
     size_t count = 0;
-    bool slower = facts->slowed >= 1;
-    bool plain = !*bead_chain_time_unit(facts->chains[0]); /* times of equations have no unit: they are neither slower nor faster */
-    bead_round_number(slower && !plain ? facts->slowed : 1 / facts->slowed, number, sizeof number);
-    if (plain)
-        snprintf(text[count++], 256, "a time of %s in 1 s", number);
-    else
-        snprintf(text[count++], 256, "%s %s \u00d7", slower ? "slowed" : "sped up", number);
-    if (facts->magnify > 0) {
+    say_speed(facts, text[count++], 256);
+    if (facts->magnify > 0 && facts->magnify != 1) {
         bead_round_number(facts->magnify, number, sizeof number);
-        snprintf(text[count++], 256, "displacements \u00d7 %s", number);
+        snprintf(text[count++], 256, "displacements \u00d7\u00a0%s", number);
     }
     bead_facts_chain(facts, text[count], 256);
     return count + (text[count][0] != '\0');
@@ -215,14 +218,59 @@ bool bead_heading_has(const struct bead_chain *chain)
     return bead_chain_name(chain)[0] || bead_chain_spins(chain)[0] || (spec->label && spec->label[0]);
 }
 
-void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_chain *chain, struct bead_rect rect)
+/* The label beside the name or below it, a little smaller if need be. */
+static void draw_label(cairo_t *cr, const struct bead_look *look, const char *label, double size, double x, double y, double room)
 {
-    const struct bead_chain_spec *spec = bead_chain_spec(chain);
-    const double size = fmin(1.1 * look->title, 0.75 * rect.height), part = size / (1.1 * look->title); /* in low rows smaller */
-    struct bead_text_style style = {look->family, size, look->ink, true, BEAD_ALIGN_START, BEAD_ALIGN_BASELINE, false};
-    double x = rect.x, y = rect.y + 0.5 * rect.height + 0.36 * style.size, gap = 1.6 * look->gap, width, height;
+    static const double sizes[] = {1, 0.85};
     char markup[2048];
-    if (bead_chain_name(chain)[0]) {
+    double width, height;
+    bead_text_escape(label, markup, sizeof markup);
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        struct bead_text_style style = {look->family,     sizes[i] * size,     look->faint, false,
+                                        BEAD_ALIGN_START, BEAD_ALIGN_BASELINE, false};
+        bead_text_size(cr, &style, markup, &width, &height);
+        if (width > room)
+            continue;
+        bead_text_draw(cr, &style, x, y, markup);
+        return;
+    }
+}
+
+double bead_heading_width(const struct bead_look *look, const struct bead_chain *chain)
+{
+    const char *label = bead_chain_spec(chain)->label;
+    struct bead_text_style style = {.family = look->family, .size = heading_size * look->title, .bold = true};
+    char markup[2048];
+    double gap = heading_gap * look->gap, width, height, all = 0;
+    if (!label || !label[0])
+        return 0;
+    bead_text_escape(bead_chain_name(chain), markup, sizeof markup);
+    bead_text_size(NULL, &style, markup, &width, &height);
+    all += *markup ? width + gap : 0;
+    bead_text_magnetism(bead_chain_magnetism(chain), markup, sizeof markup);
+    style.bold = false;
+    bead_text_size(NULL, &style, markup, &width, &height);
+    all += bead_chain_spins(chain)[0] ? width + gap : 0;
+    style.size = look->label;
+    bead_text_escape(label, markup, sizeof markup);
+    bead_text_size(NULL, &style, markup, &width, &height);
+    return all + width + 1;
+}
+
+void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect)
+{
+    const struct bead_chain *chain = heading->chain;
+    const char *label = bead_chain_spec(chain)->label;
+    const double under = heading->lines ? heading_line * look->label : 0, line = rect.height - under;
+    const double size = fmin(heading_size * look->title, 0.75 * line),
+                 part = size / (heading_size * look->title); /* in low rows smaller */
+    struct bead_text_style style = {look->family, size, heading->colour, true, BEAD_ALIGN_START, BEAD_ALIGN_BASELINE, false};
+    double x = rect.x, y = rect.y + 0.5 * line + 0.36 * style.size, gap = heading_gap * look->gap, width, height;
+    char markup[2048];
+    if (bead_chain_name(chain)[0]) { /* long names are set smaller before they are cut */
+        bead_text_escape(bead_chain_name(chain), markup, sizeof markup);
+        bead_text_size(cr, &style, markup, &width, &height);
+        style.size *= fmin(1, fmax(smallest_name, 0.98 * rect.width / fmax(1, width)));
         width = fit(cr, &style, bead_chain_name(chain), rect.width, markup, sizeof markup);
         bead_text_draw(cr, &style, x, y, markup);
         x += width + gap;
@@ -237,12 +285,9 @@ void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct b
             x += width + gap;
         }
     }
-    if (spec->label && spec->label[0]) {
-        struct bead_text_style small = {look->family,     part * look->label,  look->faint, false,
-                                        BEAD_ALIGN_START, BEAD_ALIGN_BASELINE, false};
-        fit(cr, &small, spec->label, fmax(0, rect.x + rect.width - x), markup, sizeof markup);
-        bead_text_draw(cr, &small, x, y, markup);
-    }
+    x = heading->lines ? rect.x : x;
+    if (label && label[0])
+        draw_label(cr, look, label, part * look->label, x, y + under, rect.x + rect.width - x);
 }
 
 enum { MOST_WORDS = 3, LONGEST = 32 * 1024 + 1 };
@@ -275,21 +320,17 @@ static void card_plain(struct card *c, const char *plain, double size, bool bold
     card_line(c, markup, size, bold, colour);
 }
 
-/* "Shown 3 600 times slower: 1 ms takes 3.6 s" */
+/* "1 s of film = 0.28 ms, 3 600 times slower" */
 static void say_slowness(const struct bead_facts *facts, char *out, size_t size)
 {
-    char factor[64], motion[48], film[48];
-    const char *second = bead_chain_time_unit(facts->chains[0]);
+    char factor[64], speed[128];
     bool slower = facts->slowed >= 1;
-    double unit = pow(10, floor(log10(5 / facts->slowed))); /* takes from 0.5 to 5 s */
+    say_speed(facts, speed, sizeof speed);
     bead_round_number(slower ? facts->slowed : 1 / facts->slowed, factor, sizeof factor);
-    bead_quantity(unit, second, 1, motion, sizeof motion);
-    bead_quantity(unit * facts->slowed, "s", 2, film, sizeof film);
-    if (!*second) {
-        snprintf(out, size, "A time of %s takes %s", motion, film);
-        return;
-    }
-    snprintf(out, size, "Shown %s times %s: %s takes %s", factor, slower ? "slower" : "faster", motion, film);
+    if (facts->clock.sign[0])
+        snprintf(out, size, "%s, %s times %s", speed, factor, slower ? "slower" : "faster");
+    else
+        snprintf(out, size, "%s", speed);
 }
 
 static size_t card_words(const struct bead_facts *facts, char words[MOST_WORDS][256])
@@ -326,7 +367,8 @@ static void card_chains(struct card *c, const struct bead_facts *facts, double r
             return;
         }
         struct bead_rect rect = {(int)c->left, (int)c->y, (int)c->width, (int)step};
-        bead_heading_draw(c->cr, look, facts->chains[i], rect);
+        struct bead_heading heading = {facts->chains[i], look->ink, false};
+        bead_heading_draw(c->cr, look, &heading, rect);
         c->y += step;
         shown++;
     }

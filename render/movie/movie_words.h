@@ -9,10 +9,10 @@
 #include "beadreel/frame.h"
 #include "beadreel/look.h"
 
-/* How times are written: always the same unit and width. */
+/* How times are written: in the unit of the picture's axes of time, always with the same width. */
 struct bead_clock {
-    double unit; /* s */
-    const char *sign;
+    double unit;   /* s */
+    char sign[16]; /* "ms"; "": times have no unit */
     int digits, decimals;
 };
 
@@ -24,7 +24,8 @@ struct bead_text_style bead_clock_style(const struct bead_look *look);
 
 /* Facts about the whole picture. */
 struct bead_facts {
-    double slowed;  /* s of the film for one of the motion */
+    double slowed; /* s of the film for one of the motion */
+    struct bead_clock clock;
     double magnify; /* 0: displacements are not shown */
     const struct bead_chain *const *chains;
     size_t chain_count;
@@ -36,8 +37,16 @@ void bead_facts_draw(cairo_t *cr, const struct bead_look *look, const struct bea
 /* A line of text, cut with an ellipsis. */
 void bead_line_draw(cairo_t *cr, struct bead_text_style style, const char *plain, struct bead_rect rect);
 /* Name, M and label of a chain. */
+struct bead_heading {
+    const struct bead_chain *chain;
+    struct bead_rgb colour; /* of the name */
+    bool lines;             /* two: the label stands below the name */
+};
 bool bead_heading_has(const struct bead_chain *chain);
-void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_chain *chain, struct bead_rect rect);
+/* px, of one line; 0: there is no label. */
+double bead_heading_width(const struct bead_look *look, const struct bead_chain *chain);
+/* A label that does not fit is left out. */
+void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
 
 /* ---- the title card: what is to be seen, and how slowly ---- */
 

@@ -85,8 +85,10 @@ void bead_beads_divide(struct bead_view *v)
     v->strip = diameter < strip_below;
     v->lens = (struct bead_window){.scale = 0};
     double row = v->strip ? fmax(8, 0.9 * look->tick) : ceil(diameter + fmax(4, 0.9 * diameter)), zoom = round(1.2 * look->gap);
+    /* Only waves in beads at rest have a front to follow. */
     double height = v->plot.height - top - row - zoom, large = fmin(large_share * height, v->plot.width / most_across);
-    bool worth = large > fmax(14, 1.7 * diameter) && v->plot.width / large < 0.8 * (double)v->count;
+    bool worth = !bead_chain_spec(v->setup.chain)->equation.name && large > fmax(14, 1.7 * diameter) &&
+                 v->plot.width / large < 0.8 * (double)v->count;
     if (diameter >= 1.25 * look->label || !worth) {
         only_row(v, scale, top);
         row = fmin(2.2 * row, v->row.rect.height);

@@ -186,7 +186,8 @@ void bead_curve_draw(const struct bead_curve *curve, struct bead_rect rect, int 
     struct pen pen;
     if (curve->count < 2)
         return;
-    bead_frame_copy(frame, background, (struct bead_rect){rect.x + from, rect.y, to - from, rect.height});
+    if (background)
+        bead_frame_copy(frame, background, (struct bead_rect){rect.x + from, rect.y, to - from, rect.height});
     make_pen(curve, &pen);
     set_colours(curve, &columns);
     const int offset = (rect.x + from) % GROUP; /* no vector reaches into another row */

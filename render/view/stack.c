@@ -19,28 +19,44 @@ double bead_stack_fixed(const struct bead_stack *s)
     return height;
 }
 
+/* What remains of the room, and of the shares, for the views without a height of their own. */
+static double remaining(const struct bead_stack *s, const bool *settled, double room, double *shares)
+{
+    *shares = 0;
+    for (size_t v = 0; v < s->views; v++) {
+        *shares += settled[v] ? 0 : s->share[v];
+        room -= settled[v] ? s->height[v] : 0;
+    }
+    return fmax(0, room);
+}
+
+/* Gives the views that would get less than is promised, or else those that would get more than they can use, that much: true if
+ * there was one. */
+static bool settle(struct bead_stack *s, bool *settled, double room, bool promises)
+{
+    double shares, left = remaining(s, settled, room, &shares);
+    bool any = false;
+    for (size_t v = 0; v < s->views; v++) {
+        double part = left * s->share[v] / shares;
+        if (settled[v] || (promises ? part >= s->least[v] : floor(part) <= s->most[v]))
+            continue;
+        settled[v] = any = true;
+        s->height[v] = (int)(promises ? ceil(s->least[v]) : floor(s->most[v]));
+    }
+    return any;
+}
+
 int bead_stack_divide(struct bead_stack *s, double room)
 {
-    bool limited[BEAD_STACK_VIEWS] = {false};
-    for (bool again = true; again;) {
-        double shares = 0, left = room;
-        again = false;
-        for (size_t v = 0; v < s->views; v++) {
-            shares += limited[v] ? 0 : s->share[v];
-            left -= limited[v] ? s->height[v] : 0;
-        }
-        for (size_t v = 0; v < s->views; v++) {
-            double part = left * s->share[v] / shares;
-            if (limited[v])
-                continue;
-            limited[v] = floor(part) > s->most[v];
-            again = again || limited[v];
-            s->height[v] = (int)floor(limited[v] ? s->most[v] : part);
-        }
-    }
+    bool settled[BEAD_STACK_VIEWS] = {false};
+    while (settle(s, settled, room, true) || settle(s, settled, room, false))
+        ;
+    double shares, left = remaining(s, settled, room, &shares);
     int used = 0;
-    for (size_t v = 0; v < s->views; v++)
+    for (size_t v = 0; v < s->views; v++) {
+        s->height[v] = settled[v] ? s->height[v] : (int)floor(left * s->share[v] / shares);
         used += s->height[v];
+    }
     return used;
 }
 

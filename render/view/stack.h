@@ -20,6 +20,7 @@ struct bead_stack {
     const struct bead_stack_reach *reach;        /* [rows * views], borrowed */
     double share[BEAD_STACK_VIEWS];              /* of the height of all plots of a row */
     double most[BEAD_STACK_VIEWS];               /* px that a view can use; INFINITY: any height */
+    double least[BEAD_STACK_VIEWS];              /* px that it must have, not above `most`; 0: nothing is promised to it */
 
     int height[BEAD_STACK_VIEWS]; /* px, of the plots of each view, by bead_stack_divide */
 };
@@ -31,7 +32,8 @@ struct bead_stack_places {
 
 /* px of all rows that are not plots. */
 double bead_stack_fixed(const struct bead_stack *stack);
-/* Divides `room`, px for the plots of one row, by the shares; what a view cannot use goes to the others. Returns what is used. */
+/* Divides `room`, px for the plots of one row, by the shares. A view with a promise gets that first; what a view cannot use goes to
+ * the others. Returns what is used: more than `room` where it does not hold what is promised. */
 int bead_stack_divide(struct bead_stack *stack, double room);
 /* The row whose heading begins at `y`. Returns the y below its last axis. */
 double bead_stack_row(const struct bead_stack *stack, size_t row, double y, struct bead_stack_places *places);

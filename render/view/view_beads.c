@@ -120,8 +120,8 @@ static enum bead_error beads_create(const struct bead_view_setup *setup, struct 
 
 static enum bead_error beads_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg)
 {
-    int left = 0, right = 0;
-    if (v->setup.axes)
+    int left = v->setup.beyond[0], right = v->setup.beyond[1];
+    if (v->setup.axes && v->setup.titles == BEAD_TITLES_BESIDE)
         bead_beads_margins(&v->look, &left, &right);
     left = left < plot.x ? left : plot.x;
     v->plot = plot;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "render/draw/raster.h"
+#include "render/view/panel.h"
 #include "render/view/views.h"
 
 /* Width of a bar as a part of its room; end of the axis, in units of the initial energy. */
@@ -69,16 +70,14 @@ static enum bead_error modes_decorate(struct bead_view *v, cairo_t *cr, struct b
 {
     struct bead_axis numbers;
     (void)msg;
-    cairo_set_source_rgb(cr, v->look.panel.r, v->look.panel.g, v->look.panel.b);
-    cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
-    cairo_fill(cr);
+    bead_panel_fill(cr, &v->setup, v->plot);
     if (!v->setup.axes)
         return BEAD_OK;
     if (!v->look.dark)
         bead_box_draw(cr, &v->look, v->plot);
-    bead_axis_draw(cr, &v->look, &v->axis, v->plot, BEAD_SIDE_LEFT, false, true, "energy share");
+    bead_panel_axis(cr, &v->setup, &v->axis, v->plot, false, "energy share");
     bead_axis_make(&numbers, 0.5, (double)v->modes + 0.5, "1", BEAD_SCALE_LINEAR, v->plot.width, v->look.tick, true);
-    bead_axis_draw(cr, &v->look, &numbers, v->plot, BEAD_SIDE_BOTTOM, false, v->setup.bead_labels, "mode");
+    bead_panel_chain_axis(cr, &v->setup, &numbers, v->plot, v->setup.bead_labels ? "mode" : NULL);
     return BEAD_OK;
 }
 

@@ -1,4 +1,5 @@
-/* View: the field along the chain, as a line over a filled area. */
+/* View: the field along the chain, as a line over a filled area. The view of one chain can draw those of others with its own, on
+ * one axis. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,13 +7,14 @@
 #include "render/draw/chain_axis.h"
 #include "render/view/camera.h"
 #include "render/view/moving_labels.h"
+#include "render/view/panel.h"
 #include "render/view/profile_scan.h"
 #include "render/view/views.h"
 
 /* Heights are rounded to this fraction of a pixel; smaller motion is not redrawn. */
 static const double steps_per_pixel = 32;
-static const double area_alpha = 0.26;
-enum { MOST_SPANS = 8, MERGE_GAP = 12 };
+static const double area_alpha = 0.26, shared_alpha = 0.12;
+enum { MOST_SPANS = 8, MERGE_GAP = 12, MOST_OTHERS = 15 };
 
 struct bead_view {
     struct bead_view_setup setup;
@@ -26,7 +28,11 @@ struct bead_view {
     size_t from, to;      /* values in the plot, and one more on each side; `to` exclusive */
     struct bead_moving_labels *labels;
     struct bead_axis axis;
-    double base; /* value that the area reaches to */
+    double base;                           /* value that the area reaches to */
+    double ends[2];                        /* of the axis along the chain, in its units */
+    struct bead_view *others[MOST_OTHERS]; /* borrowed: drawn with this one */
+    size_t other_count;
+    uint8_t *changed; /* [plot.width]: columns to be drawn again */
     struct bead_rect plot;
     bool drawn;
 };
@@ -46,6 +52,7 @@ static void profile_destroy(struct bead_view *v)
     free(v->y);
     free(v->old_y);
     free(v->place);
+    free(v->changed);
     bead_moving_labels_destroy(v->labels);
     free(v);
 }
@@ -130,33 +137,74 @@ static void profile_follow(struct bead_view *v)
     v->left = left;
 }
 
+/* Curve `k` of the plot: the view's own, then the others'. */
+static struct bead_view *curve_at(struct bead_view *v, size_t k)
+{
+    return k == 0 ? v : v->others[k - 1];
+}
+
+static enum bead_error profile_overlay(struct bead_view *v, struct bead_view *other, struct bead_message *msg)
+{
+    if (v->other_count == MOST_OTHERS)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "an overlay shows at most %d chains", MOST_OTHERS + 1);
+    v->others[v->other_count++] = other;
+    return BEAD_OK;
+}
+
+static struct bead_chain_axis profile_along(const struct bead_view *v)
+{
+    return bead_chain_axis(v->setup.chain, bead_field_info(v->setup.field)->of_contacts);
+}
+
+/* The axis that all curves have room on. */
+static void profile_find_ends(struct bead_view *v)
+{
+    v->ends[0] = INFINITY;
+    v->ends[1] = -INFINITY;
+    for (size_t k = 0; k <= v->other_count; k++) {
+        const struct bead_view *curve = curve_at(v, k);
+        const struct bead_chain_axis along = profile_along(curve);
+        v->ends[0] = fmin(v->ends[0], along.first + ((double)curve->first - 0.5) * along.spacing);
+        v->ends[1] = fmax(v->ends[1], along.first + ((double)(curve->first + curve->count) - 0.5) * along.spacing);
+    }
+}
+
+/* Where the values stand on the axis of the view that draws them, `on`. */
+static void profile_spread(struct bead_view *v, const struct bead_view *on)
+{
+    const struct bead_chain_axis along = profile_along(v);
+    v->plot = on->plot;
+    profile_make_axis(v);
+    for (size_t i = 0; i < v->count; i++) {
+        double value = along.first + (double)(v->first + i) * along.spacing;
+        v->x[i] = (float)((value - on->ends[0]) / (on->ends[1] - on->ends[0]) * on->plot.width);
+        if (on->other_count == 0) /* without rounding */
+            v->x[i] = (float)(((double)i + 0.5) * on->plot.width / (double)v->count);
+    }
+    if (v->count == 1) /* a level line */
+        v->x[0] = 0;
+}
+
 static enum bead_error profile_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas,
                                      struct bead_message *msg)
 {
     (void)canvas;
-    (void)msg;
     v->plot = plot;
-    profile_make_axis(v);
+    v->changed = calloc((size_t)plot.width + 1, 1);
+    if (!v->changed)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a profile");
+    profile_find_ends(v);
+    for (size_t k = 0; k <= v->other_count; k++)
+        profile_spread(curve_at(v, k), v);
     if (v->setup.camera)
         profile_find_places(v);
-    for (size_t i = 0; i < v->count; i++)
-        v->x[i] = (float)(((double)i + 0.5) * plot.width / (double)v->count);
-    if (v->count == 1) { /* a level line */
-        v->x[0] = 0;
-    }
     return BEAD_OK;
 }
 
 /* Numbers below the plot that move with the camera; the title stands to their left. */
 static enum bead_error move_labels(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
-    struct bead_text_style style = {.family = v->look.family,
-                                    .size = 0.95 * v->look.tick,
-                                    .colour = v->look.faint,
-                                    .across = BEAD_ALIGN_END,
-                                    .down = BEAD_ALIGN_BASELINE};
-    const char *name = bead_field_info(v->setup.field)->of_contacts ? "contact" : "bead";
-    bead_text_draw(cr, &style, v->plot.x - 0.4 * v->look.tick, v->plot.y + v->plot.height + 1.38 * v->look.tick, name);
+    bead_panel_name(cr, &v->setup, v->plot, bead_field_info(v->setup.field)->of_contacts ? "contact" : "bead");
     struct bead_rect strip = {v->plot.x, v->plot.y + v->plot.height, v->plot.width, (int)ceil(1.8 * v->look.tick)};
     double width = bead_camera_width(v->setup.camera);
     enum bead_error err = bead_moving_labels_create(&v->look, strip, v->plot.width / width, &v->labels, msg);
@@ -166,25 +214,23 @@ static enum bead_error move_labels(struct bead_view *v, cairo_t *cr, struct bead
 static enum bead_error profile_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
     const struct bead_look *look = &v->look;
+    struct bead_rect panel = bead_panel_rect(&v->setup, v->plot);
     double y = v->plot.y + profile_y_of(v, v->base);
-    cairo_set_source_rgb(cr, look->panel.r, look->panel.g, look->panel.b);
-    cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
-    cairo_fill(cr);
+    bead_panel_fill(cr, &v->setup, v->plot);
     cairo_set_source_rgba(cr, look->faint.r, look->faint.g, look->faint.b, 0.35);
-    cairo_rectangle(cr, v->plot.x, round(y - 0.5 * look->line), v->plot.width, fmax(1, look->line));
+    cairo_rectangle(cr, panel.x, round(y - 0.5 * look->line), panel.width, fmax(1, look->line));
     cairo_fill(cr);
     if (!v->setup.axes)
         return BEAD_OK;
     const struct bead_field_info *field = bead_chain_field(v->setup.chain, v->setup.field);
-    const char *title = strrchr(field->title, ' '); /* short: "force" for "bead force" */
-    bead_axis_draw(cr, look, &v->axis, v->plot, BEAD_SIDE_LEFT, false, !v->setup.ticks_only, title ? title + 1 : field->title);
+    bead_panel_axis(cr, &v->setup, &v->axis, v->plot, false, bead_field_short(field));
     if (v->setup.bead_labels && v->setup.camera)
         return move_labels(v, cr, msg);
     if (v->setup.bead_labels) {
         struct bead_axis beads;
-        const char *name = bead_axis_along_chain(&beads, v->setup.chain, field->of_contacts, v->first, v->first + v->count - 1,
-                                                 v->plot.width, look->tick, true);
-        bead_axis_draw(cr, look, &beads, v->plot, BEAD_SIDE_BOTTOM, false, true, name);
+        const struct bead_chain_axis along = profile_along(v);
+        bead_axis_make(&beads, v->ends[0], v->ends[1], along.unit, BEAD_SCALE_LINEAR, v->plot.width, look->tick, true);
+        bead_panel_chain_axis(cr, &v->setup, &beads, v->plot, along.title);
     }
     return BEAD_OK;
 }
@@ -216,32 +262,43 @@ static void profile_advance(struct bead_view *v, double time)
 
 static struct bead_curve profile_curve_of(const struct bead_view *v)
 {
+    struct bead_rgb colour = v->setup.own_colour ? bead_look_curve(&v->look, v->setup.chain_index) : v->look.accent;
     return (struct bead_curve){.x = v->x + v->from,
                                .y = v->y + v->from,
                                .count = v->to - v->from,
                                .base = profile_y_of(v, v->base),
                                .width = (float)fmax(1.6, 1.8 * v->look.line),
-                               .line = v->look.accent,
-                               .area = v->look.accent,
-                               .area_alpha = area_alpha};
+                               .line = colour,
+                               .area = colour,
+                               .area_alpha = v->setup.own_colour ? shared_alpha : area_alpha};
 }
 
-static void draw_span(const struct bead_view *v, const struct bead_curve *curve, int from, int to, struct bead_frame *frame,
-                      const struct bead_frame *background, struct bead_changes *changes)
+static void draw_span(struct bead_view *v, int from, int to, struct bead_frame *frame, const struct bead_frame *background,
+                      struct bead_changes *changes)
 {
-    bead_curve_draw(curve, v->plot, from, to, frame, background);
+    for (size_t k = 0; k <= v->other_count; k++) {
+        struct bead_curve curve = profile_curve_of(curve_at(v, k));
+        bead_curve_draw(&curve, v->plot, from, to, frame, k == 0 ? background : NULL);
+    }
     if (changes)
         bead_changes_add(changes, (struct bead_rect){v->plot.x + from, v->plot.y, to - from, v->plot.height});
 }
 
-/* The columns that value i influences. */
-static void profile_span_of(const struct bead_view *v, const struct bead_curve *curve, size_t i, int *from, int *to)
+/* Marks the columns that values of the curve influence which have changed. */
+static void find_changed(const struct bead_view *curve, bool all, uint8_t *changed)
 {
-    int reach = bead_curve_reach(curve);
-    *from = i == v->from ? 0 : (int)floorf(v->x[i - 1]) - reach;
-    *to = i + 1 == v->to ? v->plot.width : (int)ceilf(v->x[i + 1]) + reach;
-    *from = *from < 0 ? 0 : *from;
-    *to = *to > v->plot.width ? v->plot.width : *to;
+    const struct bead_curve drawn = profile_curve_of(curve);
+    int reach = bead_curve_reach(&drawn), width = curve->plot.width;
+    for (size_t i = curve->from; i < curve->to; i++) {
+        if (!all && curve->y[i] == curve->old_y[i])
+            continue;
+        int a = i == curve->from ? 0 : (int)floorf(curve->x[i - 1]) - reach;
+        int b = i + 1 == curve->to ? width : (int)ceilf(curve->x[i + 1]) + reach;
+        a = a < 0 ? 0 : a;
+        b = b > width ? width : b;
+        if (b > a)
+            memset(changed + a, 1, (size_t)(b - a));
+    }
 }
 
 static enum bead_error profile_draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
@@ -249,30 +306,26 @@ static enum bead_error profile_draw(struct bead_view *v, double time, struct bea
 {
     if (v->fed == 0)
         return BEAD_OK;
-    profile_advance(v, time);
-    if (v->setup.camera)
-        profile_follow(v);
-    struct bead_curve curve = profile_curve_of(v);
-    int from = 0, to = 0; /* waiting to be drawn */
-    size_t spans = 0;
-    for (size_t i = v->from; i < v->to; i++) {
-        int a, b;
-        if (v->drawn && changes && v->y[i] == v->old_y[i])
-            continue;
-        profile_span_of(v, &curve, i, &a, &b);
-        if (b <= a)
-            continue;
-        if (to > from && a > to + MERGE_GAP && spans < MOST_SPANS) {
-            draw_span(v, &curve, from, to, frame, background, changes);
-            spans++;
-            from = a;
-        } else if (to <= from) {
-            from = a;
-        }
-        to = b;
+    memset(v->changed, 0, (size_t)v->plot.width);
+    for (size_t k = 0; k <= v->other_count; k++) {
+        struct bead_view *curve = curve_at(v, k);
+        profile_advance(curve, time);
+        if (curve->setup.camera)
+            profile_follow(curve);
+        find_changed(curve, !v->drawn || !changes, v->changed);
     }
-    if (to > from)
-        draw_span(v, &curve, from, to, frame, background, changes);
+    size_t spans = 0;
+    for (int from = 0, to; from < v->plot.width; from = to) {
+        while (from < v->plot.width && !v->changed[from])
+            from++;
+        to = from;
+        for (int x = from; x < v->plot.width && (x <= to + MERGE_GAP || spans >= MOST_SPANS); x++)
+            to = v->changed[x] ? x + 1 : to;
+        if (to > from)
+            draw_span(v, from, to, frame, background, changes);
+        spans++;
+        to = to > from ? to : v->plot.width;
+    }
     v->drawn = true;
     return v->labels ? bead_moving_labels_draw(v->labels, v->left, frame, background, changes, msg) : BEAD_OK;
 }
@@ -317,4 +370,5 @@ const struct bead_view_type bead_view_profile_type = {
     .draw = profile_draw,
     .vector = profile_vector,
     .destroy = profile_destroy,
+    .overlay = profile_overlay,
 };

@@ -5,6 +5,7 @@
 
 #include "render/draw/raster.h"
 #include "render/view/horizon.h"
+#include "render/view/panel.h"
 #include "render/view/sensor_curves.h"
 #include "render/view/views.h"
 
@@ -235,11 +236,8 @@ static enum bead_error sensors_decorate(struct bead_view *v, cairo_t *cr, struct
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for names of sensors");
     bool lines = lay_out_names(v, cr, names, true) == 1;
     make_force_axis(v, lay_out_names(v, cr, names, lines));
-    if (v->look.dark) {
-        cairo_set_source_rgb(cr, v->look.panel.r, v->look.panel.g, v->look.panel.b);
-        cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
-        cairo_fill(cr);
-    }
+    if (v->look.dark)
+        bead_panel_fill(cr, &v->setup, v->plot);
     sensors_draw_names(v, cr, names, lines);
     free(names);
     if (!v->setup.axes)
@@ -248,8 +246,7 @@ static enum bead_error sensors_decorate(struct bead_view *v, cairo_t *cr, struct
     bead_axis_make(&time, v->setup.time[0], v->setup.time[1], "s", BEAD_SCALE_LINEAR, v->plot.width, v->look.tick, true);
     if (!v->look.dark)
         bead_box_draw(cr, &v->look, v->plot);
-    bead_axis_draw(cr, &v->look, &v->force, v->plot, BEAD_SIDE_LEFT, false, !v->setup.ticks_only,
-                   bead_field_info(shown_field(&v->setup))->title);
+    bead_panel_axis(cr, &v->setup, &v->force, v->plot, false, bead_field_info(shown_field(&v->setup))->title);
     bead_axis_draw(cr, &v->look, &time, v->plot, BEAD_SIDE_BOTTOM, false, !v->setup.time_shared, "time");
     return BEAD_OK;
 }

@@ -13,6 +13,7 @@
 #include "render/view/area_colours.h"
 #include "render/view/camera.h"
 #include "render/view/horizon.h"
+#include "render/view/panel.h"
 #include "render/view/views.h"
 #include "sim/base/large.h"
 
@@ -89,18 +90,11 @@ static enum bead_error spacetime_prepare(struct bead_view *v, struct bead_messag
     return v->indices ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a space-time image");
 }
 
-static void set_source(cairo_t *cr, struct bead_rgb colour)
-{
-    cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
-}
-
 static enum bead_error spacetime_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
     (void)msg;
     const struct bead_view_setup *s = &v->setup;
-    set_source(cr, v->look.panel);
-    cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
-    cairo_fill(cr);
+    bead_panel_fill(cr, s, v->plot);
     if (!s->axes)
         return BEAD_OK;
     struct bead_axis time, beads;
@@ -108,12 +102,15 @@ static enum bead_error spacetime_decorate(struct bead_view *v, cairo_t *cr, stru
     bead_axis_make(&time, s->time[0], s->time[1], unit, BEAD_SCALE_LINEAR, v->columns, v->look.tick, !s->time_down);
     const char *name = bead_axis_along_chain(&beads, s->chain, bead_field_info(s->field)->of_contacts, s->beads.first,
                                              s->beads.last, v->places, v->look.tick, s->time_down);
-    enum bead_side time_side = s->time_down ? BEAD_SIDE_LEFT : BEAD_SIDE_BOTTOM;
-    enum bead_side bead_side = s->time_down ? BEAD_SIDE_BOTTOM : BEAD_SIDE_LEFT;
     if (!v->look.dark)
-        bead_box_draw(cr, &v->look, v->plot);
-    bead_axis_draw(cr, &v->look, &time, v->plot, time_side, true, !s->time_shared && !(s->ticks_only && s->time_down), "time");
-    bead_axis_draw(cr, &v->look, &beads, v->plot, bead_side, false, s->bead_labels, name);
+        bead_box_draw(cr, &v->look, bead_panel_rect(s, v->plot));
+    if (s->time_down) {
+        bead_panel_axis(cr, s, &time, v->plot, true, "time");
+        bead_panel_chain_axis(cr, s, &beads, v->plot, s->bead_labels ? name : NULL);
+    } else {
+        bead_axis_draw(cr, &v->look, &time, v->plot, BEAD_SIDE_BOTTOM, true, !s->time_shared, "time");
+        bead_axis_draw(cr, &v->look, &beads, v->plot, BEAD_SIDE_LEFT, false, s->bead_labels, name);
+    }
     return BEAD_OK;
 }
 

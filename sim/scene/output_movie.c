@@ -4,6 +4,8 @@
 #include "sim/scene/output_rows.h"
 
 static const char *const qualities[] = {"draft", "standard", "high", "lossless", NULL};
+static const char *const layouts[] = {"auto", "stacked", "columns", "grid", "overlay", "beside", NULL};
+static const char *const types[] = {"normal", "large", NULL};
 static const char *const follows[] = {"all", "front", NULL};
 
 static const struct bead_option movie_rows[] = {
@@ -28,6 +30,21 @@ static const struct bead_option movie_rows[] = {
      .help = "the views, from top to bottom",
      .example = "[beads, spacetime]",
      .read = bead_output_read_views},
+    {.key = "layout",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = BEAD_OF_OUTPUT(movie.layout),
+     .initial = "auto",
+     .choices = layouts,
+     .help = "where the chains stand. stacked: below each other; columns: side by side; grid: both; overlay: one axis for the "
+             "profiles of all chains, in their colours; beside: the space-time images at the right of the other views; auto: what "
+             "leaves most to see in a frame of this shape, and overlay where `views` is profile alone"},
+    {.key = "type",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = BEAD_OF_OUTPUT(movie.type),
+     .initial = "normal",
+     .choices = types,
+     .help = "size of the letters. normal: labels have 3 % of the frame's shorter side; large: 4 %, for the last row of a lecture "
+             "hall"},
     {.key = "modes",
      .type = BEAD_OPTION_COUNT,
      .offset = BEAD_OF_OUTPUT(movie.modes),

@@ -182,6 +182,21 @@ static BEAD_OUTPUT_CHECK(check_captions)
     return BEAD_OK;
 }
 
+/* Profiles on one axis show all beads of chains that have such an axis. */
+static BEAD_OUTPUT_CHECK(check_layout)
+{
+    struct bead_at where = bead_at_key(at, "layout");
+    bool profile = bead_views_any(output->views.kinds, output->views.count, BEAD_OVERLAYS);
+    bool image = bead_views_any(output->views.kinds, output->views.count, BEAD_SHOWS_IMAGE);
+    if (output->movie.layout == BEAD_LAYOUT_OVERLAY && !profile)
+        return bead_wrong(reader, &where, "is overlay, but `views` has no profile");
+    if (output->movie.layout == BEAD_LAYOUT_OVERLAY && output->movie.follow == BEAD_FOLLOW_FRONT)
+        return bead_wrong(reader, &where, "is overlay, but with `follow: front` each profile has a window of its own");
+    if (output->movie.layout == BEAD_LAYOUT_BESIDE && (!image || output->views.count < 2))
+        return bead_wrong(reader, &where, "is beside, but `views` has not spacetime and another view");
+    return BEAD_OK;
+}
+
 BEAD_OUTPUT_CHECK(bead_output_check_movie)
 {
     struct bead_at where = bead_at_key(at, "follow");
@@ -200,6 +215,9 @@ BEAD_OUTPUT_CHECK(bead_output_check_movie)
     if (output->movie.poster_at > fmin(reader->scene->simulate.until, output->shown.time[1]) ||
         output->movie.poster_at < output->shown.time[0])
         return bead_wrong(reader, &where, "is %g%s; must be a time that the movie shows", output->movie.poster_at, unit_of(reader));
+    enum bead_error err = check_layout(reader, at, output);
+    if (err)
+        return err;
     return check_captions(reader, at, output);
 }
 

@@ -458,6 +458,23 @@ static void test_lines_have_their_height(void **state)
     assert_true(height > 120);
 }
 
+/* Labels of films have 3 % of the shorter side, large ones 4 %; ticks are as large; captions and titles larger. */
+static void film_type_is_a_part_of_the_frame(void **state)
+{
+    (void)state;
+    static const int sizes[][2] = {{1920, 1080}, {1440, 1080}, {1080, 1080}, {1080, 1920}, {3840, 2160}};
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        double side = fmin(sizes[i][0], sizes[i][1]);
+        for (int large = 0; large < 2; large++) {
+            struct bead_look look;
+            bead_look_film(&look, sizes[i][0], sizes[i][1], true, large);
+            assert_float_equal(look.label, (large ? 0.04 : 0.03) * side, 1e-9);
+            assert_float_equal(look.tick, look.label, 1e-9);
+            assert_true(look.title > 1.1 * look.label);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -478,6 +495,7 @@ int main(void)
         cmocka_unit_test(test_values_to_colours),
         cmocka_unit_test(test_changes_merge),
         cmocka_unit_test(test_changes_stay_small),
+        cmocka_unit_test(film_type_is_a_part_of_the_frame),
     };
     return cmocka_run_group_tests_name("looks", tests, NULL, NULL);
 }

@@ -33,14 +33,21 @@ static void check(const struct bead_movie_wants *w, const struct bead_movie_layo
     count = add(all, count, layout->title, "title");
     count = add(all, count, layout->facts, "facts");
     count = add(all, count, layout->bar, "bar");
+    count = add(all, count, layout->bar_title, "title of the bar");
     count = add(all, count, layout->caption, "caption");
     for (size_t c = 0; c < layout->chain_count; c++) {
         count = add(all, count, layout->chains[c].heading, "heading");
         for (size_t v = 0; v < w->view_count; v++) {
-            assert_true(layout->chains[c].plot[v].height > 0);
-            assert_int_equal(layout->chains[c].plot[v].x, layout->chains[0].plot[0].x);
-            assert_int_equal(layout->chains[c].plot[v].width, layout->chains[0].plot[0].width);
-            count = add(all, count, layout->chains[c].plot[v], "plot");
+            bool along = w->views[v]->info->across == BEAD_ACROSS_CHAIN;
+            struct bead_rect panel = layout->chains[c].plot[v];
+            assert_true(panel.height > 0);
+            if (v == layout->overlay && c > 0) { /* the one of the first chain */
+                assert_memory_equal(&panel, &layout->chains[0].plot[v], sizeof panel);
+                continue;
+            }
+            panel.x -= along ? layout->beyond[0] : 0;
+            panel.width += along ? layout->beyond[0] + layout->beyond[1] : 0;
+            count = add(all, count, panel, "panel");
         }
     }
     for (size_t i = 0; i < count; i++) {
@@ -63,13 +70,49 @@ static struct bead_movie_wants wants_of(const struct bead_look *look, int width,
                                      .height = height,
                                      .look = look,
                                      .axes = true,
-                                     .title = true,
+                                     .title_width = 9 * look->label,
                                      .headings = true,
+                                     .heading_width = 25 * look->label,
+                                     .beads = 40,
+                                     .striker = true,
+                                     .wall = true,
                                      .time_width = 5 * look->title,
-                                     .left = 3.4 * look->tick,
-                                     .below_beads = 2.9 * look->tick,
+                                     .left = 2.4 * look->tick,
+                                     .below_beads = 1.4 * look->tick,
                                      .below_time = 2.9 * look->tick,
-                                     .bar = 3.6 * look->tick};
+                                     .bar = 2.6 * look->tick,
+                                     .bar_below = 1.4 * look->tick,
+                                     .bar_title = 4 * look->label};
+}
+
+/* Some chains, views and extras. */
+static void vary(struct bead_movie_wants *w, unsigned variant)
+{
+    w->chain_count = 1 + variant % 6;
+    unsigned views = 1 + variant / 6 % 15, flags = variant / 90;
+    for (int kind = 0; kind < BEAD_VIEW_KINDS; kind++) {
+        if (views & (1u << kind))
+            w->views[w->view_count++] = bead_view_find((enum bead_view_kind)kind);
+    }
+    w->axes = flags & 1;
+    w->headings = flags & 2;
+    w->title_width = flags & 2 ? w->title_width : 0;
+    w->same_beads = flags & 4;
+    w->caption_lines = (int)(flags / 8);
+    w->caption_line = 1.4 * w->look->title;
+}
+
+static void arrange(const struct bead_movie_wants *w)
+{
+    struct bead_movie_layout layout;
+    struct bead_message msg = {""};
+    if (bead_movie_arrange(w, &layout, &msg))
+        fail_msg("%d x %d, layout %d, %zu chains, %zu views: %s", w->width, w->height, w->layout, w->chain_count, w->view_count,
+                 msg.text);
+    check(w, &layout);
+    if (w->axes && w->caption_lines > 0 && !(layout.caption.height >= w->caption_lines * w->caption_line))
+        fail_msg("%d x %d, %zu chains, %zu views: captions are dropped", w->width, w->height, w->chain_count, w->view_count);
+    bead_movie_layout_free(&layout);
 }
 
 static void test_rectangles(void **state)
@@ -78,29 +121,76 @@ static void test_rectangles(void **state)
     static const int sizes[][2] = {{320, 180},   {640, 360},  {854, 480}, {1280, 720}, {1920, 1080}, {3840, 2160},
                                    {1080, 1920}, {720, 1280}, {600, 600}, {400, 1200}, {1600, 300},  {2560, 1080}};
     for (size_t s = 0; s < sizeof sizes / sizeof sizes[0]; s++) {
+        struct bead_look look;
+        bead_look_film(&look, sizes[s][0], sizes[s][1], true, s % 2);
         for (unsigned variant = 0; variant < 6 * 15 * 8 * 3; variant++) {
-            struct bead_look look;
-            struct bead_movie_layout layout;
-            struct bead_message msg = {""};
-            bead_look_screen(&look, sizes[s][0], sizes[s][1], true);
-            struct bead_movie_wants w = wants_of(&look, sizes[s][0], sizes[s][1]);
-            w.chain_count = 1 + variant % 6;
-            unsigned views = 1 + variant / 6 % 15, flags = variant / 90;
-            for (int kind = 0; kind < BEAD_VIEW_KINDS; kind++) {
-                if (views & (1u << kind))
-                    w.views[w.view_count++] = bead_view_find((enum bead_view_kind)kind);
+            for (int layout = BEAD_LAYOUT_AUTO; layout <= BEAD_LAYOUT_BESIDE; layout++) {
+                struct bead_movie_wants w = wants_of(&look, sizes[s][0], sizes[s][1]);
+                w.layout = (enum bead_layout)layout;
+                vary(&w, variant);
+                arrange(&w);
             }
-            w.axes = flags & 1;
-            w.title = w.headings = flags & 2;
-            w.same_beads = flags & 4;
-            w.caption_lines = (int)(flags / 8);
-            w.caption_line = 1.4 * look.title;
-            if (bead_movie_arrange(&w, &layout, &msg))
-                fail_msg("%d x %d, %zu chains, %zu views: %s", w.width, w.height, w.chain_count, w.view_count, msg.text);
-            check(&w, &layout);
-            if (w.axes && w.caption_lines > 0 && !(layout.caption.height >= w.caption_lines * w.caption_line))
-                fail_msg("%d x %d, %zu chains, %zu views: captions are dropped", w.width, w.height, w.chain_count, w.view_count);
-            bead_movie_layout_free(&layout);
+        }
+    }
+}
+
+static const int shapes[][2] = {{1920, 1080}, {1440, 1080}, {1080, 1080}, {1080, 1920}, {640, 360}, {480, 480}};
+enum { SHAPES = sizeof shapes / sizeof shapes[0] };
+
+static struct bead_movie_wants story(const struct bead_look *look, const int size[2], size_t chains)
+{
+    static const enum bead_view_kind kinds[3] = {BEAD_VIEW_BEADS, BEAD_VIEW_PROFILE, BEAD_VIEW_SPACETIME};
+    struct bead_movie_wants w = wants_of(look, size[0], size[1]);
+    w.chain_count = chains;
+    w.same_beads = true;
+    for (int i = 0; i < 3; i++)
+        w.views[w.view_count++] = bead_view_find(kinds[i]);
+    return w;
+}
+
+/* The images of up to four chains have 35 % of the frame's area, in every layout, with axes and captions, without what can be left
+ * out. */
+static void test_images_have_their_share(void **state)
+{
+    (void)state;
+    for (unsigned i = 0; i < SHAPES * 6 * 4 * 2 * 2; i++) {
+        const int *size = shapes[i % SHAPES];
+        unsigned layout = i / SHAPES % 6, chains = 1 + i / SHAPES / 6 % 4;
+        struct bead_look look;
+        struct bead_movie_layout found;
+        bead_look_film(&look, size[0], size[1], true, i / SHAPES / 48);
+        struct bead_movie_wants w = story(&look, size, chains);
+        w.layout = (enum bead_layout)layout;
+        w.caption_lines = i / SHAPES / 24 % 2 ? 1 : 0;
+        w.caption_line = 1.4 * look.title;
+        assert_int_equal(bead_movie_arrange(&w, &found, NULL), BEAD_OK);
+        double area = 0;
+        for (size_t c = 0; c < chains; c++)
+            area += (double)found.chains[c].plot[2].width * found.chains[c].plot[2].height;
+        if (area < 0.35 * size[0] * size[1])
+            fail_msg("%d x %d, layout %u, %u chains: images have %.1f %%", size[0], size[1], layout, chains,
+                     100 * area / (size[0] * size[1]));
+        bead_movie_layout_free(&found);
+    }
+}
+
+/* The layout that `auto` takes, by number of chains: 1, 2, 3, 4. */
+static void test_automatic_layouts(void **state)
+{
+    (void)state;
+    static const enum bead_layout S = BEAD_LAYOUT_STACKED, C = BEAD_LAYOUT_COLUMNS, G = BEAD_LAYOUT_GRID;
+    const enum bead_layout expected[4][4] = {{S, C, C, C}, {S, C, C, C}, {S, C, C, G}, {S, S, C, G}};
+    for (size_t s = 0; s < 4; s++) {
+        for (size_t n = 1; n <= 4; n++) {
+            struct bead_look look;
+            struct bead_movie_layout found;
+            bead_look_film(&look, shapes[s][0], shapes[s][1], true, false);
+            struct bead_movie_wants w = story(&look, shapes[s], n);
+            assert_int_equal(bead_movie_arrange(&w, &found, NULL), BEAD_OK);
+            if (found.layout != expected[s][n - 1])
+                fail_msg("%d x %d, %zu chains: layout %d", shapes[s][0], shapes[s][1], n, found.layout);
+            assert_true(found.axes && found.chains[n - 1].heading.width > 0);
+            bead_movie_layout_free(&found);
         }
     }
 }
@@ -110,7 +200,7 @@ static void test_full_size_keeps_everything(void **state)
     (void)state;
     struct bead_look look;
     struct bead_movie_layout layout;
-    bead_look_screen(&look, 1920, 1080, true);
+    bead_look_film(&look, 1920, 1080, true, false);
     struct bead_movie_wants w = wants_of(&look, 1920, 1080);
     static const enum bead_view_kind kinds[3] = {BEAD_VIEW_BEADS, BEAD_VIEW_PROFILE, BEAD_VIEW_SPACETIME};
     w.chain_count = 2;
@@ -123,11 +213,13 @@ static void test_full_size_keeps_everything(void **state)
     assert_true(layout.axes && layout.time.width && layout.title.width && layout.facts.width && layout.bar.width);
     assert_true(layout.caption.width > 1500 && layout.caption.height >= w.caption_line);
     assert_true(layout.chains[1].heading.width > 0);
-    assert_false(layout.chains[0].labels[2]); /* the lowest space-time view labels the beads for all */
-    assert_true(layout.chains[1].labels[2]);
+    assert_true(layout.chains[0].labels[2] && layout.chains[1].labels[2]); /* side by side: the images label the beads for all */
     assert_false(layout.chains[1].labels[0]);
+    assert_true(layout.chains[0].values[2]); /* the first column labels the times for both */
+    assert_false(layout.chains[1].values[2]);
+    static const int least[3] = {48, 100, 440};
     for (int v = 0; v < 3; v++)
-        assert_true(layout.chains[1].plot[v].height >= 70);
+        assert_true(layout.chains[1].plot[v].height >= least[v]);
     bead_movie_layout_free(&layout);
 }
 
@@ -137,7 +229,7 @@ static void test_bars_are_for_colours(void **state)
     (void)state;
     struct bead_look look;
     struct bead_movie_layout with, without;
-    bead_look_screen(&look, 1280, 720, true);
+    bead_look_film(&look, 1280, 720, true, false);
     struct bead_movie_wants w = wants_of(&look, 1280, 720);
     w.chain_count = 1;
     w.views[w.view_count++] = bead_view_find(BEAD_VIEW_PROFILE);
@@ -156,9 +248,9 @@ static void test_too_small(void **state)
     struct bead_look look;
     struct bead_movie_layout layout;
     struct bead_message msg = {""};
-    bead_look_screen(&look, 40, 5, true);
-    struct bead_movie_wants w = wants_of(&look, 40, 5);
-    w.chain_count = 6;
+    bead_look_film(&look, 5, 5, true, false);
+    struct bead_movie_wants w = wants_of(&look, 5, 5);
+    w.chain_count = 26;
     w.views[w.view_count++] = bead_view_find(BEAD_VIEW_BEADS);
     assert_int_equal(bead_movie_arrange(&w, &layout, &msg), BEAD_ERROR_SCENE);
     assert_non_null(strstr(msg.text, "too small"));
@@ -168,10 +260,9 @@ static void test_too_small(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rectangles),
-        cmocka_unit_test(test_full_size_keeps_everything),
-        cmocka_unit_test(test_bars_are_for_colours),
-        cmocka_unit_test(test_too_small),
+        cmocka_unit_test(test_rectangles),           cmocka_unit_test(test_images_have_their_share),
+        cmocka_unit_test(test_automatic_layouts),    cmocka_unit_test(test_full_size_keeps_everything),
+        cmocka_unit_test(test_bars_are_for_colours), cmocka_unit_test(test_too_small),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

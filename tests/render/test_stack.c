@@ -57,6 +57,22 @@ static void test_limits_follow_each_other(void **state)
     assert_int_equal(bead_stack_divide(&stack, 300), 30);
 }
 
+/* What is promised is given, though the others get less than their shares; without room the caller is told. */
+static void test_promises_come_first(void **state)
+{
+    (void)state;
+    struct bead_stack stack = stack_of(1, 3, (const double[]){1, 1, 2}, (const double[]){INFINITY, 60, INFINITY});
+    stack.least[2] = 250.2;
+    assert_int_equal(bead_stack_divide(&stack, 400), 400);
+    assert_int_equal(stack.height[2], 251);
+    assert_int_equal(stack.height[1], 60);
+    assert_int_equal(stack.height[0], 89);
+    assert_true(bead_stack_divide(&stack, 800) >= 799);
+    assert_true(stack.height[2] > 251); /* its share is more */
+    stack.least[0] = 200;
+    assert_true(bead_stack_divide(&stack, 400) > 400);
+}
+
 /* Rows follow each other without overlap, and all of them take what was foreseen. */
 static void test_rows_add_up(void **state)
 {
@@ -88,6 +104,7 @@ int main(void)
         cmocka_unit_test(test_shares_divide_the_room),
         cmocka_unit_test(test_limits_leave_the_rest),
         cmocka_unit_test(test_limits_follow_each_other),
+        cmocka_unit_test(test_promises_come_first),
         cmocka_unit_test(test_rows_add_up),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -222,13 +222,30 @@ static void text_is_sharp(void **state)
     decoded_free(&exact);
 }
 
+/* The bar has its pointed end from the first frame on: values beyond a given range are known before. */
+static void the_bar_never_changes(void **state)
+{
+    (void)state;
+    struct decoded movie;
+    film("clean-vs-delocalised", "bar.mkv", "lossless", "outputs.0.duration=0.5 s", &movie);
+    for (size_t i = 1; i < movie.count; i++) {
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = WIDTH - 42; x < WIDTH; x++) {
+                int before[3], now[3];
+                decoded_rgb(movie.frame[i - 1], x, y, before);
+                decoded_rgb(movie.frame[i], x, y, now);
+                assert_memory_equal(before, now, sizeof now);
+            }
+        }
+    }
+    decoded_free(&movie);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(turns_are_counted),
-        cmocka_unit_test(nothing_flashes),
-        cmocka_unit_test(text_is_sharp),
-        cmocka_unit_test(titles_stay_in_the_frame),
+        cmocka_unit_test(turns_are_counted),        cmocka_unit_test(nothing_flashes),       cmocka_unit_test(text_is_sharp),
+        cmocka_unit_test(titles_stay_in_the_frame), cmocka_unit_test(the_bar_never_changes),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

@@ -1,0 +1,185 @@
+/* Measures what a movie's frame is to hold, before its layout: axes, words, captions. Part of creating a composer. */
+#include <math.h>
+#include <string.h>
+
+#include "render/draw/chain_axis.h"
+#include "render/movie/captions.h"
+#include "render/movie/composer_private.h"
+#include "render/view/camera.h"
+#include "render/view/panel.h"
+
+/* The margin of vertical axes becomes so much wider at most for a title below them, in units of the font size. */
+static const double most_wider = 1.2;
+
+/* How far an axis reaches out of a plot. */
+static double reach(const struct bead_look *look, const double range[2], const char *unit, enum bead_scale scale, double length,
+                    enum bead_side side, const char *title)
+{
+    struct bead_axis axis;
+    struct bead_rect plot = {0, 0, (int)length, (int)length};
+    bead_axis_make(&axis, range[0], range[1], unit, scale, length, look->tick, side == BEAD_SIDE_BOTTOM);
+    return bead_axis_draw(NULL, look, &axis, plot, side, false, true, title);
+}
+
+/* Titles of horizontal axes stand at the left if the margin need not become much wider for them; always where numbers move. */
+static void reserve_name(struct bead_composer *c, const char *title)
+{
+    double room = bead_panel_name_room(&c->look, title);
+    c->name_left = c->name_left && (c->wants.follow || room <= c->wants.left + most_wider * c->look.tick);
+    c->wants.left = c->name_left ? fmax(c->wants.left, room) : c->wants.left;
+}
+
+static double reach_along(struct bead_composer *c, size_t chain, double length)
+{
+    struct bead_axis axis;
+    struct bead_rect plot = {0, 0, (int)length, (int)length};
+    size_t last = bead_composer_span(c, chain).last;
+    const char *title = bead_axis_along_chain(&axis, c->setup.chains[chain], false, 0, last, length, c->look.tick, true);
+    reserve_name(c, title);
+    return bead_axis_draw(NULL, &c->look, &axis, plot, BEAD_SIDE_BOTTOM, false, true, c->name_left ? NULL : title);
+}
+
+/* Vertical axes of plots of several heights; the title stands above them. */
+static double reach_left(const struct bead_composer *c)
+{
+    static const double parts[] = {0.08, 0.16, 0.3, 0.6};
+    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->shown.field);
+    const char *unit = bead_chain_time_unit(c->setup.chains[0]);
+    enum bead_scale scale = c->colours.scale == BEAD_SCALE_LOG ? BEAD_SCALE_LOG : BEAD_SCALE_LINEAR;
+    double most = 0;
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+        double length = fmax(24, parts[i] * c->wants.height);
+        for (size_t v = 0; v < c->wants.view_count; v++) {
+            const struct bead_view_info *info = c->wants.views[v]->info;
+            bool image = info->traits & BEAD_SHOWS_IMAGE, modes = info->across == BEAD_ACROSS_MODES;
+            if (info->traits & BEAD_SHOWS_BEADS)
+                continue;
+            const double *range = image ? c->setup.time : modes ? (const double[]){0, 1} : c->setup.range;
+            most = fmax(most, reach(&c->look, range,
+                                    image   ? unit
+                                    : modes ? ""
+                                            : field->unit,
+                                    image || modes ? BEAD_SCALE_LINEAR : scale, length, BEAD_SIDE_LEFT, NULL));
+        }
+    }
+    return most;
+}
+
+static void measure_bar(struct bead_composer *c)
+{
+    struct bead_movie_wants *w = &c->wants;
+    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->shown.field);
+    struct bead_rect standing = {0, 0, 20, (int)(0.6 * w->height)}, lying = {0, 0, (int)(0.4 * w->width), 20};
+    char markup[256];
+    double height;
+    struct bead_text_style style = {.family = c->look.family, .size = c->look.label};
+    w->bar = bead_colour_bar_draw(NULL, &c->look, &c->colours, field->unit, NULL, standing, false, false);
+    w->bar_below = bead_colour_bar_draw_lying(NULL, &c->look, &c->colours, field->unit, lying, false, false);
+    bead_composer_bar_title(c, markup, sizeof markup);
+    bead_text_size(NULL, &style, markup, &w->bar_title, &height);
+    w->bar_title = ceil(w->bar_title + 1);
+}
+
+static void measure_words(struct bead_composer *c)
+{
+    struct bead_movie_wants *w = &c->wants;
+    char text[2048];
+    double height;
+    struct bead_text_style style = bead_clock_style(&c->look);
+    bead_clock_text(&c->clock, c->setup.time[1], &c->look, text, sizeof text);
+    bead_text_size(NULL, &style, text, &w->time_width, &height);
+    w->time_width = ceil(w->time_width + 0.5 * c->look.gap);
+    for (size_t i = 0; i < w->chain_count; i++)
+        w->heading_width = fmax(w->heading_width, bead_heading_width(&c->look, c->setup.chains[i]));
+    if (!c->setup.title || !c->setup.title[0])
+        return;
+    style = (struct bead_text_style){.family = c->look.family, .size = c->look.label, .bold = true};
+    bead_text_escape(c->setup.title, text, sizeof text);
+    bead_text_size(NULL, &style, text, &w->title_width, &height);
+    w->title_width = ceil(w->title_width + 1);
+}
+
+/* The distance of beads in the widest chain, and beads in a window that moves. */
+static void measure_beads(struct bead_composer *c)
+{
+    struct bead_movie_wants *w = &c->wants;
+    w->same_beads = true;
+    for (size_t i = 0; i < w->chain_count; i++) {
+        const struct bead_chain *chain = c->setup.chains[i];
+        const struct bead_chain_spec *spec = bead_chain_spec(chain);
+        struct bead_span span = bead_composer_span(c, i), first = bead_composer_span(c, 0), beads = bead_composer_beads(c, i);
+        double radius, spacing = bead_chain_spacing(chain, beads, &radius);
+        size_t count = beads.last - beads.first + 1;
+        double shown = fmin((double)c->setup.output->movie.window, (double)count);
+        w->same_beads = w->same_beads && span.first == first.first && span.last == first.last;
+        w->beads = count > w->beads ? count : w->beads;
+        w->striker = w->striker || (beads.first == 0 && !spec->equation.name);
+        w->wall = w->wall || (beads.last + 1 == bead_chain_beads(chain) && spec->wall != BEAD_WALL_NONE);
+        w->bead_height = fmax(w->bead_height, 0.9 * w->width * 2 * radius / (spacing * shown));
+    }
+}
+
+static void measure_axes(struct bead_composer *c)
+{
+    struct bead_movie_wants *w = &c->wants;
+    const char *unit = bead_chain_time_unit(c->setup.chains[0]);
+    double length = 0.9 * w->width, numbers[2] = {0, 1};
+    w->left = reach_left(c);
+    c->name_left = true;
+    if (bead_views_any(c->setup.output->views.kinds, c->setup.output->views.count, BEAD_SHOWS_MODES))
+        reserve_name(c, "mode");
+    for (size_t i = 0; i < w->chain_count; i++) {
+        w->below_beads = fmax(w->below_beads, reach_along(c, i, length));
+        numbers[1] = fmax(numbers[1], (double)bead_composer_span(c, i).last);
+    }
+    w->below_moving = reach(&c->look, numbers, "1", BEAD_SCALE_LINEAR, length, BEAD_SIDE_BOTTOM, NULL);
+    w->below_time = reach(&c->look, c->setup.time, unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_BOTTOM, "time");
+}
+
+static enum bead_error find_views(struct bead_composer *c, struct bead_message *msg)
+{
+    const struct bead_output *output = c->setup.output;
+    struct bead_movie_wants *w = &c->wants;
+    for (size_t i = 0; i < output->views.count && i < BEAD_STACK_VIEWS; i++) {
+        const struct bead_view_type *type = bead_view_find(output->views.kinds[i]);
+        if (!type)
+            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: there is no such view in this program", output->path);
+        w->views[w->view_count++] = type;
+    }
+    if (w->view_count == 0)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: views: at least one is needed", output->path);
+    w->colourless = !bead_views_any(output->views.kinds, output->views.count, BEAD_SHOWS_COLOURS);
+    return BEAD_OK;
+}
+
+enum bead_error bead_composer_measure(struct bead_composer *c, struct bead_message *msg)
+{
+    const struct bead_output *output = c->setup.output;
+    struct bead_movie_wants *w = &c->wants;
+    *w = (struct bead_movie_wants){.width = c->setup.width,
+                                   .height = c->setup.height,
+                                   .look = &c->look,
+                                   .layout = output->movie.layout,
+                                   .chain_count = c->setup.chain_count,
+                                   .axes = output->views.axes,
+                                   .trust = output->shown.trust,
+                                   .follow = output->movie.follow == BEAD_FOLLOW_FRONT,
+                                   .caption_lines = bead_captions_lines(&output->movie, &c->look, c->setup.width),
+                                   .caption_line = bead_caption_height(&c->look)};
+    enum bead_error err = find_views(c, msg);
+    if (err)
+        return err;
+    for (size_t i = 0; i < w->chain_count; i++) {
+        size_t sensors;
+        (void)bead_chain_sensors(c->setup.chains[i], &sensors);
+        w->sensors = w->sensors || sensors > 0;
+        w->headings = w->headings || bead_heading_has(c->setup.chains[i]);
+    }
+    measure_beads(c);
+    if (!w->axes)
+        return BEAD_OK;
+    measure_axes(c);
+    measure_bar(c);
+    measure_words(c);
+    return BEAD_OK;
+}

@@ -1,0 +1,70 @@
+/* Draws panels and their vertical axes: in figures with the title beside the axis, in movies above the panel, where it reads
+ * without turning one's head and never breaks. */
+#include "render/view/panel.h"
+
+/* From a panel's top to the baseline of its title, in units of the label's font size. */
+static const double title_rise = 0.38;
+/* From a panel's left edge to the end of a title there; from its bottom to the baseline, as for numbers of axes. */
+static const double name_gap = 0.65, name_drop = 1.38;
+
+void bead_panel_fill(cairo_t *cr, const struct bead_view_setup *setup, struct bead_rect plot)
+{
+    struct bead_rect panel = bead_panel_rect(setup, plot);
+    cairo_set_source_rgb(cr, setup->look->panel.r, setup->look->panel.g, setup->look->panel.b);
+    cairo_rectangle(cr, panel.x, panel.y, panel.width, panel.height);
+    cairo_fill(cr);
+}
+
+void bead_panel_axis(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot,
+                     bool downwards, const char *title)
+{
+    const struct bead_look *look = setup->look;
+    struct bead_rect panel = bead_panel_rect(setup, plot);
+    bool beside = setup->titles == BEAD_TITLES_BESIDE;
+    bead_axis_draw(cr, look, axis, panel, BEAD_SIDE_LEFT, downwards, !setup->ticks_only, beside ? title : NULL);
+    if (setup->titles != BEAD_TITLES_ABOVE || setup->ticks_only)
+        return;
+    char markup[2100];
+    struct bead_text_style style = {
+        .family = look->family, .size = look->label, .colour = look->ink, .across = BEAD_ALIGN_START, .down = BEAD_ALIGN_BASELINE};
+    bead_axis_title(axis, title, markup, sizeof markup);
+    bead_text_draw(cr, &style, panel.x, panel.y - title_rise * look->label, markup);
+}
+
+static struct bead_text_style name_style(const struct bead_look *look)
+{
+    return (struct bead_text_style){
+        .family = look->family, .size = look->label, .colour = look->ink, .across = BEAD_ALIGN_END, .down = BEAD_ALIGN_BASELINE};
+}
+
+double bead_panel_name_room(const struct bead_look *look, const char *title)
+{
+    struct bead_axis plain = {.unit = ""};
+    struct bead_text_style style = name_style(look);
+    char markup[2100];
+    double width, height;
+    bead_axis_title(&plain, title, markup, sizeof markup);
+    bead_text_size(NULL, &style, markup, &width, &height);
+    return width + name_gap * look->tick;
+}
+
+void bead_panel_name(cairo_t *cr, const struct bead_view_setup *setup, struct bead_rect plot, const char *title)
+{
+    const struct bead_look *look = setup->look;
+    struct bead_axis plain = {.unit = ""};
+    struct bead_text_style style = name_style(look);
+    char markup[2100];
+    if (setup->ticks_only)
+        return;
+    bead_axis_title(&plain, title, markup, sizeof markup);
+    bead_text_draw(cr, &style, plot.x - setup->beyond[0] - name_gap * look->tick,
+                   plot.y + plot.height + look->line + name_drop * look->tick, markup);
+}
+
+void bead_panel_chain_axis(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot,
+                           const char *title)
+{
+    bead_axis_draw(cr, setup->look, axis, plot, BEAD_SIDE_BOTTOM, false, title != NULL, setup->name_left ? NULL : title);
+    if (title && setup->name_left)
+        bead_panel_name(cr, setup, plot, title);
+}

@@ -1,0 +1,34 @@
+/* The panel behind a plot of a movie, which reaches beyond it where beads stand there, and the vertical axis at its left. */
+#ifndef BEADREEL_RENDER_VIEW_PANEL_H
+#define BEADREEL_RENDER_VIEW_PANEL_H
+
+#include <string.h>
+
+#include "beadreel/view.h"
+
+/* "force" for "bead force": where the picture says what it is of. */
+static inline const char *bead_field_short(const struct bead_field_info *field)
+{
+    const char *last = strrchr(field->title, ' ');
+    return last ? last + 1 : field->title;
+}
+
+/* The plot of a view, or more. */
+static inline struct bead_rect bead_panel_rect(const struct bead_view_setup *setup, struct bead_rect plot)
+{
+    const int *beyond = setup->beyond;
+    return (struct bead_rect){plot.x - beyond[0], plot.y, plot.width + beyond[0] + beyond[1], plot.height};
+}
+
+void bead_panel_fill(cairo_t *cr, const struct bead_view_setup *setup, struct bead_rect plot);
+/* Ticks, labels and title of the vertical axis, as the setup wants them. */
+void bead_panel_axis(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot,
+                     bool downwards, const char *title);
+/* The axis along the chain, or of modes, below the plot. `title` NULL: without numbers too. */
+void bead_panel_chain_axis(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot,
+                           const char *title);
+/* Its title left of the numbers, where vertical axes are labelled; its room there, px. */
+void bead_panel_name(cairo_t *cr, const struct bead_view_setup *setup, struct bead_rect plot, const char *title);
+double bead_panel_name_room(const struct bead_look *look, const char *title);
+
+#endif

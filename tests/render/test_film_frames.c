@@ -1,0 +1,209 @@
+/* Frames of films in every layout, shape, theme and size of type, with one to four chains: no word is cut off or lies over another,
+ * none is shortened, and the space-time images have their share. SHOW=DIRECTORY keeps the frames as pictures. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "beadreel/picture.h"
+#include "render/movie/composer_private.h"
+
+enum { MOST_TEXTS = 512 };
+
+struct texts {
+    struct {
+        double x, y, width, height;
+        char markup[300];
+    } text[MOST_TEXTS];
+    size_t count;
+};
+
+static void see(void *context, const char *markup, double x, double y, double width, double height)
+{
+    struct texts *seen = context;
+    assert_true(seen->count < MOST_TEXTS);
+    seen->text[seen->count].x = x;
+    seen->text[seen->count].y = y;
+    seen->text[seen->count].width = width;
+    seen->text[seen->count].height = height;
+    snprintf(seen->text[seen->count++].markup, 300, "%s", markup);
+}
+
+static void assert_legible(const struct texts *seen, const int size[2], const char *what)
+{
+    for (size_t i = 0; i < seen->count; i++) {
+        double x = seen->text[i].x, y = seen->text[i].y, right = x + seen->text[i].width, bottom = y + seen->text[i].height;
+        if (x < 0 || y < 0 || right > size[0] || bottom > size[1])
+            fail_msg("%s: '%s' is cut off", what, seen->text[i].markup);
+        if (strstr(seen->text[i].markup, "\u2026"))
+            fail_msg("%s: '%s' is shortened", what, seen->text[i].markup);
+        for (size_t j = 0; j < i; j++) {
+            if (x < seen->text[j].x + seen->text[j].width && seen->text[j].x < right &&
+                y < seen->text[j].y + seen->text[j].height && seen->text[j].y < bottom)
+                fail_msg("%s: '%s' lies over '%s'", what, seen->text[i].markup, seen->text[j].markup);
+        }
+    }
+}
+
+static bool wrote(const struct texts *seen, const char *text)
+{
+    for (size_t i = 0; i < seen->count; i++) {
+        if (strstr(seen->text[i].markup, text))
+            return true;
+    }
+    return false;
+}
+
+static const char *const layouts[] = {"auto", "stacked", "columns", "grid", "overlay", "beside"};
+
+struct wish {
+    int size[2];
+    size_t chains;
+    unsigned layout;
+    bool light, large, caption, follow;
+};
+
+static void describe(const struct wish *w, char *text, size_t size)
+{
+    static const char *const chains[] = {
+        "  - {name: Clean, label: every dimer the same way round, striker: {bead: large-steel, velocity: 0.443 m/s}, wall: brass,"
+        " beads: [{cell: [large-steel, aluminium], count: 32, spins: up}]}\n",
+        "  - {name: Delocalised, label: half of the dimers reversed at random, striker: {bead: large-steel, velocity: 0.443 m/s},"
+        " wall: brass, beads: [{cell: [large-steel, aluminium], count: 32, spins: random, magnetism: 0, seed: 2}]}\n",
+        "  - {name: Steel, striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{bead: large-steel, count: 64}]}\n",
+        "  - {name: Glass, striker: {bead: large-steel, velocity: 0.443 m/s}, wall: rigid, beads: [{bead: glass, count: 64}]}\n"};
+    int used = snprintf(text, size, "title: A story in a frame\nsimulate: {until: 1.2 ms}\nchains:\n");
+    for (size_t i = 0; i < w->chains; i++)
+        used += snprintf(text + used, size - (size_t)used, "%s", chains[i]);
+    snprintf(text + used, size - (size_t)used,
+             "outputs: [{movie: m.mp4, size: [%d, %d], layout: %s, theme: %s, type: %s, range: [0, 45 N]%s%s}]\n", w->size[0],
+             w->size[1], layouts[w->layout], w->light ? "light" : "dark", w->large ? "large" : "normal",
+             w->caption ? ", captions: [{at: 0, text: The striker squeezes the first contacts}]" : "",
+             w->follow ? ", follow: front" : "");
+}
+
+struct stage {
+    struct bead_scene *scene;
+    struct bead_chain *chains[4];
+    struct bead_composer *composer;
+    struct texts seen;
+    struct bead_text_watch watch;
+};
+
+static void open_stage(struct stage *s, const char *text, const int size[2])
+{
+    struct bead_message msg = {""};
+    if (bead_scene_parse("test", text, strlen(text), NULL, 0, &s->scene, &msg))
+        fail_msg("%s\n%s", msg.text, text);
+    for (size_t i = 0; i < s->scene->chain_count; i++)
+        assert_int_equal(bead_chain_create(s->scene, i, &s->chains[i], &msg), BEAD_OK);
+    s->watch = (struct bead_text_watch){see, &s->seen};
+    s->seen.count = 0;
+    struct bead_composer_setup setup = {.output = &s->scene->outputs[0],
+                                        .chains = (const struct bead_chain *const *)s->chains,
+                                        .chain_count = s->scene->chain_count,
+                                        .title = s->scene->title,
+                                        .width = size[0],
+                                        .height = size[1],
+                                        .time = {0, 1.2e-3},
+                                        .step = 2e-6,
+                                        .range = {0, 45},
+                                        .over = true,
+                                        .scene = s->scene,
+                                        .canvas = "plain",
+                                        .tolerance_factor = 1,
+                                        .watch = &s->watch};
+    if (bead_composer_create(&setup, &s->composer, &msg) || bead_composer_open(s->composer, &msg))
+        fail_msg("%s\n%s", msg.text, text);
+    struct bead_changes changes = {0};
+    if (bead_composer_draw(s->composer, 1e-3, &changes, &msg))
+        fail_msg("%s\n%s", msg.text, text);
+}
+
+static void close_stage(struct stage *s)
+{
+    bead_composer_close(s->composer);
+    bead_composer_destroy(s->composer);
+    for (size_t i = 0; i < s->scene->chain_count; i++)
+        bead_chain_destroy(s->chains[i]);
+    bead_scene_free(s->scene);
+}
+
+static void show(const struct stage *s, const char *what)
+{
+    const struct bead_picture_notes notes = {.title = what};
+    char path[300];
+    uint64_t bytes;
+    if (!getenv("SHOW"))
+        return;
+    snprintf(path, sizeof path, "%s/%s.png", getenv("SHOW"), what);
+    assert_int_equal(bead_png_write(path, bead_composer_frame(s->composer), &notes, &bytes, NULL), BEAD_OK);
+}
+
+static double image_share(const struct stage *s)
+{
+    const struct bead_movie_layout *layout = &s->composer->layout;
+    const struct bead_movie_wants *w = &s->composer->wants;
+    double area = 0;
+    for (size_t i = 0; i < layout->chain_count * w->view_count; i++) {
+        const struct bead_rect *plot = &layout->chains[i / w->view_count].plot[i % w->view_count];
+        if (bead_view_has(w->views[i % w->view_count], BEAD_SHOWS_IMAGE))
+            area += (double)plot->width * plot->height;
+    }
+    return area / ((double)w->width * w->height);
+}
+
+static void check(const struct wish *w)
+{
+    static struct stage s;
+    char text[4096], what[120];
+    snprintf(what, sizeof what, "%dx%d-%s-%zu%s%s%s%s", w->size[0], w->size[1], layouts[w->layout], w->chains,
+             w->light ? "-light" : "", w->large ? "-large" : "", w->caption ? "-caption" : "", w->follow ? "-follow" : "");
+    describe(w, text, sizeof text);
+    open_stage(&s, text, w->size);
+    show(&s, what);
+    assert_legible(&s.seen, w->size, what);
+    if (image_share(&s) < 0.35)
+        fail_msg("%s: images have %.1f %%", what, 100 * image_share(&s));
+    if (!wrote(&s.seen, "ms") || (w->layout == 0 && !w->large && !wrote(&s.seen, "Clean")))
+        fail_msg("%s: there is no %s", what, wrote(&s.seen, "ms") ? "heading" : "clock");
+    close_stage(&s);
+}
+
+static void test_every_frame(void **state)
+{
+    (void)state;
+    static const int shapes[4][2] = {{1280, 720}, {960, 720}, {720, 720}, {720, 1280}};
+    for (unsigned i = 0; i < 4 * 6 * 4 * 2 * 2; i++) {
+        struct wish w = {.chains = 1 + i / 24 % 4, .layout = i / 4 % 6, .light = i / 96 % 2, .caption = i / 192 % 2};
+        w.size[0] = shapes[i % 4][0];
+        w.size[1] = shapes[i % 4][1];
+        check(&w);
+        w.large = true;
+        check(&w);
+    }
+}
+
+static void test_windows_that_move(void **state)
+{
+    (void)state;
+    static const int shapes[4][2] = {{1280, 720}, {960, 720}, {720, 720}, {720, 1280}};
+    for (unsigned i = 0; i < 4 * 4; i++) {
+        struct wish w = {.chains = 1 + i / 4, .follow = true, .size = {shapes[i % 4][0], shapes[i % 4][1]}};
+        check(&w);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_frame),
+        cmocka_unit_test(test_windows_that_move),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
