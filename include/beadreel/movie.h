@@ -10,8 +10,8 @@
  * path.part plays while it grows, also where the program is killed: an mp4 file grows by fragments, which close copies into a plain
  * file with its index in front.
  *
- * Only the changed rectangles are converted; a frame without changes is not encoded where the container
- * can show the one before for longer (the last one always is, so that the duration is exact). Encoder
+ * Only the changed rectangles are converted. Every frame is a picture of the file, at a constant rate; in drafts a frame without
+ * changes is not, and the one before is shown for longer (the last one always is, so that the duration is exact). Encoder
  * settings are deterministic: same frames, same decoded frames, one thread. A movie may be used from any
  * one thread at a time. The log of libav is silenced, for the whole process. */
 #ifndef BEADREEL_MOVIE_H

@@ -312,7 +312,9 @@ static enum bead_error libav_convert(struct bead_movie *movie, size_t slot, cons
     return bead_pictures_convert(&movie->encoder->pictures, slot, frame, missing, msg);
 }
 
-/* Of a group of frames the last is shown, at the time of the first; but the movie begins with its first. */
+/* Of a group of frames the last is shown, at the time of the first; but the movie begins with its first. A frame that repeats the one
+ * before is encoded again, from the picture there is: players seek in such files and editors count their frames. Drafts show the
+ * picture before for longer instead. */
 static enum bead_error libav_add_slot(struct bead_movie *movie, size_t slot, const struct bead_changes *changes,
                                       struct bead_message *msg)
 {
@@ -323,7 +325,7 @@ static enum bead_error libav_add_slot(struct bead_movie *movie, size_t slot, con
     e->dirty = e->dirty || aligned.count > 0;
     for (size_t i = 0; i < aligned.count; i++)
         bead_changes_add(&e->changes, aligned.rect[i]);
-    if (!e->dirty)
+    if (!e->dirty && movie->settings.quality == BEAD_QUALITY_DRAFT)
         return BEAD_OK;
     if (time == 0)
         return encode(movie, 0, msg);

@@ -119,7 +119,8 @@ static const struct bead_option movie_rows[] = {
      .offset = BEAD_OF_OUTPUT(movie.quality),
      .initial = "standard",
      .choices = qualities,
-     .help = "quality of the encoding; a draft has at most 30 pictures per second, each shown for several frames"},
+     .help = "quality of the encoding; a draft has at most 30 pictures per second, each shown for several frames, and a picture that "
+             "does not change for as long as that lasts: a variable rate, while all others have a constant one"},
 };
 static const struct bead_option_rows movie_shared[] = {{BEAD_OPTIONS(bead_field_row)}, {BEAD_OPTIONS(bead_time_row)},
                                                        {BEAD_OPTIONS(bead_beads_row)}, {BEAD_OPTIONS(bead_square_root_row)},
