@@ -228,22 +228,46 @@ static size_t lowered(const char *text)
     return length;
 }
 
+/* The letter or digit that a subscript character stands for. */
+static char plain_of(const char *lowered_character)
+{
+    static const char plain[] = "0123456789+-=() aeoxehklmnpst";
+    size_t at = (size_t)((unsigned char)lowered_character[2] & 0x3f);
+    return at < sizeof plain - 1 ? plain[at] : '?';
+}
+
+static void put_symbol(struct writer *w, char symbol, const char *subscript, size_t length)
+{
+    markup_put(w, (char[]){'*', symbol, '*', '\0'});
+    if (length == 0)
+        return;
+    bool italic = false;
+    markup_put(w, "_{");
+    for (size_t i = 0; i < length; i += 3) {
+        char plain = plain_of(subscript + i);
+        if (is_letter(plain) != italic)
+            markup_put(w, "*");
+        italic = is_letter(plain);
+        markup_put(w, (char[]){plain, '\0'});
+    }
+    markup_put(w, italic ? "*}" : "}");
+}
+
 void bead_markup_symbols(const char *text, char *out, size_t size)
 {
-    size_t used = 0;
-    for (const char *at = text; *at && size > 0;) {
-        bool symbol = stands_alone(text, at);
-        size_t length = symbol ? 1 + lowered(at + 1) : character(at);
-        if (used + length + (symbol ? 2 : 0) >= size)
-            break;
-        if (symbol)
-            out[used++] = '*';
-        memcpy(out + used, at, length);
-        used += length;
-        if (symbol)
-            out[used++] = '*';
+    struct writer w = {out, size, 0, size == 0};
+    if (size > 0)
+        out[0] = '\0';
+    for (const char *at = text; *at && !w.full;) {
+        char plain[8] = "";
+        size_t length = character(at);
+        if (stands_alone(text, at)) {
+            length = 1 + lowered(at + 1);
+            put_symbol(&w, *at, at + 1, length - 1);
+        } else {
+            memcpy(plain, at, length < sizeof plain ? length : sizeof plain - 1);
+            markup_put(&w, plain);
+        }
         at += length;
     }
-    if (size > 0)
-        out[used] = '\0';
 }

@@ -38,6 +38,17 @@ static const struct bead_field_info *field(const struct bead_equation_spec *spec
     return &infos[field];
 }
 
+/* "u_tt = 4 (1 + 0.5 u_x) u_xx", with subscripts. */
+static void describe(const struct bead_equation_spec *spec, char *text, size_t size)
+{
+    char square[32] = "", factor[64] = "";
+    if (spec->speed != 1)
+        snprintf(square, sizeof square, "%.4g ", spec->speed * spec->speed);
+    if (spec->epsilon != 0)
+        snprintf(factor, sizeof factor, "(1 %s %.4g u\u2093) ", spec->epsilon < 0 ? "\u2212" : "+", fabs(spec->epsilon));
+    snprintf(text, size, "u\u209c\u209c = %s%su\u2093\u2093", square, factor);
+}
+
 static const char *shock_check(const struct bead_equation_spec *spec, const char **key)
 {
     double strongest = spec->epsilon * spec->amplitude;
@@ -300,6 +311,7 @@ const struct bead_equation bead_equation_shock = {
                 "shock, up to 0.4 % of its height, are the scheme's (WENO of fifth order), and more points make them no smaller",
             .fields = fields,
             .field = field,
+            .describe = describe,
             .points = points,
             .places = places,
         },

@@ -419,7 +419,9 @@ static void test_markup(void **state)
     bead_markup(quoted, out, sizeof out);
     assert_string_equal(out, "a_b^c*d*\\{e}");
     bead_markup_symbols("u\u209c + 6 u u\u2093 of a mode at x; *M*, F_m here", out, sizeof out);
-    assert_string_equal(out, "*u\u209c* + 6 *u* *u\u2093* of a mode at *x*; *M*, *F*_m here");
+    assert_string_equal(out, "*u*_{*t*} + 6 *u* *u*_{*x*} of a mode at *x*; *M*, *F*_m here");
+    bead_markup_symbols("u\u2093\u2093\u2093 and N\u2081", out, sizeof out); /* tight: one subscript, numbers upright */
+    assert_string_equal(out, "*u*_{*xxx*} and *N*_{1}");
     bead_markup("*long*", small, sizeof small); /* no room: as it stands, cut */
     assert_string_equal(small, "*lo");
 }

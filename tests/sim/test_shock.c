@@ -377,6 +377,31 @@ static void ripples_behind_a_shock_are_small(void **state)
     }
 }
 
+/* What headings show is the equation, with its coefficients. */
+static void headings_show_the_equation(void **state)
+{
+    static const struct {
+        const char *keys, *says;
+    } cases[] = {{"epsilon: 0.5", "u\u209c\u209c = (1 + 0.5 u\u2093) u\u2093\u2093"},
+                 {"epsilon: -0.25, speed: 2", "u\u209c\u209c = 4 (1 \u2212 0.25 u\u2093) u\u2093\u2093"}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct bead_scene *scene = NULL;
+        struct bead_chain *chain = NULL;
+        char yaml[300], text[200];
+        snprintf(yaml, sizeof yaml,
+                 "chain: {equation: shock, %s, length: 6.2832, start: {simple-wave: 1, amplitude: 1}}\nsimulate: {until: 1}\n"
+                 "outputs: [{image: a.svg}]\n",
+                 cases[i].keys);
+        assert_int_equal(bead_scene_parse("test", yaml, strlen(yaml), NULL, 0, &scene, NULL), BEAD_OK);
+        assert_int_equal(bead_chain_create(scene, 0, &chain, NULL), BEAD_OK);
+        bead_chain_describe(chain, text, sizeof text);
+        assert_string_equal(text, cases[i].says);
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(simple_waves_break_when_they_should),
@@ -391,6 +416,7 @@ int main(void)
                                        cmocka_unit_test(strains_without_waves_are_refused),
                                        cmocka_unit_test(steps_too_long_are_told),
                                        cmocka_unit_test(a_grid_too_coarse_is_told),
-                                       cmocka_unit_test(ripples_behind_a_shock_are_small)};
+                                       cmocka_unit_test(ripples_behind_a_shock_are_small),
+                                       cmocka_unit_test(headings_show_the_equation)};
     return cmocka_run_group_tests_name("shock", tests, NULL, NULL);
 }
