@@ -197,3 +197,30 @@ void bead_curve_draw(const struct bead_curve *curve, struct bead_rect rect, int 
         kernels->curve(&columns, frame->pixels + (size_t)rect.y * frame->stride + 4 * (ptrdiff_t)(rect.x + begin), frame->stride);
     }
 }
+
+/* One disc with a soft edge. */
+static void draw_dot(const double bgr[3], float x, float y, float r, struct bead_rect rect, int from, int to,
+                     struct bead_frame *frame)
+{
+    int left = (int)floorf(x - r - 1), right = (int)ceilf(x + r + 1), top = (int)floorf(y - r - 1), bottom = (int)ceilf(y + r + 1);
+    left = left < from ? from : left, right = right > to ? to : right;
+    top = top < 0 ? 0 : top, bottom = bottom > rect.height ? rect.height : bottom;
+    for (int py = top; py < bottom; py++) {
+        uint8_t *row = frame->pixels + (size_t)(rect.y + py) * frame->stride + 4 * (ptrdiff_t)rect.x;
+        for (int px = left; px < right; px++) {
+            float dx = (float)px + 0.5f - x, dy = (float)py + 0.5f - y, cover = r + 0.5f - sqrtf(dx * dx + dy * dy);
+            cover = most(0, least(cover, 1));
+            for (int c = 0; c < 3; c++)
+                row[4 * px + c] = (uint8_t)lrintf((float)row[4 * px + c] + cover * (float)(255 * bgr[c] - row[4 * px + c]));
+        }
+    }
+}
+
+void bead_curve_dots(const struct bead_curve *curve, float r, struct bead_rect rect, int from, int to, struct bead_frame *frame)
+{
+    const double bgr[3] = {curve->line.b, curve->line.g, curve->line.r};
+    for (size_t i = 0; i < curve->count; i++) {
+        if (curve->x[i] + r + 1 > (float)from && curve->x[i] - r - 1 < (float)to)
+            draw_dot(bgr, curve->x[i], curve->y[i], r, rect, from, to, frame);
+    }
+}

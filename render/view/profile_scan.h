@@ -22,5 +22,7 @@ int bead_curve_reach(const struct bead_curve *curve);
 /* Columns from..to (exclusive, of `rect`) over `background`. */
 void bead_curve_draw(const struct bead_curve *curve, struct bead_rect rect, int from, int to, struct bead_frame *frame,
                      const struct bead_frame *background);
+/* Discs of radius `r` px at its points, in the line's colour, over what is there. */
+void bead_curve_dots(const struct bead_curve *curve, float r, struct bead_rect rect, int from, int to, struct bead_frame *frame);
 
 #endif

@@ -1,5 +1,5 @@
-/* View: the field along the chain, as a line over a filled area. The view of one chain can draw those of others with its own, on
- * one axis. */
+/* View: the field along the chain, as a smooth line over a filled area, with dots at the beads where there is room. The view of one
+ * chain can draw those of others with its own, on one axis. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,10 +9,13 @@
 #include "render/view/moving_labels.h"
 #include "render/view/panel.h"
 #include "render/view/profile_scan.h"
+#include "render/view/smooth_curve.h"
 #include "render/view/views.h"
 
 /* Heights are rounded to this fraction of a pixel; smaller motion is not redrawn. */
 static const double steps_per_pixel = 32;
+/* Dots at the values, in units of the curve's width: radius, and how far apart values must be for them. */
+static const double dot_size = 1.5, dot_room = 7;
 static const double area_alpha = 0.26, shared_alpha = 0.12;
 enum { MOST_SPANS = 8, MERGE_GAP = 12, MOST_OTHERS = 15 };
 
@@ -22,7 +25,11 @@ struct bead_view {
     size_t first, count; /* values shown */
     double *value[2], time[2];
     int fed, newest;
-    float *x, *y, *old_y; /* px of the plot */
+    float *x, *y, *old_y; /* px of the plot, of the values */
+    float *sx, *sy;       /* of the curve through them */
+    size_t points;        /* of the curve, as of now */
+    unsigned parts;       /* of the curve to a gap between values */
+    float dots;           /* px: radius; 0: none */
     double *place;        /* m along the chain: with a camera */
     double left;          /* m: the camera's, as drawn last */
     size_t from, to;      /* values in the plot, and one more on each side; `to` exclusive */
@@ -51,6 +58,8 @@ static void profile_destroy(struct bead_view *v)
     free(v->x);
     free(v->y);
     free(v->old_y);
+    free(v->sx);
+    free(v->sy);
     free(v->place);
     free(v->changed);
     bead_moving_labels_destroy(v->labels);
@@ -97,6 +106,12 @@ static void profile_make_axis(struct bead_view *v)
     bead_axis_make(&v->axis, low, high, bead_chain_field(v->setup.chain, v->setup.field)->unit, scale, v->plot.height, v->look.tick,
                    false);
     v->base = scale == BEAD_SCALE_LOG ? low : fmin(high, fmax(low, 0));
+}
+
+/* Of the curve, px. */
+static double line_width(const struct bead_view *v)
+{
+    return fmax(1.6, 1.8 * v->look.line);
 }
 
 static float profile_y_of(const struct bead_view *v, double value)
@@ -169,6 +184,19 @@ static void profile_find_ends(struct bead_view *v)
     }
 }
 
+/* Room for the curve, once it is known how far apart the values stand. */
+static enum bead_error profile_make_curve(struct bead_view *v, struct bead_message *msg)
+{
+    double width = v->setup.camera ? bead_camera_width(v->setup.camera) : 0, last = v->count > 1 ? (double)(v->count - 1) : 1;
+    double pitch =
+        width > 0 ? v->plot.width * (v->place[v->count - 1] - v->place[0]) / last / width : (v->x[v->count - 1] - v->x[0]) / last;
+    v->parts = bead_smooth_parts(pitch);
+    v->dots = (float)(pitch > dot_room * line_width(v) ? dot_size * line_width(v) : 0);
+    v->sx = calloc(v->count * v->parts + 1, sizeof *v->sx);
+    v->sy = calloc(v->count * v->parts + 1, sizeof *v->sy);
+    return v->sx && v->sy ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a profile of %zu beads", v->count);
+}
+
 /* Where the values stand on the axis of the view that draws them, `on`. */
 static void profile_spread(struct bead_view *v, const struct bead_view *on)
 {
@@ -194,11 +222,14 @@ static enum bead_error profile_place(struct bead_view *v, struct bead_rect plot,
     if (!v->changed)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a profile");
     profile_find_ends(v);
-    for (size_t k = 0; k <= v->other_count; k++)
-        profile_spread(curve_at(v, k), v);
     if (v->setup.camera)
         profile_find_places(v);
-    return BEAD_OK;
+    enum bead_error err = BEAD_OK;
+    for (size_t k = 0; !err && k <= v->other_count; k++) {
+        profile_spread(curve_at(v, k), v);
+        err = profile_make_curve(curve_at(v, k), msg);
+    }
+    return err;
 }
 
 /* Numbers below the plot that move with the camera; the title stands to their left. */
@@ -260,14 +291,21 @@ static void profile_advance(struct bead_view *v, double time)
         v->y[i] = profile_y_of(v, weight >= 1 ? now[i] : before[i] + weight * (now[i] - before[i]));
 }
 
+/* The curve through the values in the plot; forces and other values without a sign stay on their side of zero. */
+static void profile_smooth(struct bead_view *v)
+{
+    float bottom = profile_y_of(v, v->base), lowest = v->axis.low < 0 || v->axis.scale == BEAD_SCALE_LOG ? INFINITY : bottom;
+    v->points = bead_smooth_fill(v->x, v->y, v->count, v->from, v->to, v->parts, -INFINITY, lowest, v->sx, v->sy);
+}
+
 static struct bead_curve profile_curve_of(const struct bead_view *v)
 {
     struct bead_rgb colour = v->setup.own_colour ? bead_look_curve(&v->look, v->setup.chain_index) : v->look.accent;
-    return (struct bead_curve){.x = v->x + v->from,
-                               .y = v->y + v->from,
-                               .count = v->to - v->from,
+    return (struct bead_curve){.x = v->sx,
+                               .y = v->sy,
+                               .count = v->points,
                                .base = profile_y_of(v, v->base),
-                               .width = (float)fmax(1.6, 1.8 * v->look.line),
+                               .width = (float)line_width(v),
                                .line = colour,
                                .area = colour,
                                .area_alpha = v->setup.own_colour ? shared_alpha : area_alpha};
@@ -277,8 +315,15 @@ static void draw_span(struct bead_view *v, int from, int to, struct bead_frame *
                       struct bead_changes *changes)
 {
     for (size_t k = 0; k <= v->other_count; k++) {
-        struct bead_curve curve = profile_curve_of(curve_at(v, k));
+        const struct bead_view *own = curve_at(v, k);
+        struct bead_curve curve = profile_curve_of(own);
         bead_curve_draw(&curve, v->plot, from, to, frame, k == 0 ? background : NULL);
+        if (own->dots > 0) {
+            curve.x = own->x + own->from;
+            curve.y = own->y + own->from;
+            curve.count = own->to - own->from;
+            bead_curve_dots(&curve, own->dots, v->plot, from, to, frame);
+        }
     }
     if (changes)
         bead_changes_add(changes, (struct bead_rect){v->plot.x + from, v->plot.y, to - from, v->plot.height});
@@ -288,12 +333,13 @@ static void draw_span(struct bead_view *v, int from, int to, struct bead_frame *
 static void find_changed(const struct bead_view *curve, bool all, uint8_t *changed)
 {
     const struct bead_curve drawn = profile_curve_of(curve);
-    int reach = bead_curve_reach(&drawn), width = curve->plot.width;
-    for (size_t i = curve->from; i < curve->to; i++) {
-        if (!all && curve->y[i] == curve->old_y[i])
+    int reach = bead_curve_reach(&drawn) + (int)ceilf(curve->dots), width = curve->plot.width;
+    size_t gaps = curve->parts > 1 ? BEAD_SMOOTH_REACH : 1;
+    for (size_t i = 0; i < curve->count; i++) {
+        if ((!all && curve->y[i] == curve->old_y[i]) || i + gaps < curve->from || i >= curve->to + gaps)
             continue;
-        int a = i == curve->from ? 0 : (int)floorf(curve->x[i - 1]) - reach;
-        int b = i + 1 == curve->to ? width : (int)ceilf(curve->x[i + 1]) + reach;
+        int a = i <= curve->from + gaps - 1 ? 0 : (int)floorf(curve->x[i - gaps]) - reach;
+        int b = i + gaps >= curve->to ? width : (int)ceilf(curve->x[i + gaps]) + reach;
         a = a < 0 ? 0 : a;
         b = b > width ? width : b;
         if (b > a)
@@ -312,6 +358,7 @@ static enum bead_error profile_draw(struct bead_view *v, double time, struct bea
         profile_advance(curve, time);
         if (curve->setup.camera)
             profile_follow(curve);
+        profile_smooth(curve);
         find_changed(curve, !v->drawn || !changes, v->changed);
     }
     size_t spans = 0;
@@ -336,14 +383,15 @@ static enum bead_error profile_vector(struct bead_view *v, double time, cairo_t 
     if (v->fed == 0 || v->count == 0)
         return BEAD_OK;
     profile_advance(v, time);
+    profile_smooth(v);
     struct bead_curve curve = profile_curve_of(v);
     cairo_save(cr);
     cairo_rectangle(cr, v->plot.x, v->plot.y, v->plot.width, v->plot.height);
     cairo_clip(cr);
     cairo_translate(cr, v->plot.x, v->plot.y);
     cairo_new_path(cr);
-    for (size_t i = 0; i < v->count; i++)
-        cairo_line_to(cr, v->x[i], v->y[i]);
+    for (size_t i = 0; i < curve.count; i++)
+        cairo_line_to(cr, curve.x[i], curve.y[i]);
     cairo_path_t *path = cairo_copy_path(cr);
     cairo_line_to(cr, v->x[v->count - 1], curve.base);
     cairo_line_to(cr, v->x[0], curve.base);
@@ -356,6 +404,11 @@ static enum bead_error profile_vector(struct bead_view *v, double time, cairo_t 
     cairo_set_line_width(cr, curve.width);
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
     cairo_stroke(cr);
+    for (size_t i = 0; v->dots > 0 && i < v->count; i++) {
+        cairo_new_sub_path(cr);
+        cairo_arc(cr, v->x[i], v->y[i], v->dots, 0, 2 * M_PI);
+    }
+    cairo_fill(cr);
     cairo_restore(cr);
     return BEAD_OK;
 }
