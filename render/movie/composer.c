@@ -125,9 +125,9 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
     c->caption = SIZE_MAX;
     c->magnify = output->views.magnify > 0 ? output->views.magnify : bead_magnify_auto(c->setup.chains, c->setup.chain_count);
     if (output->movie.poster && output->movie.poster[0]) {
-        c->lit = calloc(c->setup.chain_count, sizeof *c->lit);
-        if (!c->lit)
-            return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
+        err = bead_interest_open(c, msg);
+        if (err)
+            return err;
     }
     err = bead_composer_measure(c, msg);
     if (!err)
@@ -275,33 +275,11 @@ enum bead_error bead_composer_open(struct bead_composer *c, struct bead_message 
     return err ? err : bead_warnings_check(msg);
 }
 
-/* Mean distance from zero along the colour bar. */
-static void look_lit(struct bead_composer *c, const struct bead_sample *sample)
-{
-    const double *value = sample->field[c->setup.output->shown.field];
-    struct bead_span span = bead_composer_span(c, sample->chain);
-    double zero = bead_colours_place(&c->colours, 0), sum = 0;
-    zero = fmin(1, fmax(0, zero));
-    for (size_t i = span.first; value && i <= span.last && i <= sample->active; i++)
-        sum += fabs(fmin(1, fmax(0, bead_colours_place(&c->colours, value[i]))) - zero);
-    c->lit[sample->chain] = sum / (double)(span.last - span.first + 1);
-}
-
-double bead_composer_interest(const struct bead_composer *c, double time)
-{
-    double passed = (time - c->setup.time[0]) / (c->setup.time[1] - c->setup.time[0]), sum = 0;
-    if (!bead_composer_averages(c->setup.output))
-        passed = 1;
-    for (size_t i = 0; c->lit && i < c->wants.chain_count; i++)
-        sum += c->lit[i];
-    return (0.3 + 0.7 * passed) * sum;
-}
-
 enum bead_error bead_composer_feed(struct bead_composer *c, const struct bead_sample *sample, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
-    if (c->lit)
-        look_lit(c, sample);
+    if (c->fed)
+        bead_interest_feed(c, sample);
     if (c->cameras)
         err = bead_camera_feed(c->cameras[sample->chain], sample, msg);
     for (size_t v = 0; !err && v < c->wants.view_count; v++)
@@ -379,7 +357,7 @@ void bead_composer_destroy(struct bead_composer *c)
     for (size_t i = 0; c->cameras && i < c->wants.chain_count; i++)
         bead_camera_destroy(c->cameras[i]);
     free(c->cameras);
-    free(c->lit);
+    free(c->fed);
     bead_movie_layout_free(&c->layout);
     bead_frame_free(&c->frame);
     bead_frame_free(&c->background);

@@ -49,8 +49,8 @@ BEAD_CHECK enum bead_error bead_composer_card(struct bead_composer *composer, st
 /* Brings the frame to `time`; adds what changed (the first time: everything). */
 BEAD_CHECK enum bead_error bead_composer_draw(struct bead_composer *composer, double time, struct bead_changes *changes,
                                               struct bead_message *msg);
-/* How much the frame at `time` shows: the mean distance of the beads' values from zero along the colour bar, weighted by how far
- * views of all times have filled. Only for outputs with a poster. */
+/* How much the frame at `time` shows: of several chains, how far their values differ; of one, the mean distance of its values from
+ * zero along the colour bar, weighted by how far views of all times have filled. Only for outputs with a poster. */
 double bead_composer_interest(const struct bead_composer *composer, double time);
 const struct bead_frame *bead_composer_frame(const struct bead_composer *composer);
 /* What paints the beads, as of bead_composer_open; "": nothing needs to be painted. */

@@ -30,7 +30,8 @@ struct bead_composer {
     bool carded, started; /* the card has been drawn; the static layer has been */
     bool trust_said;
     size_t caption; /* shown now; SIZE_MAX: none */
-    double *lit;    /* of each chain: see bead_composer_interest; NULL: no poster */
+    double *fed;       /* [chain][fed_room]: values as of the last samples, for bead_composer_interest; NULL: no poster */
+    size_t fed_room;
     double slowed;  /* s of the film for one of the motion */
 };
 
@@ -45,6 +46,9 @@ void bead_composer_bar_title(const struct bead_composer *composer, char *out, si
 /* Creates a camera for each chain; plots that follow the front become narrower if their rows of beads would be too high. Errors:
  * MEMORY. */
 BEAD_CHECK enum bead_error bead_composer_cameras(struct bead_composer *composer, struct bead_message *msg);
+/* Keeps values for the poster. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_interest_open(struct bead_composer *composer, struct bead_message *msg);
+void bead_interest_feed(struct bead_composer *composer, const struct bead_sample *sample);
 /* The colour bar, into the static layer. */
 void bead_overlay_draw_bar(struct bead_composer *composer, cairo_t *cr);
 /* Update the parts of the frame that change now and then to `time`; each adds what changed. */

@@ -8,7 +8,7 @@
 #include "beadreel/picture.h"
 
 /* A frame replaces the one kept only if it is better by this factor, to save copying. */
-static const double better = 1.02;
+static const double better = 1.002;
 
 struct bead_poster {
     const char *path, *title;

@@ -1,5 +1,6 @@
 /* Frames of films in every layout, shape, theme and size of type, with one to four chains: no word is cut off or lies over another,
  * none is shortened, and the space-time images have their share. SHOW=DIRECTORY keeps the frames as pictures. */
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -199,11 +200,42 @@ static void test_windows_that_move(void **state)
     }
 }
 
+/* What chooses the poster: how far two chains differ, not how much they show. */
+static void test_differences_count(void **state)
+{
+    static struct stage s;
+    static const int size[2] = {640, 360};
+    double rest[65] = {0}, one[65] = {0}, far[65] = {0};
+    (void)state;
+    struct wish w = {.size = {640, 360}, .chains = 2};
+    char text[4096];
+    describe(&w, text, sizeof text);
+    *strstr(text, "}]\n") = '\0';
+    strcat(text, ", poster: p.png, views: [profile]}]\n");
+    open_stage(&s, text, size);
+    one[7] = 30;
+    far[40] = 12;
+    const struct {
+        const double *first, *second;
+        double difference;
+    } cases[] = {{one, one, 0}, {one, rest, 30 / sqrt(2)}, {rest, far, 12 / sqrt(2)}, {one, far, sqrt((900 + 144) / 2.0)}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        for (size_t chain = 0; chain < 2; chain++) {
+            struct bead_sample sample = {.chain = chain, .time = 1e-4 * (double)i, .active = 64};
+            sample.field[BEAD_FIELD_FORCE] = chain ? cases[i].second : cases[i].first;
+            assert_int_equal(bead_composer_feed(s.composer, &sample, NULL), BEAD_OK);
+        }
+        assert_float_equal(bead_composer_interest(s.composer, 1e-4 * (double)i), cases[i].difference, 1e-9);
+    }
+    close_stage(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_frame),
         cmocka_unit_test(test_windows_that_move),
+        cmocka_unit_test(test_differences_count),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

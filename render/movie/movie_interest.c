@@ -1,0 +1,54 @@
+/* How much a frame has to show, by which the sink chooses the poster: the difference between chains, or what a lone chain shows. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/movie/composer_private.h"
+
+enum bead_error bead_interest_open(struct bead_composer *c, struct bead_message *msg)
+{
+    for (size_t i = 0; i < c->setup.chain_count; i++) {
+        struct bead_span span = bead_composer_span(c, i);
+        size_t count = span.last - span.first + 1;
+        c->fed_room = count > c->fed_room ? count : c->fed_room;
+    }
+    c->fed = calloc(c->setup.chain_count * c->fed_room, sizeof *c->fed);
+    return c->fed ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a poster");
+}
+
+void bead_interest_feed(struct bead_composer *c, const struct bead_sample *sample)
+{
+    const double *value = sample->field[c->setup.output->shown.field];
+    struct bead_span span = bead_composer_span(c, sample->chain);
+    if (value)
+        memcpy(c->fed + sample->chain * c->fed_room, value + span.first, (span.last - span.first + 1) * sizeof *value);
+}
+
+/* Root of the sum, over the beads, of the squared deviations of the chains from their mean. */
+static double difference(const struct bead_composer *c)
+{
+    double sum = 0;
+    for (size_t i = 0; i < c->fed_room; i++) {
+        double mean = 0;
+        for (size_t chain = 0; chain < c->setup.chain_count; chain++)
+            mean += c->fed[chain * c->fed_room + i] / (double)c->setup.chain_count;
+        for (size_t chain = 0; chain < c->setup.chain_count; chain++)
+            sum += pow(c->fed[chain * c->fed_room + i] - mean, 2);
+    }
+    return sqrt(sum);
+}
+
+/* Mean distance from zero along the colour bar, weighted by how far views of all times have filled. */
+static double shown(const struct bead_composer *c, double time)
+{
+    double passed = (time - c->setup.time[0]) / (c->setup.time[1] - c->setup.time[0]), sum = 0;
+    double zero = fmin(1, fmax(0, bead_colours_place(&c->colours, 0)));
+    for (size_t i = 0; i < c->fed_room; i++)
+        sum += fabs(fmin(1, fmax(0, bead_colours_place(&c->colours, c->fed[i]))) - zero);
+    return (bead_composer_averages(c->setup.output) ? 0.3 + 0.7 * passed : 1) * sum / (double)c->fed_room;
+}
+
+double bead_composer_interest(const struct bead_composer *c, double time)
+{
+    return !c->fed ? 0 : c->setup.chain_count > 1 ? difference(c) : shown(c, time);
+}
