@@ -1,6 +1,8 @@
 /* The table of codecs: for every movie format its container, and for every quality its encoder and options. */
 #include "render/encode/movie_private.h"
 
+#include "render/encode/file_comment.h"
+
 #include <string.h>
 #include <strings.h>
 
@@ -44,8 +46,9 @@ static const struct bead_preset gif[] = {{"gif", AV_PIX_FMT_PAL8, 1, false, ""},
 
 /* The last chunk of a PNG file. */
 #define PNG_END "\0\0\0\0IEND\xae\x42\x60\x82"
-#define APNG \
-    .way = &bead_movie_libav, .muxer = "apng", .muxer_options = "plays=0", .ending = PNG_END, .presets = apng, .delay_unit = 1
+#define APNG                                                                                                               \
+    .way = &bead_movie_libav, .muxer = "apng", .muxer_options = "plays=0", .ending = PNG_END, .comment = bead_comment_png, \
+    .presets = apng, .delay_unit = 1
 
 static const struct bead_codec codecs[] = {
     {.info = {"mp4", "H.264, plays everywhere (lossless: RGB, not in all players)"},
@@ -61,6 +64,7 @@ static const struct bead_codec codecs[] = {
      .way = &bead_movie_libav,
      .muxer = "gif",
      .muxer_options = "loop=0",
+     .comment = bead_comment_gif,
      .presets = gif,
      .delay_unit = 100,
      .most_fps = 50},

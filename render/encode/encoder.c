@@ -312,9 +312,9 @@ static enum bead_error libav_convert(struct bead_movie *movie, size_t slot, cons
     return bead_pictures_convert(&movie->encoder->pictures, slot, frame, missing, msg);
 }
 
-/* Of a group of frames the last is shown, at the time of the first; but the movie begins with its first. A frame that repeats the one
- * before is encoded again, from the picture there is: players seek in such files and editors count their frames. Drafts show the
- * picture before for longer instead. */
+/* Of a group of frames the last is shown, at the time of the first; but the movie begins with its first. A frame that repeats the
+ * one before is encoded again, from the picture there is: players seek in such files and editors count their frames. Drafts show
+ * the picture before for longer instead. */
 static enum bead_error libav_add_slot(struct bead_movie *movie, size_t slot, const struct bead_changes *changes,
                                       struct bead_message *msg)
 {
@@ -429,6 +429,9 @@ static enum bead_error close_part(struct bead_movie *movie, struct bead_message 
 {
     struct bead_encoder *e = movie->encoder;
     bead_av_file_unwrap(&e->av, &e->format->pb);
+    enum bead_error err = movie->comment ? movie->codec->comment(e->file, movie->comment, msg) : BEAD_OK;
+    if (err)
+        return err;
     int descriptor = e->file;
     e->file = -1;
     return close(descriptor) == 0 ? BEAD_OK : bead_fail(msg, BEAD_ERROR_IO, "%s: closing failed", movie->path);

@@ -82,6 +82,7 @@ enum bead_error bead_movie_check(const char *path, const struct bead_movie_setti
 static void destroy(struct bead_movie *movie)
 {
     movie->codec->way->destroy(movie);
+    free(movie->comment);
     free(movie->plain);
     free(movie->part);
     free(movie->path);
@@ -103,7 +104,10 @@ enum bead_error bead_movie_open(const char *path, const struct bead_movie_settin
     m->settings = *settings;
     if (codec->presets)
         snprintf(m->encoded_by, sizeof m->encoded_by, "libavcodec (%s)", codec->presets[settings->quality].encoder);
-    err = bead_file_join(NULL, path, &m->path, msg);
+    if (settings->comment && codec->comment && !(m->comment = strdup(settings->comment)))
+        err = bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", path);
+    if (!err)
+        err = bead_file_join(NULL, path, &m->path, msg);
     if (!err)
         err = bead_file_part_name(path, &m->part, msg);
     if (!err)

@@ -46,14 +46,15 @@ enum { BEAD_ENDING_BYTES = 12 };
 struct bead_codec {
     struct bead_codec_info info;
     const struct bead_movie_way *way;
-    const char *muxer;                 /* libav's name; NULL, like all behind it, where the way has no codec */
-    const char *muxer_options;         /* "key=value key=value"; the file can be read while it grows */
-    const char *plain_options;         /* of the finished file; NULL: it is what has grown */
-    const char *ending;                /* BEAD_ENDING_BYTES that end a growing file for those who read it; NULL: it needs none */
-    const struct bead_preset *presets; /* by enum bead_quality */
-    int delay_unit;                    /* 1/s: of the muxer's option final_delay; 0: durations are the packets' own */
-    bool covers;                       /* the container has room for a picture beside the movie */
-    int most_fps;                      /* 1/s: more are thinned out, because players slow such files down; 0: no limit */
+    const char *muxer;         /* libav's name; NULL, like all behind it, where the way has no codec */
+    const char *muxer_options; /* "key=value key=value"; the file can be read while it grows */
+    const char *plain_options; /* of the finished file; NULL: it is what has grown */
+    const char *ending;        /* BEAD_ENDING_BYTES that end a growing file for those who read it; NULL: it needs none */
+    enum bead_error (*comment)(int descriptor, const char *text, struct bead_message *msg); /* NULL: the muxer writes it */
+    const struct bead_preset *presets;                                                      /* by enum bead_quality */
+    int delay_unit; /* 1/s: of the muxer's option final_delay; 0: durations are the packets' own */
+    bool covers;    /* the container has room for a picture beside the movie */
+    int most_fps;   /* 1/s: more are thinned out, because players slow such files down; 0: no limit */
 };
 
 /* By the extension of `path`, in any case of letters; NULL: none. */
@@ -65,6 +66,7 @@ struct bead_movie {
     char *path, *part;
     char *plain; /* the finished file, on its way; NULL: the part */
     char encoded_by[48];
+    char *comment;                /* where the codec writes it at the end; NULL: none */
     struct bead_encoder *encoder; /* bead_movie_libav */
     FILE *lines;                  /* bead_movie_hashes */
     uint64_t shown, encoded;

@@ -30,9 +30,9 @@ struct bead_composer {
     bool carded, started; /* the card has been drawn; the static layer has been */
     bool trust_said;
     size_t caption; /* shown now; SIZE_MAX: none */
-    double *fed;       /* [chain][fed_room]: values as of the last samples, for bead_composer_interest; NULL: no poster */
+    double *fed;    /* [chain][fed_room]: values as of the last samples, for bead_composer_interest; NULL: no poster */
     size_t fed_room;
-    double slowed;  /* s of the film for one of the motion */
+    double slowed; /* s of the film for one of the motion */
 };
 
 /* Beads that are shown, also where the field is one of contacts. */

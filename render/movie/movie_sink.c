@@ -39,7 +39,7 @@ struct parcel {
 struct bead_sink {
     const struct bead_output *output;
     struct bead_run_context context;
-    char *path, *poster_path; /* NULL: none */
+    char *path, *poster_path, *comment; /* NULL: none */
     uint64_t poster_bytes;
     char why[192], makers[160];
     int width, height;
@@ -76,6 +76,7 @@ static struct bead_movie_settings movie_settings_of(const struct bead_sink *s)
                                         .fps = s->output->movie.fps,
                                         .quality = s->output->movie.quality,
                                         .title = s->context.scene->title[0] ? s->context.scene->title : NULL,
+                                        .comment = s->comment,
                                         .cover = s->output->movie.poster && s->output->movie.poster[0]};
 }
 
@@ -116,8 +117,22 @@ static void movie_destroy(struct bead_sink *s)
     for (int i = 0; i < FRAME_SLOTS; i++)
         bead_frame_free(&s->buffer[i]);
     free(s->path);
+    free(s->comment);
     free(s->poster_path);
     free(s);
+}
+
+/* What made the movie: the program's version and the scene. */
+static enum bead_error make_comment(struct bead_sink *s, struct bead_message *msg)
+{
+    const struct bead_scene *scene = s->context.scene;
+    const char *text = scene->text ? scene->text : "";
+    size_t size = strlen(text) + 64;
+    s->comment = malloc(size);
+    if (!s->comment)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
+    snprintf(s->comment, size, "beadreel %s, scene:\n%s", bead_version(), text);
+    return BEAD_OK;
 }
 
 static enum bead_error movie_prepare(struct bead_sink *s, struct bead_message *msg)
@@ -134,6 +149,8 @@ static enum bead_error movie_prepare(struct bead_sink *s, struct bead_message *m
         err = bead_file_join(s->context.directory, s->output->movie.poster, &s->poster_path, msg);
     if (!err)
         err = bead_file_join(s->context.directory, s->output->path, &s->path, msg);
+    if (!err)
+        err = make_comment(s, msg);
     if (err)
         return err;
     settings = movie_settings_of(s);
@@ -168,20 +185,12 @@ static enum bead_error movie_create(const struct bead_output *output, const stru
     return err;
 }
 
-/* The range of the values: for the colours, and for the ends of their bar, which say from the first frame on whether there are
- * values beyond a range that the scene gives. */
-static bool needs_range(const struct bead_output *output)
-{
-    bool bar = output->views.axes && bead_views_any(output->views.kinds, output->views.count, BEAD_SHOWS_COLOURS);
-    return bar || isnan(output->colours.range[0]) || isnan(output->colours.range[1]);
-}
-
 static void movie_needs(const struct bead_sink *s, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){.fields = s->fields,
                                  .beads = {s->output->shown.beads.first, s->last_bead},
                                  .grid = s->times.grid,
-                                 .range = needs_range(s->output),
+                                 .range = isnan(s->output->colours.range[0]) || isnan(s->output->colours.range[1]),
                                  .range_field = s->output->shown.field,
                                  .comparison = s->comparison,
                                  .until = s->times.time[1],
@@ -329,6 +338,16 @@ static enum bead_error create_pipes(struct bead_sink *s, struct bead_message *ms
     return err ? err : bead_ring_buffer_create(slots, bytes, s->context.threads, movie_draw, s, &s->drawing, msg);
 }
 
+/* Which ends of the colour bar are pointed, from the first frame on. Where the scene gives the range, nobody knows yet what lies
+ * beyond it: such ends say that values there may be greater, or less where there are values of both signs. */
+static void find_ends(const struct bead_sink *s, const struct bead_colour_range *colours, bool *over, bool *under)
+{
+    bool both = bead_chain_signed(s->context.chains[0], s->output->shown.field) || colours->low > 0;
+    bool given = !isnan(s->output->colours.range[0]) && !isnan(s->output->colours.range[1]);
+    *over = given || colours->over;
+    *under = given ? both && s->output->colours.scale != BEAD_SCALE_LOG : colours->under;
+}
+
 static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range, struct bead_message *msg)
 {
     struct bead_composer_setup setup = {.output = s->output,
@@ -346,8 +365,7 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
         &s->output->colours, bead_chain_signed(s->context.chains[0], s->output->shown.field), range.low, range.high);
     setup.range[0] = colours.low;
     setup.range[1] = colours.high;
-    setup.over = colours.over;
-    setup.under = colours.under;
+    find_ends(s, &colours, &setup.over, &setup.under);
     enum bead_error err = bead_composer_create(&setup, &s->composer, msg);
     struct bead_movie_settings settings = movie_settings_of(s);
     if (!err && s->poster_path)

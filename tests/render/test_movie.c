@@ -74,8 +74,8 @@ static void every_format_shows_what_was_added(void **state)
     }
 }
 
-/* Frames 3, 4, 5, 9 and the last two stay as they were. They are pictures of the file all the same, at a constant rate; in drafts only
- * the very last is, and no time is lost. */
+/* Frames 3, 4, 5, 9 and the last two stay as they were. They are pictures of the file all the same, at a constant rate; in drafts
+ * only the very last is, and no time is lost. */
 static void check_still_frames(const char *name, enum bead_quality quality)
 {
     struct bead_movie_settings wanted = settings(quality);
@@ -351,6 +351,32 @@ static void rates_need_not_be_whole(void **state)
     }
 }
 
+/* Files whose muxers write no comments have one all the same, of any length, and play. */
+static void every_movie_has_a_comment(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"note.gif", "note.apng", "note.mp4", "note.mkv", "note.webm"};
+    char text[1001] = "";
+    for (size_t i = 0; i < sizeof text - 1; i++)
+        text[i] = (char)('a' + i % 26);
+    for (size_t n = 0; n < sizeof names / sizeof names[0]; n++) {
+        struct bead_movie_settings wanted = settings(BEAD_QUALITY_STANDARD);
+        struct decoded movie;
+        size_t size, shown = 0;
+        wanted.comment = text;
+        const char *path = place(names[n]);
+        write_movie(path, &wanted, 5, 0);
+        decode(path, &movie);
+        assert_int_equal(movie.count, 5);
+        char *bytes = take_file(path, &size);
+        for (size_t at = 0; at + 20 < size; at++) /* a GIF's comment is cut into pieces */
+            shown += memcmp(bytes + at, "abcdefghijklmnopqrst", 20) == 0;
+        assert_in_range(shown, 1000 / 26 - 6, 1000 / 26);
+        free(bytes);
+        decoded_free(&movie);
+    }
+}
+
 /* One line for each frame added, still or not, as the pixels are. */
 static void hashes_are_of_the_frames(void **state)
 {
@@ -410,6 +436,7 @@ int main(void)
         cmocka_unit_test(gif_is_playable),
         cmocka_unit_test(apng_loops_for_ever),
         cmocka_unit_test(mp4_starts_fast_and_has_a_title),
+        cmocka_unit_test(every_movie_has_a_comment),
         cmocka_unit_test(covers_that_never_come_do_no_harm),
         cmocka_unit_test(rates_need_not_be_whole),
         cmocka_unit_test(hashes_are_of_the_frames),
