@@ -28,6 +28,7 @@ struct bead_needs {
     struct bead_span beads; /* valid part of the samples' arrays; contacts first..last likewise */
     struct bead_grid grid;
     bool contact_peaks, bead_peaks; /* maxima of every contact's / bead's force: in the outcome */
+    bool budget;                    /* the energy budget, in samples */
     bool states;                    /* the beads as the front arrives and at the end: in the outcome */
     bool range;                     /* wants the range of `range_field` over beads and times before begin (a scouting pass) */
     enum bead_field range_field;

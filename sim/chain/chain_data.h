@@ -28,6 +28,12 @@ struct bead_chain {
     size_t sensor_count;
 };
 
+/* Part of a contact's energy that counts as that of a bead beside it: half, or all of the wall's, which has no bead behind. */
+static inline double bead_chain_share(const struct bead_chain *chain, size_t contact)
+{
+    return contact + 1 < chain->beads ? 0.5 : 1;
+}
+
 /* The chain of a specification that need not be one of the scene's, made of the scene's materials. Both must outlive it. Errors:
  * those of bead_chain_create. */
 BEAD_CHECK enum bead_error bead_chain_create_of(const struct bead_scene *scene, const struct bead_chain_spec *spec,

@@ -166,7 +166,7 @@ enum bead_error bead_stepper_branch(const struct bead_stepper *s, struct bead_st
     b->active = s->active;
     b->t1 = s->t0;
     if (b->closed)
-        bead_damped_contacts_update(b);
+        memcpy(b->closed, s->was_closed, s->active);
     return BEAD_OK;
 }
 

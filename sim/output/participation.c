@@ -24,8 +24,8 @@ double bead_chain_participation(const struct bead_chain *chain, const double *u,
         double ahead = 0;
         if (j < chain->contacts) {
             double a = chain->stiffness[j], d0 = chain->static_compression[j], d = compression(chain, u, j);
-            ahead = 0.5 * (chain->law->energy(a, &chain->spec->law, d) - chain->law->energy(a, &chain->spec->law, d0) -
-                           chain->static_force[j] * (d - d0));
+            ahead = bead_chain_share(chain, j) * (chain->law->energy(a, &chain->spec->law, d) -
+                                                  chain->law->energy(a, &chain->spec->law, d0) - chain->static_force[j] * (d - d0));
         }
         double e = 0.5 * chain->mass[j] * v[j] * v[j] + behind + ahead;
         sum += e;

@@ -179,7 +179,7 @@ static const struct table *const tables[] = {
     [BEAD_SHOW_SENSORS] = &sensors,        [BEAD_SHOW_PEAKS] = &peaks,
     [BEAD_SHOW_BEAD_PEAKS] = &bead_peaks,  [BEAD_SHOW_MEASURES] = &bead_table_measures,
     [BEAD_SHOW_MODES] = &bead_table_modes, [BEAD_SHOW_PROFILES] = &bead_table_profiles,
-    [BEAD_SHOW_CHAIN] = &bead_table_chain,
+    [BEAD_SHOW_CHAIN] = &bead_table_chain, [BEAD_SHOW_ENERGY] = &bead_table_energy,
 };
 
 /* ---- the sink ---- */
@@ -291,7 +291,7 @@ static void table_result(const struct bead_sink *sink, uint64_t *bytes, uint64_t
 
 const struct bead_sink_type bead_table_sink = {
     .name = "table",
-    .help = "peaks, forces at sensors, measures, modes, profiles or the beads of chains, as comma-separated values",
+    .help = "peaks, forces at sensors, measures, energies, modes, profiles or the beads of chains, as comma-separated values",
     .kind = BEAD_OUTPUT_TABLE,
     .create = table_create,
     .needs = table_needs,

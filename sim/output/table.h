@@ -53,6 +53,8 @@ void bead_table_row(struct bead_sink *sink, double time);
 
 /* `show: measures` */
 extern const struct table bead_table_measures;
+/* `show: energy` */
+extern const struct table bead_table_energy;
 /* `show: modes` */
 extern const struct table bead_table_modes;
 /* `show: profiles` */

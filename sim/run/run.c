@@ -8,6 +8,7 @@
 #include "sim/integrate/dense.h"
 #include "sim/integrate/events.h"
 #include "sim/integrate/stepper.h"
+#include "sim/run/budget.h"
 #include "sim/run/estimate.h"
 #include "sim/run/front.h"
 #include "sim/run/method_choice.h"
@@ -39,9 +40,11 @@ struct bead_run {
     struct bead_peaks *contact_peaks, *bead_peaks;
     double *state_memory, *u, *v, *f; /* samples: state between steps */
     double *field[BEAD_FIELD_COUNT];
-    double *arrived, *final; /* [2][beads] u, v as the front arrives and at the end; NULL: not asked for */
-    double drift_bound;      /* of the energy's error: where it is passed steps become shorter */
-    uint64_t checked;        /* step that energy was looked at last */
+    double *arrived, *final;   /* [2][beads] u, v as the front arrives and at the end; NULL: not asked for */
+    double lost[2];            /* J, to damping until the start and the end of the step */
+    struct bead_budget budget; /* of the last sample */
+    double drift_bound;        /* of the energy's error: where it is passed steps become shorter */
+    uint64_t checked;          /* step that energy was looked at last */
     uint64_t hash;
 };
 
@@ -313,6 +316,9 @@ enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
         return err;
     if (run->arrived && coming && !isnan(run->front.arrival))
         keep_state(run, run->front.arrival, run->arrived);
+    run->lost[0] = run->lost[1];
+    if (run->settings.budget)
+        run->lost[1] += bead_dissipation(s);
     double limit = run->settings.passage && !isnan(run->front.arrival) ? run->front.arrival : run->settings.end;
     if (run->contact_peaks)
         bead_peaks_step(run->contact_peaks, s, limit);
@@ -348,8 +354,8 @@ static void sample_energy(struct bead_run *run, size_t first, size_t last)
         double energy = 0.5 * c->mass[j] * (run->v[j] * run->v[j]);
         for (size_t k = j > 0 ? j - 1 : 0; k <= j && k < c->contacts; k++) {
             double d0 = c->static_compression[k], d = d0 + (run->u[k] - run->u[k + 1]), a = c->stiffness[k];
-            energy +=
-                0.5 * (c->law->energy(a, &c->spec->law, d) - c->law->energy(a, &c->spec->law, d0) - c->static_force[k] * (d - d0));
+            energy += bead_chain_share(c, k) *
+                      (c->law->energy(a, &c->spec->law, d) - c->law->energy(a, &c->spec->law, d0) - c->static_force[k] * (d - d0));
         }
         run->field[BEAD_FIELD_ENERGY][j] = energy;
     }
@@ -367,6 +373,12 @@ enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields,
         return err;
     size_t last = span.last < c->beads ? span.last : c->beads - 1, first = span.first < last ? span.first : last;
     sample->time = t;
+    if (run->settings.budget) {
+        sample->budget = &run->budget;
+        err = bead_budget_find(s, t, run->lost[0], &run->budget, msg);
+        if (err)
+            return err;
+    }
     /* Beads under static compression carry force even at rest: all count as active. */
     sample->active = c->static_force[0] > 0 || c->static_force[c->contacts - 1] > 0 ? c->beads : s->active;
     if (last >= sample->active)

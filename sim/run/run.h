@@ -30,7 +30,8 @@ struct bead_run_settings {
     bool passage; /* peaks count until the front has arrived only, and not knowing end, the run is over then */
     bool contact_peaks, bead_peaks;
     const struct bead_span *peak_span; /* of these contacts and beads only; NULL: all */
-    bool states; /* the beads as the front arrives and at the end, for the outcome */
+    bool budget;                       /* samples have the energy budget */
+    bool states;                       /* the beads as the front arrives and at the end, for the outcome */
     bool full_window, hash;
     double tolerance_factor; /* a comparison run: accuracy, or the step given, times this; 0: as asked */
 };

@@ -7,9 +7,10 @@
 static const char *const plot_shows[] = {"sensors", "peaks", "setup", "contact", "cell", "modes", "profiles", NULL};
 static const unsigned plot_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_SETUP,   BEAD_SHOW_CONTACT,
                                        BEAD_SHOW_CELL,    BEAD_SHOW_MODES, BEAD_SHOW_PROFILES};
-static const char *const table_shows[] = {"sensors", "peaks", "bead-peaks", "measures", "modes", "profiles", "chain", NULL};
+static const char *const table_shows[] = {"sensors",  "peaks", "bead-peaks", "measures", "modes",
+                                          "profiles", "chain", "energy",     NULL};
 static const unsigned table_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS,    BEAD_SHOW_BEAD_PEAKS, BEAD_SHOW_MEASURES,
-                                        BEAD_SHOW_MODES,   BEAD_SHOW_PROFILES, BEAD_SHOW_CHAIN};
+                                        BEAD_SHOW_MODES,   BEAD_SHOW_PROFILES, BEAD_SHOW_CHAIN,      BEAD_SHOW_ENERGY};
 static const char *const sweep_plot_shows[] = {"median", "mean", "both", "decay", NULL};
 static const char *const sweep_table_shows[] = {"magnetism", "configurations", "decay", NULL};
 static const unsigned sweep_table_values[] = {BEAD_SWEEP_MAGNETISM, BEAD_SWEEP_CONFIGURATIONS, BEAD_SWEEP_DECAY};

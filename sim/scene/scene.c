@@ -224,6 +224,20 @@ static enum bead_error find_fingerprint(const struct bead_reader *reader)
     return err;
 }
 
+/* An energy budget is one that closes to this part of the input; where the scene does not say how exactly to compute, it sees to
+ * that. */
+static const double accuracy_of_budgets = 1e-10;
+
+static void tighten_accuracy(struct bead_scene *scene, const struct bead_at *root)
+{
+    struct bead_at simulate = bead_at_key(root, "simulate"), given = bead_at_key(&simulate, "accuracy");
+    bool budget = false;
+    for (size_t i = 0; i < scene->output_count; i++)
+        budget = budget || (scene->outputs[i].kind == BEAD_OUTPUT_TABLE && scene->outputs[i].curves.show == BEAD_SHOW_ENERGY);
+    if (budget && given.node == simulate.node)
+        scene->simulate.accuracy = accuracy_of_budgets;
+}
+
 static enum bead_error read_scene(struct bead_reader *reader, const char *text, size_t length, bool changed)
 {
     const char *name = bead_yaml_name(reader->yaml, NULL);
@@ -236,6 +250,8 @@ static enum bead_error read_scene(struct bead_reader *reader, const char *text, 
         err = scene_prepare(reader);
     if (!err)
         err = bead_options_read(reader, &root, &bead_scene_options, reader->scene);
+    if (!err)
+        tighten_accuracy(reader->scene, &root);
     return err || reader->scene->sweep_count == 0 ? err : find_fingerprint(reader);
 }
 

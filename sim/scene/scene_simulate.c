@@ -55,7 +55,9 @@ static const struct bead_option rows[] = {
      .initial = "1e-6",
      .low = 1e-14,
      .high = 0.1,
-     .help = "requested relative error of first-passage peak forces; the step follows from it",
+     .help =
+         "requested relative error of first-passage peak forces; the step follows from it; 1e-10 if not given and a table shows "
+         "the energy",
      .example = "1e-8"},
     {.key = "method",
      .type = BEAD_OPTION_CUSTOM,

@@ -66,6 +66,7 @@ static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
     for (size_t i = 0; i < p->consumer_count; i++) {
         settings.contact_peaks |= p->consumers[i].needs.contact_peaks;
         settings.bead_peaks |= p->consumers[i].needs.bead_peaks;
+        settings.budget |= p->consumers[i].needs.budget;
         settings.states |= p->consumers[i].needs.states;
     }
     enum bead_error err = BEAD_OK;

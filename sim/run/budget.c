@@ -1,0 +1,102 @@
+/* Adds up energies and integrates what damping takes: see budget.h.
+ *
+ * The force f of a contact takes from the beads the power f D, with D the rate of its compression, and the elastic force e gives
+ * back e D: (f - e) D is lost. That is gamma |D|^(a+1) in a closed contact. Where damping would pull, the contact is without force,
+ * and what is left of its elastic energy is lost as it comes apart. Both are smooth within a step, as steps end where contacts
+ * close or open; between its ends compressions are the polynomials that samples are taken from. */
+#include "sim/run/budget.h"
+
+#include <math.h>
+
+#include "sim/integrate/damped_contacts.h"
+#include "sim/integrate/dense.h"
+
+/* Gauss's rule on 0..1: exact to the eleventh power. */
+enum { NODES = 6 };
+static const double node[NODES] = {0.033765242898423975, 0.16939530676686776, 0.38069040695840156,
+                                   0.61930959304159844,  0.83060469323313224, 0.96623475710157603},
+                    weight[NODES] = {0.085662246189585178, 0.18038078652406930, 0.23395696728634552,
+                                     0.23395696728634552,  0.18038078652406930, 0.085662246189585178};
+
+static double compression(const struct bead_stepper *s, const struct bead_state *state, size_t k)
+{
+    return s->table.static_compression[k] + (state->u[k] - state->u[k + 1]);
+}
+
+static double power(const struct bead_stepper *s, size_t k, double d, double rate)
+{
+    const bool one_sided = s->chain->law->one_sided, closed = !s->was_closed || s->was_closed[k];
+    const double elastic = s->chain->law->force(s->table.stiffness[k], s->table.law, d);
+    double force = closed ? bead_damped_contacts_force(s, k, d, rate) : 0;
+    force = one_sided ? fmax(force, 0) : force;
+    return (force - elastic) * rate;
+}
+
+/* Nothing moves here, or nothing touches. */
+static bool idle(const struct bead_stepper *s, size_t k)
+{
+    const bool still = s->start.v[k] == s->start.v[k + 1] && s->end.v[k] == s->end.v[k + 1];
+    const bool open = s->was_closed && !s->was_closed[k] && compression(s, &s->start, k) <= 0 && compression(s, &s->end, k) <= 0;
+    return still || open;
+}
+
+double bead_dissipation(const struct bead_stepper *s)
+{
+    const size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
+    double sum = 0;
+    for (size_t k = 0; k < n && s->table.damping > 0; k++) {
+        if (idle(s, k))
+            continue;
+        const struct bead_polynomial d = bead_dense_compression(s, k);
+        for (int i = 0; i < NODES; i++)
+            sum += weight[i] * power(s, k, bead_polynomial_value(&d, node[i]), bead_polynomial_slope(&d, node[i]) / s->h);
+    }
+    return sum * s->h;
+}
+
+/* Contacts are counted above their static state, with what holds the precompression, whose work their compression is; gravity as
+ * the potential energy of the beads on their slope: contact k carries the weight of those above it, but for the striker's, which
+ * the static state does not know. */
+static void add_contact(const struct bead_stepper *s, const struct bead_state *state, size_t k, struct bead_budget *budget)
+{
+    const struct bead_chain *c = s->chain;
+    const double d0 = c->static_compression[k], change = state->u[k] - state->u[k + 1], a = c->stiffness[k];
+    const double held = c->spec->tilt != 0 ? fmin(c->spec->precompression, c->static_force[k]) : c->static_force[k];
+    *(k + 1 < c->beads ? &budget->contacts : &budget->wall) +=
+        c->law->energy(a, &c->spec->law, d0 + change) - c->law->energy(a, &c->spec->law, d0) - held * change;
+    budget->gravity -= (c->static_force[k] - held) * change;
+}
+
+static struct bead_budget add_up(const struct bead_stepper *s, const struct bead_state *state, double dissipated)
+{
+    struct bead_budget budget = {.gravity = 0 - s->chain->striker_force * state->u[0], .dissipated = dissipated};
+    for (size_t j = 0; j < s->active; j++) {
+        budget.kinetic += 0.5 * s->chain->mass[j] * (state->v[j] * state->v[j]);
+        if (j < s->chain->contacts)
+            add_contact(s, state, j, &budget);
+    }
+    return budget;
+}
+
+enum bead_error bead_budget_find(const struct bead_stepper *s, double t, double dissipated, struct bead_budget *budget,
+                                 struct bead_message *msg)
+{
+    struct bead_stepper *part;
+    if (s->steps == 0 || t <= s->t0) {
+        *budget = add_up(s, s->steps == 0 ? &s->end : &s->start, dissipated);
+        return BEAD_OK;
+    }
+    if (t >= s->t1) {
+        *budget = add_up(s, &s->end, dissipated + bead_dissipation(s));
+        return BEAD_OK;
+    }
+    enum bead_error err = bead_stepper_branch(s, &part, msg);
+    while (!err && part->t1 < t) { /* more than once where damped contacts change */
+        bead_stepper_advance(part, t);
+        dissipated += bead_dissipation(part);
+    }
+    if (!err)
+        *budget = add_up(part, &part->end, dissipated);
+    bead_stepper_destroy(err ? NULL : part);
+    return err;
+}

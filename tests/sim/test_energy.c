@@ -1,0 +1,101 @@
+/* The energy budget: it closes, and each part is what it says; and so do the energies of the beads. */
+#include "measures.h"
+
+enum { KINETIC, CONTACTS, WALL, GRAVITY, DISSIPATED, TOTAL, PARTS };
+
+struct budget {
+    size_t rows;
+    double start, off, last[PARTS], most[PARTS]; /* J; off: largest distance of the total from the start's */
+};
+
+static struct budget read_budget(const char *scene, const char *more)
+{
+    struct bead_message msg = {""};
+    char text[1024], path[512], line[512];
+    snprintf(text, sizeof text, "%s%soutputs: [{table: e.csv, show: energy, every: 1.3 us}]\n", scene, more);
+    write_scene(text, path);
+    if (!play(path, directory, &msg))
+        fail_msg("%s", msg.text);
+    snprintf(path, sizeof path, "%s/e.csv", directory);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    assert_non_null(fgets(line, sizeof line, file));
+    assert_string_equal(line, "time_s,kinetic_J,contacts_J,wall_J,gravity_J,dissipated_J,total_J\n");
+    struct budget b = {0};
+    while (fgets(line, sizeof line, file)) {
+        char *at = strchr(line, ',');
+        double lost = b.last[DISSIPATED];
+        for (int i = 0; i < PARTS; i++) {
+            b.last[i] = strtod(at + 1, &at);
+            b.most[i] = fmax(b.most[i], fabs(b.last[i]));
+        }
+        assert_true(b.last[DISSIPATED] >= lost);
+        b.start = b.rows++ == 0 ? b.last[TOTAL] : b.start;
+        b.off = fmax(b.off, fabs(b.last[TOTAL] - b.start));
+    }
+    fclose(file);
+    return b;
+}
+
+#define BEADS "beads: [{cell: [large-steel, aluminium], count: 6, spins: \"110101\"}]"
+
+/* To 1e-10 of the striker's energy, in contacts that open, close, slide down and are damped. */
+static void budgets_close(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *scene, *more;
+        bool wall, gravity, damping;
+    } cases[] = {{"chain: {" BEADS "}\n", "", false, false, false},
+                 {"chain: {" BEADS ", wall: brass}\n", "simulate: {until: 0.5 ms}\n", true, false, false},
+                 {"chain: {" BEADS ", wall: brass, precompression: 5 N}\n", "simulate: {until: 0.5 ms}\n", true, false, false},
+                 {"chain: {" BEADS ", wall: rigid, tilt: 40 deg}\n", "simulate: {until: 0.5 ms}\n", true, true, false},
+                 {"chain: {" BEADS ", wall: rigid, tilt: 40 deg, damping: {coefficient: 20, exponent: 1.8}}\n",
+                  "simulate: {until: 0.4 ms}\n", true, true, true}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct budget b = read_budget(cases[i].scene, cases[i].more);
+        assert_true(b.rows > 50);
+        assert_near(b.start / (0.5 * 3.63e-3 * 0.443 * 0.443), 1, 1e-14);
+        assert_below(b.off, 1e-10 * b.start);
+        assert_true(b.most[CONTACTS] > 0.3 * b.start);
+        assert_true(cases[i].wall ? b.most[WALL] > 0.1 * b.start : b.most[WALL] == 0);
+        assert_true(cases[i].gravity ? b.most[GRAVITY] > 1e-4 * b.start : b.most[GRAVITY] == 0);
+        assert_true(cases[i].damping ? b.last[DISSIPATED] > 0.3 * b.start : b.most[DISSIPATED] == 0);
+    }
+}
+
+/* An accuracy that is given is kept: the budget closes as well as the run does. */
+static void accuracy_given_is_kept(void **state)
+{
+    (void)state;
+    struct budget b = read_budget("chain: {" BEADS ", wall: brass}\n", "simulate: {until: 0.5 ms, accuracy: 1e-4}\n");
+    assert_true(b.off > 1e-9 * b.start && b.off < 1e-4 * b.start);
+}
+
+/* The energies of the beads add up, at the wall as well: all of its contact's is the last bead's. */
+static void energies_of_beads_add_up(void **state)
+{
+    (void)state;
+    const double end = 0.3e-3;
+    struct built built = build("chain: {" BEADS ", wall: brass}\n", "until: 0.3 ms, accuracy: 1e-10");
+    struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = end});
+    double start = 0;
+    while (bead_run_time(run) < end) {
+        struct bead_sample sample = sample_at(run, bead_run_time(run));
+        double sum = 0;
+        for (size_t j = 0; j < built.chain->beads; j++)
+            sum += sample.field[BEAD_FIELD_ENERGY][j];
+        start = start > 0 ? start : sum;
+        assert_near(sum / start, 1, 1e-10);
+        run_until(run, nextafter(bead_run_time(run), INFINITY));
+    }
+    bead_run_destroy(run);
+    release(&built);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(budgets_close), cmocka_unit_test(accuracy_given_is_kept),
+                                       cmocka_unit_test(energies_of_beads_add_up)};
+    return cmocka_run_group_tests(tests, make_directory, remove_directory);
+}
