@@ -70,12 +70,11 @@ def main():
         print(f"left out: {pattern}: {why}")
     below = [f"{room} ({counts[room].percent(0):.2f} % of lines, {counts[room].percent(1):.2f} % of branches)" for room in AIMED
              if any(counts[room].percent(kind) < aim for kind, aim in enumerate(AIMS))]
-    held = all(counts["aimed at"].percent(kind) >= aim for kind, aim in enumerate(AIMS))
     if below:
-        print("Below the aims by itself:", "; ".join(below))
-    print(f"The aims, {AIMS[0]} % of lines and {AIMS[1]} % of branches of {', '.join(AIMED)}, {'hold' if held else 'DO NOT HOLD'}: "
-          f"{counts['aimed at'].percent(0):.2f} % and {counts['aimed at'].percent(1):.2f} %")
-    return 0 if held else 1
+        print("Below the aims:", "; ".join(below))
+    print(f"The aims, {AIMS[0]} % of lines and {AIMS[1]} % of branches in each of {', '.join(AIMED)}, {'DO NOT HOLD' if below else 'hold'}: "
+          f"{counts['aimed at'].percent(0):.2f} % and {counts['aimed at'].percent(1):.2f} % of all of these")
+    return 1 if below else 0
 
 
 if __name__ == "__main__":
