@@ -13,7 +13,7 @@ if [ $# -eq 0 ]; then
     find "$build" -name '*.gcda' -delete
     tests/run.sh "$build"
     # Starved of disk, file size and descriptors; under every signal. Killed programs count nothing.
-    tests/torture/torture.sh "$build" 0 60 | tail -n 1
+    tests/torture/torture.sh "$build" 0 20 1 | tail -n 1
 else
     tests/run.sh "$build" "$@"
 fi

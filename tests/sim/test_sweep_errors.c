@@ -57,7 +57,7 @@ static void journals_of_others_are_refused(void **state)
     fclose(file);
     int held = open(path, O_RDONLY);
     assert_int_equal(flock(held, LOCK_EX), 0);
-    refuse_run(one_sweep, &all, BEAD_ERROR_USAGE, "another process is computing this sweep");
+    refuse_run(one_sweep, &all, BEAD_ERROR_USAGE, "another run is writing it");
     close(held);
     bytes[17] ^= 1; /* its format */
     write_bytes(path, bytes, size);
