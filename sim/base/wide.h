@@ -59,7 +59,7 @@ static inline double bead_sech2(double x)
 
 /* A point that goes around the unit circle. */
 struct bead_turn {
-    bead_wide c, s;
+    bead_wide re, im;
 };
 
 static inline struct bead_turn bead_turn_by(bead_wide angle)
@@ -69,7 +69,7 @@ static inline struct bead_turn bead_turn_by(bead_wide angle)
 
 static inline struct bead_turn bead_turn_on(struct bead_turn a, struct bead_turn b)
 {
-    return (struct bead_turn){a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s};
+    return (struct bead_turn){a.re * b.re - a.im * b.im, a.im * b.re + a.re * b.im};
 }
 
 #endif

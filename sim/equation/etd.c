@@ -3,11 +3,11 @@
 
 static struct bead_turn over(struct bead_turn a, struct bead_turn b)
 {
-    bead_wide norm = b.c * b.c + b.s * b.s;
-    return (struct bead_turn){(a.c * b.c + a.s * b.s) / norm, (a.s * b.c - a.c * b.s) / norm};
+    bead_wide norm = b.re * b.re + b.im * b.im;
+    return (struct bead_turn){(a.re * b.re + a.im * b.im) / norm, (a.im * b.re - a.re * b.im) / norm};
 }
 
-/* The coefficients over h, of complex numbers c + i s. */
+/* The coefficients over h, complex numbers. */
 struct functions {
     struct bead_turn q, f1, f2, f3;
 };
@@ -20,10 +20,10 @@ static struct functions formulas(bead_wide angle, struct bead_turn e, struct bea
     struct bead_turn e1 = bead_turn_on(e, (struct bead_turn){4 + square, -3 * angle});
     struct bead_turn e2 = bead_turn_on(e, (struct bead_turn){-2, angle}), e3 = bead_turn_on(e, (struct bead_turn){4, -angle});
     struct functions f;
-    f.q = over((struct bead_turn){half.c - 1, half.s}, z);
-    f.f1 = over((struct bead_turn){e1.c - 4, e1.s - angle}, z3);
-    f.f2 = over((struct bead_turn){2 * (e2.c + 2), 2 * (e2.s + angle)}, z3);
-    f.f3 = over((struct bead_turn){e3.c - 4 - square, e3.s - 3 * angle}, z3);
+    f.q = over((struct bead_turn){half.re - 1, half.im}, z);
+    f.f1 = over((struct bead_turn){e1.re - 4, e1.im - angle}, z3);
+    f.f2 = over((struct bead_turn){2 * (e2.re + 2), 2 * (e2.im + angle)}, z3);
+    f.f3 = over((struct bead_turn){e3.re - 4 - square, e3.im - 3 * angle}, z3);
     return f;
 }
 
@@ -64,10 +64,10 @@ static struct bead_turn sum_of(const bead_wide a[TERMS], int terms, bead_wide an
 {
     struct bead_turn sum = {0, 0};
     for (int n = terms - 2; n >= 0; n -= 2) {
-        sum.c = a[n] - square * sum.c;
-        sum.s = a[n + 1] - square * sum.s;
+        sum.re = a[n] - square * sum.re;
+        sum.im = a[n + 1] - square * sum.im;
     }
-    sum.s *= angle;
+    sum.im *= angle;
     return sum;
 }
 
@@ -81,7 +81,7 @@ static struct functions by_series(const struct series *a, bead_wide angle)
 
 static struct bead_complex narrow(struct bead_turn x, bead_wide h)
 {
-    return (struct bead_complex){(double)(h * x.c), (double)(h * x.s)};
+    return (struct bead_complex){(double)(h * x.re), (double)(h * x.im)};
 }
 
 void bead_etd_rows(const bead_wide *omega, size_t modes, bead_wide h, struct bead_etd_row *rows)

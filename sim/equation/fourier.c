@@ -44,7 +44,7 @@ enum bead_error bead_fourier_create(size_t points, struct bead_fourier **fourier
     const struct bead_turn step = bead_turn_by(-2 * bead_wide_pi / points);
     struct bead_turn at = {1, 0};
     for (size_t k = 0; k < points; k++, at = bead_turn_on(at, step))
-        f->turn[k] = (struct bead_complex){(double)at.c, (double)at.s};
+        f->turn[k] = (struct bead_complex){(double)at.re, (double)at.im};
     return BEAD_OK;
 }
 

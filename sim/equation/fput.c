@@ -122,7 +122,7 @@ static double mode_energy(const struct bead_equation_spec *spec, size_t k, const
     struct bead_turn at = fixed(spec) ? turn : (struct bead_turn){1, 0};
     double us = 0, uc = 0, vs = 0, vc = 0;
     for (size_t j = 0; j < spec->points; j++) {
-        const double s = (double)at.s, c = (double)at.c;
+        const double s = (double)at.im, c = (double)at.re;
         us += u[j] * s;
         vs += v[j] * s;
         uc += u[j] * c;

@@ -287,8 +287,8 @@ static double mode_energy(const double *u, size_t points, size_t k)
     struct bead_turn at = {1, 0};
     double sum_c = 0, sum_s = 0;
     for (size_t i = 0; i < points; i++) {
-        sum_c += u[i] * (double)at.c;
-        sum_s += u[i] * (double)at.s;
+        sum_c += u[i] * (double)at.re;
+        sum_s += u[i] * (double)at.im;
         at = bead_turn_on(at, turn);
     }
     double n = (double)points;

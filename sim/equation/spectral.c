@@ -50,7 +50,7 @@ void bead_spectral_at(const struct bead_complex *c, size_t modes, double phase, 
     const struct bead_turn turn = bead_turn_by(phase);
     struct bead_turn at = turn;
     for (size_t j = 1; j <= modes; j++, at = bead_turn_on(at, turn)) {
-        double k = (double)j, co = (double)at.c, si = (double)at.s;
+        double k = (double)j, co = (double)at.re, si = (double)at.im;
         double re = 2 * (c[j].re * co - c[j].im * si), im = 2 * (c[j].re * si + c[j].im * co);
         value[0] += re;
         value[1] -= k * im;

@@ -60,8 +60,8 @@ static void slow_bin(const double *x, size_t n, size_t k, bead_wide sum[2])
     sum[0] = sum[1] = 0;
     for (size_t j = 0; j < n; j++) {
         const struct bead_turn turn = bead_turn_by(-2 * bead_wide_pi * (j * k % n) / n);
-        sum[0] += x[j] * turn.c;
-        sum[1] += x[j] * turn.s;
+        sum[0] += x[j] * turn.re;
+        sum[1] += x[j] * turn.im;
     }
 }
 
