@@ -199,9 +199,9 @@ static void finish_piece(const struct bead_patch_piece *piece, const struct bead
     }
 }
 
-/* Picard steps until one changes no velocity by more than `enough` (m/s times h), `sweeps` at most. */
+/* Picard steps, `sweeps` at most, until one changes little enough, see bead_patch. */
 static void integrate_piece(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps,
-                            double enough, struct bead_patch *patch)
+                            struct bead_patch *patch)
 {
     struct bead_patch_piece piece;
     double most = 0;
@@ -215,7 +215,7 @@ static void integrate_piece(double from, double to, const double *tau, const str
         bead_patch_place_power(rule->power, *tau, &piece);
     const struct pushing pushing = list_pushing(patch);
     guess_forces(&piece, rule, patch, &pushing);
-    for (size_t n = 0; n < sweeps && (n == 0 || most > enough); n++)
+    for (size_t n = 0; n < sweeps && (n == 0 || most > (n == 1 ? patch->enough : patch->much)); n++)
         most = picard(&piece, rule, patch, &pushing);
     finish_piece(&piece, patch, &pushing);
     patch->change = larger(most, patch->change);

@@ -51,7 +51,7 @@ struct bead_patch {
     bool *closed;              /* in the piece at hand */
     uint32_t *pushing;         /* those contacts, in order */
     bool *bends;               /* opens, closes or is about to */
-    double enough;             /* m: Picard steps end where they change no h^2 f/m by more */
+    double enough, much;       /* m: Picard steps end where the first, or a later one, changes no h^2 f/m by more */
     double change;             /* m: largest h^2/m |f - f before| at a node in the last Picard sweep */
     void *memory;
 };

@@ -32,6 +32,7 @@ struct bead_events {
     /* Bounds over the chain: of A/m times the weights, and of the rate of a compression that the energy allows, m/s (0: not known).
      */
     double hardest, fastest;
+    double unit; /* m/s: the striker's velocity */
     struct bead_event_limits limits;
     double limits_h; /* s: length of the longest steps that they are for */
     bool failed;

@@ -79,16 +79,16 @@ struct bead_kernels {
      * out. Whole vectors are read, and written. */
     void (*correct_kinks)(const struct bead_patch_source *source, const struct bead_kink_method *method, size_t count,
                           struct bead_event_flags *flags, double tolerance, struct bead_kinks *kinks);
-    /* Over from <= s <= to; tau: the branch point at or near one of its ends, NULL where there is none. Picard steps end when one
-     * changes no h^2 f/m by more than `enough`. */
+    /* Over from <= s <= to; tau: the branch point at or near one of its ends, NULL where there is none. At most `sweeps` Picard
+     * steps. */
     void (*integrate_piece)(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps,
-                            double enough, struct bead_patch *patch);
+                            struct bead_patch *patch);
 };
 
 /* correct_kinks and integrate_piece of the set "avx2", which are those of "avx512" as well. */
 void bead_correct_few_kinks(const struct bead_patch_source *source, const struct bead_kink_method *method, size_t count,
                             struct bead_event_flags *flags, double tolerance, struct bead_kinks *kinks);
-void bead_integrate_few(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps, double enough,
+void bead_integrate_few(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps,
                         struct bead_patch *patch);
 
 /* The set called `name`, or the best of this machine for NULL. Returns NULL if it is unknown or this machine lacks it. */
