@@ -231,6 +231,9 @@ arm64-test: | $(WAIT) ## all results on arm64, in QEMU, have the bits of x86-64 
 golden: all $(BUILD)/tests/test_golden ## make the golden pictures of the tests anew; look at them before you commit
 	@BEADREEL_ASSETS=assets BUILD=$(BUILD) BEADREEL_GOLDEN=update $(BUILD)/tests/test_golden
 
+symbols: $(LIBRARIES) ## list what the libraries export, after a function has come: tests/reference/*.symbols
+	@tests/symbols.sh $(BUILD)
+
 asan: ## the tests under address and undefined-behaviour sanitizers
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)-asan STRICT_LINK= \
 	    CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all" test
@@ -334,6 +337,6 @@ sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan tsan coverage counted fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
+.PHONY: symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan tsan coverage counted fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

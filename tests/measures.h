@@ -26,7 +26,7 @@ static inline bool play(const char *input, const char *output, struct bead_messa
     static const struct bead_sink_type *const *lists[2];
     lists[0] = bead_data_sinks();
     struct bead_session *session = NULL;
-    struct bead_job job = {.input = input, .output = output, .sinks = lists};
+    struct bead_job job = {.size = sizeof job, .input = input, .output = output, .sinks = lists};
     enum bead_error err = bead_session_open(&job, &session, msg);
     if (!err)
         err = bead_session_run(session, msg);

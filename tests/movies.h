@@ -30,7 +30,8 @@ static inline const char *place(const char *name)
 
 static inline struct bead_movie_settings settings(enum bead_quality quality)
 {
-    return (struct bead_movie_settings){.width = WIDTH, .height = HEIGHT, .fps = FPS, .quality = quality};
+    return (struct bead_movie_settings){
+        .size = sizeof(struct bead_movie_settings), .width = WIDTH, .height = HEIGHT, .fps = FPS, .quality = quality};
 }
 
 static inline void put(struct bead_frame *frame, int x, int y, int r, int g, int b)

@@ -31,6 +31,7 @@ struct bead_session *play_session(struct bead_job job)
     sweep_sinks[1] = bead_sweep_render_sinks();
     job.sinks = job.sinks ? job.sinks : sinks;
     job.sweep_sinks = job.sweep_sinks ? job.sweep_sinks : sweep_sinks;
+    job.size = sizeof job;
     job.hash = true;
     if (bead_session_open(&job, &session, &msg) || bead_session_run(session, &msg))
         fail_msg("%s", msg.text);

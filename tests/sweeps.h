@@ -17,10 +17,11 @@ static inline struct bead_scene *parse(const char *text)
 
 static inline struct bead_sweep *compute(const struct bead_scene *scene, const struct bead_sweep_settings *settings)
 {
-    static const struct bead_sweep_settings plain = {.threads = 2};
+    struct bead_sweep_settings with = settings ? *settings : (struct bead_sweep_settings){.threads = 2};
+    with.size = sizeof with;
     struct bead_message msg = {""};
     struct bead_sweep *sweep = NULL;
-    if (bead_sweep_create(scene, &sweep, &msg) || bead_sweep_run(sweep, settings ? settings : &plain, NULL, &msg))
+    if (bead_sweep_create(scene, &sweep, &msg) || bead_sweep_run(sweep, &with, NULL, &msg))
         fail_msg("%s", msg.text);
     return sweep;
 }

@@ -14,6 +14,11 @@ declared_are_there() {
     comm -13 "$T/have" "$T/want" >"$T/missing"
     [ ! -s "$T/missing" ] || { cat "$T/missing"; return 1; }
 }
+# Neither more nor less than is listed: what is gone breaks programs, what comes is a promise. `make symbols` writes the list anew.
+as_listed() {
+    nm -D --defined-only "$BUILD/$1.so" | awk '$3 ~ /^bead_/ {print $3}' | sort >"$T/have"
+    awk '/^ / {sub("@Base", "", $1); print $1}' "$top/tests/reference/$1.symbols" | sort | diff - "$T/have"
+}
 no_graphics() { ! readelf -d "$1" | grep NEEDED | grep -iE 'osmesa|libgl|png|avcodec|avformat|avutil|swscale|cairo|pango|libx11'; }
 soname() { readelf -d "$1" | grep SONAME | grep -qF "[$2]"; }
 no_direct_exit() { ! nm "$1" | grep -E ' U (exit|abort|_exit|printf|puts|putchar|perror)$'; }
@@ -26,6 +31,8 @@ ok "libbeadsim takes no function with different bits from the C library" same_ev
 ok "libbeadsim.so exports bead_* only" only_bead "$BUILD/libbeadsim.so"
 ok "libbeadreel.so exports bead_* only" only_bead "$BUILD/libbeadreel.so"
 ok "every function of the public headers is exported" declared_are_there
+ok "libbeadsim.so exports what is listed" as_listed libbeadsim
+ok "libbeadreel.so exports what is listed" as_listed libbeadreel
 ok "libbeadsim.so needs no graphics" no_graphics "$BUILD/libbeadsim.so"
 ok "beadsim needs no graphics" no_graphics "$BUILD/beadsim"
 ok "soname of libbeadsim" soname "$BUILD/libbeadsim.so" libbeadsim.so.0

@@ -101,11 +101,18 @@ ok "a program compiles with the installed library" compile_example
 cat >"$T/version.cc" <<'CPP'
 // A C++ program with both libraries.
 #include <beadreel/render.h>
+#include <beadreel/session.h>
 #include <cstdio>
 #include <cstring>
 
 int main()
 {
+    bead_job job;
+    bead_session *session;
+    bead_message msg;
+    BEAD_DEFAULT(&job);
+    if (bead_session_open(&job, &session, &msg) != BEAD_ERROR_USAGE || !std::strstr(msg.text, "no scene"))
+        return 1;
     std::puts((*bead_render_sinks())->name);
     return std::strcmp(bead_version(), BEADREEL_VERSION);
 }

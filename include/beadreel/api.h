@@ -2,6 +2,8 @@
 #ifndef BEADREEL_API_H
 #define BEADREEL_API_H
 
+#include <string.h>
+
 /* Everything is built with -fvisibility=hidden; a function so marked is part of the library. */
 #define BEAD_API __attribute__((visibility("default")))
 /* The result must be looked at. */
@@ -18,9 +20,29 @@
 #define BEAD_END
 #endif
 
-/* Version of these headers; bead_version() is that of the library that runs. Before 1.0 both numbers change together: structures
- * may grow and functions may change with every minor version, and the soname's number goes up with them. */
+/* Version of these headers; bead_version() is that of the library that runs.
+ *
+ * What stays. Within one soname (libbeadsim.so.0), a program that was compiled against older headers runs with a newer library:
+ * - Functions are added, never removed or changed. tests/reference/libbeadsim.symbols and libbeadreel.symbols list all of them,
+ * with the version that brought them.
+ * - Structures that a caller fills in (bead_job, bead_sweep_settings, bead_movie_settings, bead_picture_notes) begin with their
+ *   size and grow at the end. What the caller's header did not have gets its default, which is 0. A size that the library cannot
+ *   know, such as that of a newer header, is refused with a message.
+ * - Values of enums keep their numbers; new ones come behind them.
+ * - Keys of scenes keep their meaning. Trajectories and results of sweeps remain readable.
+ *
+ * What may change before 1.0, with a new minor version (0.2), a new soname and an entry in CHANGELOG.md: everything else. These are
+ * functions and their arguments; structures that the library fills in (bead_outcome, bead_counts, bead_needs, bead_run_context,
+ * bead_sample, ...) or that are passed by value; tables of functions (bead_sink_type, bead_sweep_sink, bead_view_type); bead_scene
+ * and what is in it; default values. The last digits of results may change with any version; CHANGELOG.md says so. */
 #define BEADREEL_VERSION "0.1.0"
+
+/* Settings begin with their size, and all else that is 0 means the default:
+ *   struct bead_job job;
+ *   BEAD_DEFAULT(&job);
+ *   job.input = "scene.yaml";
+ * or, in C, struct bead_job job = {.size = sizeof job, .input = "scene.yaml"}; */
+#define BEAD_DEFAULT(settings) (memset((settings), 0, sizeof *(settings)), (void)((settings)->size = sizeof *(settings)))
 
 BEAD_BEGIN
 

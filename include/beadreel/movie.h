@@ -28,6 +28,7 @@
 BEAD_BEGIN
 
 struct bead_movie_settings {
+    size_t size;       /* of this structure: BEAD_DEFAULT */
     int width, height; /* pixels, 1..16384; odd sizes are an error where the codec needs even ones */
     double fps;        /* 1/s, 0.01..1000; gif shows at most 50 a second (every second or third frame), for the same time */
     enum bead_quality quality;

@@ -12,6 +12,7 @@
 BEAD_BEGIN
 
 struct bead_picture_notes {
+    size_t size;                                         /* of this structure: BEAD_DEFAULT */
     double dpi;                                          /* for pHYs; 0: none */
     const char *title, *description, *software, *source; /* text chunks or document information; may be NULL */
 };

@@ -1,7 +1,7 @@
 /* Sessions: a scene, or a trajectory, played into its outputs.
  *
  *   struct bead_job job;
- *   bead_job_default(&job);
+ *   BEAD_DEFAULT(&job);
  *   job.input = "scene.yaml"; job.sinks = bead_data_sinks();
  *   err = bead_session_open(&job, &session, &msg);
  *   bead_session_plan(session, &print, file, ...);   or   err = bead_session_run(session, &msg);
@@ -37,18 +37,19 @@ struct bead_sweep;
 struct bead_sweep_sink; /* sweep.h */
 
 struct bead_job {
+    size_t size;                 /* of this structure: BEAD_DEFAULT */
     const char *input;           /* scene.yaml, a ready scene's name, a trajectory or a sweep's file (.h5) */
     const char *const *settings; /* key.path=value */
     size_t setting_count;
     const char *output;      /* -o: a directory (scenes) or a file (trajectories); NULL: "." */
     const char *const *only; /* names of outputs to make; all others are skipped */
     size_t only_count;
-    int threads;                                             /* 0: all cores; 1: everything in one thread; same results for any */
-    const char *instructions;                                /* NULL: the best; or portable, sse2, avx2, avx512: same results for any */
-    const char *canvas;                                      /* NULL: the first that works; see canvas.h */
-    bool hash;                                               /* fill bead_counts.state_hash */
-    bool full_window;                                        /* compute beads at rest too (for checks; same results) */
-    const struct bead_sink_type *const *const *sinks;        /* NULL-terminated list of NULL-terminated lists */
+    int threads;                                      /* 0: all cores; 1: everything in one thread; same results for any */
+    const char *instructions;                         /* NULL: the best; or portable, sse2, avx2, avx512: same results for any */
+    const char *canvas;                               /* NULL: the first that works; see canvas.h */
+    bool hash;                                        /* fill bead_counts.state_hash */
+    bool full_window;                                 /* compute beads at rest too (for checks; same results) */
+    const struct bead_sink_type *const *const *sinks; /* NULL-terminated list of NULL-terminated lists */
     const struct bead_sweep_sink *const *const *sweep_sinks; /* the same for outputs of sweeps; NULL: none */
     const char
         *configuration; /* of a sweep's file: or a scene: run this chain of it: "17", or "NAME:17" where it has several sweeps */
@@ -62,7 +63,6 @@ struct bead_job {
 
 struct bead_session;
 
-BEAD_API void bead_job_default(struct bead_job *job);
 /* Reads and checks everything; simulates only as far as needed to know times (default `until`).
  * Errors: SCENE, USAGE, IO, FORMAT, MEMORY. On failure *session is NULL. */
 BEAD_API BEAD_CHECK enum bead_error bead_session_open(const struct bead_job *job, struct bead_session **session,

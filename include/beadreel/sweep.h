@@ -96,6 +96,7 @@ BEAD_API BEAD_CHECK enum bead_error bead_sweep_single(const struct bead_sweep *s
                                                       const char *outputs, char **text, struct bead_message *msg);
 
 struct bead_sweep_settings {
+    size_t size;              /* of this structure: BEAD_DEFAULT */
     int threads;              /* 0: all cores */
     const char *instructions; /* as in bead_job */
     const char *journal;      /* results as they come, to go on from; NULL: none */

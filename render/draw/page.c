@@ -104,7 +104,8 @@ void bead_page_notes(const struct bead_page *page, const struct bead_output *out
         snprintf(description, size, "%s of the equation %s", what, equation);
     else
         snprintf(description, size, "%s in %zu chain%s of beads", what, scene->chain_count, scene->chain_count == 1 ? "" : "s");
-    *notes = (struct bead_picture_notes){.dpi = page->dpi,
+    *notes = (struct bead_picture_notes){.size = sizeof *notes,
+                                         .dpi = page->dpi,
                                          .title = scene->title,
                                          .description = description,
                                          .software = "beadreel " BEADREEL_VERSION,

@@ -10,6 +10,7 @@
 
 #include "beadreel/file.h"
 #include "beadreel/picture.h"
+#include "render/draw/notes.h"
 #include "sim/base/large.h"
 
 struct writer {
@@ -203,13 +204,17 @@ static bool find_palette(const struct bead_frame *frame, uint8_t *indices, struc
 enum bead_error bead_png_write(const char *path, const struct bead_frame *frame, const struct bead_picture_notes *notes,
                                uint64_t *bytes, struct bead_message *msg)
 {
-    struct image image = {.width = frame->width, .height = frame->height, .frame = frame, .notes = notes};
+    struct bead_picture_notes own;
+    enum bead_error err = notes ? bead_notes_take(&own, notes, msg) : BEAD_OK;
+    if (err)
+        return err;
+    struct image image = {.width = frame->width, .height = frame->height, .frame = frame, .notes = notes ? &own : NULL};
     uint8_t *indices = bead_large_take((size_t)frame->width * (size_t)frame->height);
     if (!indices)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for %d x %d pixels", path, frame->width, frame->height);
     if (find_palette(frame, indices, &image))
         image.indices = indices;
-    enum bead_error err = bead_file_write(path, png_fill, &image, bytes, msg);
+    err = bead_file_write(path, png_fill, &image, bytes, msg);
     free(indices);
     return err;
 }
@@ -218,7 +223,11 @@ enum bead_error bead_png_write_indexed(const char *path, int width, int height, 
                                        const uint8_t palette[256][3], const struct bead_picture_notes *notes, uint64_t *bytes,
                                        struct bead_message *msg)
 {
-    struct image image = {.width = width, .height = height, .indices = indices, .colours = 256, .notes = notes};
+    struct bead_picture_notes own;
+    enum bead_error err = notes ? bead_notes_take(&own, notes, msg) : BEAD_OK;
+    if (err)
+        return err;
+    struct image image = {.width = width, .height = height, .indices = indices, .colours = 256, .notes = notes ? &own : NULL};
     for (int i = 0; i < 256; i++)
         image.palette[i] = (png_color){palette[i][0], palette[i][1], palette[i][2]};
     return bead_file_write(path, png_fill, &image, bytes, msg);

@@ -11,6 +11,7 @@
 
 #include "beadreel/file.h"
 #include "beadreel/picture.h"
+#include "render/draw/notes.h"
 #include "render/draw/svg_ids.h"
 #include "render/draw/warnings.h"
 
@@ -142,8 +143,12 @@ static enum bead_error vector_fill(void *context, FILE *file, const char *part, 
 enum bead_error bead_vector_write(const char *path, int width, int height, bead_draw draw, void *context,
                                   const struct bead_picture_notes *notes, uint64_t *bytes, struct bead_message *msg)
 {
-    struct page page = {find_format(path), width, height, draw, context, notes};
-    if (!page.format || !(notes->dpi > 0))
+    struct bead_picture_notes own;
+    enum bead_error err = bead_notes_take(&own, notes, msg);
+    if (err)
+        return err;
+    struct page page = {find_format(path), width, height, draw, context, &own};
+    if (!page.format || !(own.dpi > 0))
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: a vector file is .pdf or .svg, with dots per inch > 0", path);
     return bead_file_write(path, vector_fill, &page, bytes, msg);
 }

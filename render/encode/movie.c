@@ -9,6 +9,7 @@
 #include "beadreel/file.h"
 #include "render/encode/libav.h"
 #include "render/encode/movie_private.h"
+#include "sim/base/settings.h"
 
 enum { MOST_PIXELS = 16384 };
 
@@ -73,10 +74,18 @@ static enum bead_error check(const char *path, const struct bead_movie_settings 
     return (*codec)->presets ? check_encoder(path, &(*codec)->presets[settings->quality], msg) : BEAD_OK;
 }
 
+static enum bead_error take(struct bead_movie_settings *own, const struct bead_movie_settings *given, struct bead_message *msg)
+{
+    return bead_settings_take(own, sizeof *own, BEAD_SETTINGS_UP_TO(struct bead_movie_settings, quality), given,
+                              "bead_movie_settings", msg);
+}
+
 enum bead_error bead_movie_check(const char *path, const struct bead_movie_settings *settings, struct bead_message *msg)
 {
+    struct bead_movie_settings own;
     const struct bead_codec *codec;
-    return check(path, settings, &codec, msg);
+    enum bead_error err = take(&own, settings, msg);
+    return err ? err : check(path, &own, &codec, msg);
 }
 
 static void destroy(struct bead_movie *movie)
@@ -93,18 +102,21 @@ enum bead_error bead_movie_open(const char *path, const struct bead_movie_settin
                                 struct bead_message *msg)
 {
     *movie = NULL;
+    struct bead_movie_settings own;
     const struct bead_codec *codec;
-    enum bead_error err = check(path, settings, &codec, msg);
+    enum bead_error err = take(&own, settings, msg);
+    if (!err)
+        err = check(path, &own, &codec, msg);
     if (err)
         return err;
     struct bead_movie *m = calloc(1, sizeof *m);
     if (!m)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", path);
     m->codec = codec;
-    m->settings = *settings;
+    m->settings = own;
     if (codec->presets)
-        snprintf(m->encoded_by, sizeof m->encoded_by, "libavcodec (%s)", codec->presets[settings->quality].encoder);
-    if (settings->comment && codec->comment && !(m->comment = strdup(settings->comment)))
+        snprintf(m->encoded_by, sizeof m->encoded_by, "libavcodec (%s)", codec->presets[own.quality].encoder);
+    if (own.comment && codec->comment && !(m->comment = strdup(own.comment)))
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", path);
     if (!err)
         err = bead_file_join(NULL, path, &m->path, msg);

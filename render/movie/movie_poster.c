@@ -75,7 +75,7 @@ static enum bead_error set_cover(const struct bead_poster *p, uint64_t bytes, st
 
 enum bead_error bead_poster_write(const struct bead_poster *p, struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg)
 {
-    const struct bead_picture_notes notes = {.title = p->title && p->title[0] ? p->title : NULL};
+    const struct bead_picture_notes notes = {.size = sizeof notes, .title = p->title && p->title[0] ? p->title : NULL};
     *bytes = 0;
     if (!p->taken)
         return BEAD_OK;

@@ -71,7 +71,8 @@ static enum bead_error wrong(const struct bead_sink *s, const char *what, struct
 
 static struct bead_movie_settings movie_settings_of(const struct bead_sink *s)
 {
-    return (struct bead_movie_settings){.width = s->width,
+    return (struct bead_movie_settings){.size = sizeof(struct bead_movie_settings),
+                                        .width = s->width,
                                         .height = s->height,
                                         .fps = s->output->movie.fps,
                                         .quality = s->output->movie.quality,

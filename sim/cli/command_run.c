@@ -12,7 +12,7 @@
 
 static void fill_job(const struct command *command, const volatile sig_atomic_t *stop, struct bead_job *job)
 {
-    bead_job_default(job);
+    BEAD_DEFAULT(job);
     job->input = command->input;
     job->settings = command->settings;
     job->setting_count = command->setting_count;

@@ -4,13 +4,9 @@
 #include <unistd.h>
 
 #include "beadreel/sweep.h"
+#include "sim/base/settings.h"
 #include "sim/output/trajectory_data.h"
 #include "sim/session/session_data.h"
-
-void bead_job_default(struct bead_job *job)
-{
-    *job = (struct bead_job){.threads = 0};
-}
 
 static enum bead_error create_chains(struct bead_session *s, struct bead_message *msg)
 {
@@ -96,24 +92,33 @@ static enum bead_error open_input(struct bead_session *s, struct bead_message *m
                         : bead_session_open_trajectory(s, msg);
 }
 
+static enum bead_error begin(struct bead_session *s, const struct bead_job *given, struct bead_message *msg)
+{
+    enum bead_error err =
+        bead_settings_take(&s->job, sizeof s->job, BEAD_SETTINGS_UP_TO(struct bead_job, sinks), given, "bead_job", msg);
+    if (err)
+        return err;
+    const struct bead_job *job = &s->job;
+    s->kernels = bead_kernels_find(job->instructions);
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    s->threads = job->threads > 0 ? job->threads : cores > 1 ? (int)cores : 1;
+    if (!s->kernels)
+        return bead_fail(msg, BEAD_ERROR_USAGE,
+                         "--instructions %s: this machine has no such kernels; allowed are portable and, on x86-64, sse2, avx2, "
+                         "avx512",
+                         job->instructions);
+    if (!job->input)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "no scene given");
+    return open_input(s, msg);
+}
+
 enum bead_error bead_session_open(const struct bead_job *job, struct bead_session **session, struct bead_message *msg)
 {
     *session = NULL;
     struct bead_session *s = calloc(1, sizeof *s);
     if (!s)
         return bead_session_out_of_memory(msg);
-    s->job = *job;
-    s->kernels = bead_kernels_find(job->instructions);
-    long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    s->threads = job->threads > 0 ? job->threads : cores > 1 ? (int)cores : 1;
-    enum bead_error err = BEAD_OK;
-    if (!s->kernels)
-        err = bead_fail(msg, BEAD_ERROR_USAGE,
-                        "--instructions %s: this machine has no such kernels; allowed are portable and, on x86-64, sse2, avx2, avx512", job->instructions);
-    else if (!job->input)
-        err = bead_fail(msg, BEAD_ERROR_USAGE, "no scene given");
-    else
-        err = open_input(s, msg);
+    enum bead_error err = begin(s, job, msg);
     if (err)
         bead_session_close(s);
     else

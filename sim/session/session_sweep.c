@@ -242,7 +242,8 @@ enum bead_error bead_session_load_configuration(struct bead_session *s, struct b
 
 static struct bead_sweep_settings settings_of(const struct bead_session *s)
 {
-    return (struct bead_sweep_settings){.threads = s->threads,
+    return (struct bead_sweep_settings){.size = sizeof(struct bead_sweep_settings),
+                                        .threads = s->threads,
                                         .instructions = s->job.instructions,
                                         .part = s->job.part,
                                         .parts = s->job.parts,

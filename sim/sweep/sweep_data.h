@@ -3,6 +3,7 @@
 #define BEADREEL_SIM_SWEEP_SWEEP_DATA_H
 
 #include "beadreel/sweep.h"
+#include "sim/base/settings.h"
 
 /* What is kept of every bead where decay is measured, in the order of struct bead_sweep_configuration. */
 enum sweep_profile { PROFILE_FORCE, PROFILE_ENERGY, PROFILE_LAST_FORCE, PROFILE_LAST_ENERGY, PROFILES };
@@ -26,6 +27,13 @@ struct bead_sweep {
     size_t part, parts;   /* 1, 1: all */
     char *version;
 };
+
+BEAD_CHECK static inline enum bead_error bead_sweep_settings_take(struct bead_sweep_settings *own,
+                                                                  const struct bead_sweep_settings *given, struct bead_message *msg)
+{
+    return bead_settings_take(own, sizeof *own, BEAD_SETTINGS_UP_TO(struct bead_sweep_settings, threads), given,
+                              "bead_sweep_settings", msg);
+}
 
 /* The panel that a job belongs to; *row gets its number in there (0: the clean chain). */
 struct sweep_panel *bead_sweep_panel_of(const struct bead_sweep *sweep, size_t job, size_t *row);

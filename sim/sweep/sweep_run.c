@@ -261,6 +261,11 @@ static enum bead_error list_jobs(struct work *w, struct bead_message *msg)
 enum bead_error bead_sweep_run(struct bead_sweep *sweep, const struct bead_sweep_settings *settings, uint64_t *computed,
                                struct bead_message *msg)
 {
+    struct bead_sweep_settings own;
+    enum bead_error err = bead_sweep_settings_take(&own, settings, msg);
+    if (err)
+        return err;
+    settings = &own;
     struct work w = {.sweep = sweep, .settings = settings, .kernels = bead_kernels_find(settings->instructions)};
     long cores = sysconf(_SC_NPROCESSORS_ONLN);
     int threads = settings->threads > 0 ? settings->threads : cores > 1 ? (int)cores : 1;
@@ -270,7 +275,7 @@ enum bead_error bead_sweep_run(struct bead_sweep *sweep, const struct bead_sweep
         sweep->part = settings->part;
         sweep->parts = settings->parts;
     }
-    enum bead_error err = settings->journal ? bead_sweep_journal_open(sweep, settings->journal, &w.journal, msg) : BEAD_OK;
+    err = settings->journal ? bead_sweep_journal_open(sweep, settings->journal, &w.journal, msg) : BEAD_OK;
     if (!err)
         err = list_jobs(&w, msg);
     if (!err && pthread_mutex_init(&w.lock, NULL) != 0)

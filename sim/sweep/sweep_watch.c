@@ -160,13 +160,18 @@ static enum bead_error find_clean(struct work *work, struct bead_message *msg)
 enum bead_error bead_sweep_watch(const struct bead_sweep *sweep, struct bead_sweep_watch *watches, size_t count,
                                  const struct bead_sweep_settings *settings, struct bead_message *msg)
 {
+    struct bead_sweep_settings own;
+    enum bead_error err = bead_sweep_settings_take(&own, settings, msg);
+    if (err)
+        return err;
+    settings = &own;
     struct work work = {
         .sweep = sweep, .settings = settings, .kernels = bead_kernels_find(settings->instructions), .watches = watches};
     long cores = sysconf(_SC_NPROCESSORS_ONLN);
     work.count = count;
     if (!work.kernels)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--instructions %s: this machine has no such kernels", settings->instructions);
-    enum bead_error err = find_clean(&work, msg);
+    err = find_clean(&work, msg);
     if (!err)
         err = bead_thread_pool_run(count,
                                    settings->threads > 0 ? settings->threads

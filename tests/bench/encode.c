@@ -80,7 +80,8 @@ static double cpu(void)
 static enum bead_error encode(const char *path, enum bead_quality quality, double *milliseconds, uint64_t *bytes,
                               struct bead_message *msg)
 {
-    struct bead_movie_settings settings = {.width = WIDTH, .height = HEIGHT, .fps = 60, .quality = quality};
+    struct bead_movie_settings settings = {
+        .size = sizeof settings, .width = WIDTH, .height = HEIGHT, .fps = 60, .quality = quality};
     struct bead_movie *movie;
     struct bead_frame frame;
     enum bead_error err = bead_frame_create(WIDTH, HEIGHT, &frame, msg);

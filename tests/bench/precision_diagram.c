@@ -250,8 +250,8 @@ static enum bead_error draw(void *context, cairo_t *cr, struct bead_message *msg
 
 int main(int count, char **word)
 {
-    struct bead_picture_notes notes = {dpi, "Work against error", "Waves in chains of beads: CPU time and error of peak forces",
-                                       NULL, NULL};
+    struct bead_picture_notes notes = {
+        sizeof notes, dpi, "Work against error", "Waves in chains of beads: CPU time and error of peak forces", NULL, NULL};
     const bool velocities = count == 4 && strcmp(word[3], "velocity") == 0;
     if (count != 3 && !velocities)
         GIVE_UP("precision_diagram TABLE.csv NAME [velocity]");

@@ -9,7 +9,7 @@ int main(int argc, char **argv)
     struct bead_session *session;
     struct bead_job job;
 
-    bead_job_default(&job);
+    BEAD_DEFAULT(&job);
     job.input = argc > 1 ? argv[1] : "clean-vs-delocalised"; /* a file, or a ready scene */
     job.output = argc > 2 ? argv[2] : ".";
     job.sinks = sinks;

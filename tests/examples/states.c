@@ -17,7 +17,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "Usage: states SCENE DIRECTORY [KEY=VALUE]...\n");
         return 2;
     }
-    bead_job_default(&job);
+    BEAD_DEFAULT(&job);
     job.input = argv[1];
     job.output = argv[2];
     job.settings = (const char *const *)argv + 3;

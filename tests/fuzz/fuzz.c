@@ -127,7 +127,7 @@ bool fuzz_session(const char *input, const char *output, bool run)
     struct bead_message msg = {""};
     struct bead_job job;
     watch_once();
-    bead_job_default(&job);
+    BEAD_DEFAULT(&job);
     job.input = input;
     job.output = output;
     job.sinks = sinks;

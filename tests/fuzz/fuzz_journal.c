@@ -59,7 +59,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct bead_sweep *sweep = NULL;
     enum bead_error err = bead_sweep_create(scene, &sweep, &msg);
     fuzz_result(err, &msg, sweep != NULL);
-    const struct bead_sweep_settings settings = {.threads = 1, .journal = path, .stop = &stop};
+    const struct bead_sweep_settings settings = {.size = sizeof settings, .threads = 1, .journal = path, .stop = &stop};
     err = bead_sweep_run(sweep, &settings, NULL, &msg);
     fuzz_result(err, &msg, !err);
     size_t known = 0, all = bead_sweep_count(sweep, &known);

@@ -154,7 +154,7 @@ static void movies_have_the_colours_of_the_map(void **state)
         struct barred b = make_frame(maps[k % MAPS]);
         const struct bead_frame *frame = bead_composer_frame(b.composer);
         struct bead_movie_settings wanted = {
-            .width = frame->width, .height = frame->height, .fps = FPS, .quality = kinds[kind].quality};
+            .size = sizeof wanted, .width = frame->width, .height = frame->height, .fps = FPS, .quality = kinds[kind].quality};
         struct bead_movie *movie;
         struct bead_message msg = {""};
         const char *path = place(kinds[kind].name);
@@ -185,7 +185,7 @@ static void lossless_movies_have_them_exactly(void **state)
     const struct bead_rect *bar = &b.composer->layout.bar;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         struct bead_movie_settings wanted = {
-            .width = frame->width, .height = frame->height, .fps = FPS, .quality = BEAD_QUALITY_LOSSLESS};
+            .size = sizeof wanted, .width = frame->width, .height = frame->height, .fps = FPS, .quality = BEAD_QUALITY_LOSSLESS};
         struct bead_movie *movie;
         struct bead_message msg = {""};
         require(bead_movie_open(place(names[i]), &wanted, &movie, &msg), &msg);

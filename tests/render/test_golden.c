@@ -135,7 +135,7 @@ static void show_difference(const char *name, const struct raster *expected, con
     assert_int_equal(bead_frame_create(width, height, &frame, &msg), BEAD_OK);
     for (size_t i = 0, x = 0; i < 3; x += (size_t)parts[i++].width + 8)
         paste(&frame, &parts[i], (int)x);
-    struct bead_picture_notes notes = {.title = name};
+    struct bead_picture_notes notes = {.size = sizeof notes, .title = name};
     uint64_t bytes;
     if (bead_png_write(path, &frame, &notes, &bytes, &msg))
         print_error("%s\n", msg.text);
@@ -188,7 +188,7 @@ static void keep(const char *path, const struct raster *r)
 {
     struct bead_frame frame;
     struct bead_message msg = {""};
-    struct bead_picture_notes notes = {.title = NULL};
+    struct bead_picture_notes notes = {.size = sizeof notes, .title = NULL};
     uint64_t bytes;
     assert_int_equal(bead_frame_create(r->width, r->height, &frame, &msg), BEAD_OK);
     paste(&frame, r, 0);

@@ -32,7 +32,8 @@ static void wrong_settings_are_refused(void **state)
         {"a.mp4", 640, 360, 60, (enum bead_quality)9, "quality"},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        struct bead_movie_settings wanted = {wrong[i].width, wrong[i].height, wrong[i].fps, wrong[i].quality, NULL, NULL, false};
+        struct bead_movie_settings wanted = {sizeof wanted, wrong[i].width, wrong[i].height, wrong[i].fps, wrong[i].quality, NULL,
+                                             NULL,          false};
         struct bead_movie *movie = (struct bead_movie *)&wanted;
         struct bead_message msg = {""};
         const char *path = place(wrong[i].name);
@@ -43,7 +44,7 @@ static void wrong_settings_are_refused(void **state)
         assert_null(strchr(msg.text, '\n'));
         assert_false(left_behind(path));
     }
-    struct bead_movie_settings odd = {641, 361, 60, BEAD_QUALITY_LOSSLESS, NULL, NULL, false};
+    struct bead_movie_settings odd = {sizeof odd, 641, 361, 60, BEAD_QUALITY_LOSSLESS, NULL, NULL, false};
     static const char *const fine[] = {"a.mp4", "a.mkv", "a.webm", "a.gif", "a.png", "a.hash"};
     for (size_t i = 0; i < sizeof fine / sizeof *fine; i++)
         assert_int_equal(bead_movie_check(fine[i], &odd, NULL), BEAD_OK);

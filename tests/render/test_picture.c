@@ -254,7 +254,7 @@ static void assert_round_trip(uint32_t colours, int colour_type)
 {
     char path[512];
     struct bead_frame frame;
-    struct bead_picture_notes notes = {600, "Füße <1 & 2>", "what it is", "beadreel", "a: 1\n"};
+    struct bead_picture_notes notes = {sizeof notes, 600, "Füße <1 & 2>", "what it is", "beadreel", "a: 1\n"};
     uint64_t bytes = 0;
     in_directory("frame.png", path, sizeof path);
     assert_int_equal(bead_frame_create(173, 91, &frame, NULL), BEAD_OK);

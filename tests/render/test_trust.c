@@ -108,7 +108,7 @@ static enum bead_error try_play(const char *input, const char *output, struct be
     lists[1] = bead_render_sinks();
     struct bead_session *session = NULL;
     struct bead_job job;
-    bead_job_default(&job);
+    BEAD_DEFAULT(&job);
     job.input = input;
     job.output = output;
     job.sinks = lists;

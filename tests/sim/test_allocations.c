@@ -164,6 +164,7 @@ static long fail_each_of_job(struct bead_job job)
     static const struct bead_sweep_sink *const *sweep_sinks[2];
     sinks[0] = bead_data_sinks();
     sweep_sinks[0] = bead_sweep_data_sinks();
+    job.size = sizeof job;
     job.sinks = sinks;
     job.sweep_sinks = sweep_sinks;
     job.threads = 1;

@@ -123,11 +123,13 @@ static void bad_names_are_refused(void **state)
     struct bead_message msg = {""};
     struct bead_session *session = NULL;
     const char *only = "nothing.csv";
-    struct bead_job job = {.input = "assets/scenes/thesis/imagesc.yaml", .only = &only, .only_count = 1, .sinks = lists};
+    struct bead_job job = {
+        .size = sizeof job, .input = "assets/scenes/thesis/imagesc.yaml", .only = &only, .only_count = 1, .sinks = lists};
     assert_int_equal(bead_session_open(&job, &session, &msg), BEAD_ERROR_USAGE);
     assert_non_null(strstr(msg.text, "nothing.csv"));
     assert_null(session);
-    job = (struct bead_job){.input = "assets/scenes/thesis/imagesc.yaml", .instructions = "mmx", .sinks = lists};
+    job =
+        (struct bead_job){.size = sizeof job, .input = "assets/scenes/thesis/imagesc.yaml", .instructions = "mmx", .sinks = lists};
     assert_int_equal(bead_session_open(&job, &session, &msg), BEAD_ERROR_USAGE);
 }
 
@@ -139,7 +141,8 @@ static void a_run_may_stop_while_scouting(void **state)
     volatile sig_atomic_t stop = 0;
     char path[512];
     write_scene(ONE_MS "outputs: [{movie: beads.mp4, duration: 0.2 s, size: [160, 120], fps: 10}]\n", path);
-    const struct bead_job job = {.input = path, .output = directory, .sinks = sinks, .threads = 1, .stop = &stop};
+    const struct bead_job job = {
+        .size = sizeof job, .input = path, .output = directory, .sinks = sinks, .threads = 1, .stop = &stop};
     struct bead_session *session = NULL;
     struct bead_message msg = {""};
     assert_int_equal(bead_session_open(&job, &session, &msg), BEAD_OK);
@@ -166,7 +169,7 @@ static void nonsense_is_stopped(void **state)
         fclose(file);
         struct bead_message msg = {""};
         struct bead_session *session = NULL;
-        struct bead_job job = {.input = path, .output = directory, .sinks = lists};
+        struct bead_job job = {.size = sizeof job, .input = path, .output = directory, .sinks = lists};
         enum bead_error err = bead_session_open(&job, &session, &msg);
         if (!err)
             err = bead_session_run(session, &msg);

@@ -141,7 +141,7 @@ static void a_torn_journal_is_gone_on_with(void **state)
         assert_int_equal(fwrite(bytes, 1, cut, file), cut);
         fclose(file);
         assert_int_equal(bead_sweep_create(scene, &sweep, &msg), BEAD_OK);
-        const struct bead_sweep_settings settings = {.threads = 1, .journal = journal};
+        const struct bead_sweep_settings settings = {.size = sizeof settings, .threads = 1, .journal = journal};
         if (bead_sweep_run(sweep, &settings, &computed, &msg))
             fail_msg("cut at %zu: %s", cut, msg.text);
         assert_true(cut == size ? computed == 0 : computed > 0);
@@ -162,7 +162,7 @@ static void a_spoilt_journal_is_not_believed(void **state)
                       *other = parse("sweep: {cells: 6, configurations: 3, seed: 3, magnetism: [0, 0.667]}" OUTPUT);
     char journal[512];
     in_directory("spoilt", journal);
-    const struct bead_sweep_settings settings = {.threads = 1, .journal = journal};
+    const struct bead_sweep_settings settings = {.size = sizeof settings, .threads = 1, .journal = journal};
     bead_sweep_close(compute(scene, &settings));
     int file = open(journal, O_RDWR);
     assert_true(file >= 0);
@@ -357,7 +357,7 @@ static void watches_measure_single_runs(void **state)
     struct bead_sweep_watch found[2][16] = {0};
     assert_in_range(count, 8, 16);
     for (int threads = 1; threads <= 2; threads++) {
-        const struct bead_sweep_settings settings = {.threads = threads};
+        const struct bead_sweep_settings settings = {.size = sizeof settings, .threads = threads};
         for (size_t i = 0; i < count; i++)
             found[threads - 1][i].index = i;
         if (bead_sweep_watch(sweep, found[threads - 1], count, &settings, &msg))
@@ -380,7 +380,7 @@ static void watches_give_samples(void **state)
     (void)state;
     struct bead_message msg = {""};
     struct bead_scene *scene = parse("sweep: {cells: 8, spins: [\"11011101\"]}" OUTPUT);
-    const struct bead_sweep_settings settings = {.threads = 1};
+    const struct bead_sweep_settings settings = {.size = sizeof settings, .threads = 1};
     struct bead_sweep *sweep = NULL;
     assert_int_equal(bead_sweep_create(scene, &sweep, &msg), BEAD_OK);
     struct look look = {.last = SIZE_MAX};

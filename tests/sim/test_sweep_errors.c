@@ -45,8 +45,8 @@ static void journals_of_others_are_refused(void **state)
     static char bytes[1 << 16];
     char path[512];
     in_directory("journal", path);
-    const struct bead_sweep_settings all = {.threads = 1, .journal = path},
-                                     second = {.threads = 1, .journal = path, .part = 2, .parts = 2};
+    const struct bead_sweep_settings all = {.size = sizeof all, .threads = 1, .journal = path},
+                                     second = {.size = sizeof second, .threads = 1, .journal = path, .part = 2, .parts = 2};
     struct bead_scene *scene = parse(one_sweep);
     bead_sweep_close(compute(scene, &all));
     bead_scene_free(scene);
@@ -74,7 +74,7 @@ static void full_disks_are_errors(void **state)
     (void)state;
     char path[512];
     in_directory("full", path);
-    const struct bead_sweep_settings settings = {.threads = 1, .journal = path};
+    const struct bead_sweep_settings settings = {.size = sizeof settings, .threads = 1, .journal = path};
     struct rlimit before;
     assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
     void (*handler)(int) = signal(SIGXFSZ, SIG_IGN);
@@ -97,7 +97,7 @@ static void settings_are_checked(void **state)
     (void)state;
     struct bead_message msg = {""};
     struct bead_sweep *sweep = NULL;
-    const struct bead_sweep_settings odd = {.threads = 1, .instructions = "mmx"};
+    const struct bead_sweep_settings odd = {.size = sizeof odd, .threads = 1, .instructions = "mmx"};
     refuse_run(one_sweep, &odd, BEAD_ERROR_USAGE, "--instructions mmx");
     struct bead_scene *scene = parse("chain: {beads: [{bead: small-steel}]}\noutputs: [{table: a.csv}]");
     assert_int_equal(bead_sweep_create(scene, &sweep, &msg), BEAD_ERROR_USAGE);
