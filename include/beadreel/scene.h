@@ -207,12 +207,21 @@ struct bead_shown {
     bool trust;             /* say from when on two runs of different accuracy differ: image, movie, plot */
 };
 
+/* Which way space-time images lie. Automatic: time to the right alone; down where beads stand above it; bare pixels as a matrix. */
+enum bead_orientation {
+    BEAD_ORIENTATION_AUTO,
+    BEAD_TIME_RIGHT, /* time to the right, bead 0 at the bottom */
+    BEAD_TIME_DOWN,  /* time down, bead 0 at the left */
+    BEAD_MATRIX      /* time to the right, bead 0 on top, as in Octave's imagesc; of bare pixels only */
+};
+
 /* What is drawn, from top to bottom: image, movie. */
 struct bead_views_asked {
     enum bead_view_kind kinds[8];
     size_t count;   /* 0: of the kinds without the key `views`, such as plots, which draw curves */
     bool axes;      /* false: bare pixels */
     double magnify; /* factor on displacements; 0: automatic */
+    enum bead_orientation orientation;
 };
 
 /* From values to colours: image, movie, sheet. */

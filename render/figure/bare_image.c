@@ -1,5 +1,6 @@
-/* Bare pixels, `axes: false`: they lie as in Octave's imagesc, bead 0 in the top row, beads downwards, time to the right; several
- * chains stand one below the other. The picture has exactly the size asked for, and its palette is the colour map. */
+/* Bare pixels, `axes: false`: unless the scene wants them otherwise (`orientation`) they lie as in Octave's imagesc, bead 0 in the
+ * top row, beads downwards, time to the right. Several chains stand one below the other, or side by side where time runs down. The
+ * picture has exactly the size asked for, and its palette is the colour map. */
 #include "render/figure/still.h"
 
 #include <math.h>
@@ -20,7 +21,8 @@ struct bead_still {
     struct bead_page page;
     struct bead_colormap map;
     struct bead_area **areas; /* [chains] */
-    int *tops;                /* [chains + 1], px */
+    int columns, across;      /* px along time, and across it, of all chains */
+    int *tops;                /* [chains + 1], px: where chains begin across time */
     struct bead_grid grid;
     struct bead_span beads;
     char why[96];
@@ -48,6 +50,11 @@ static enum bead_error scene_error(const struct bead_still *b, const char *text,
                      b->output->place.column, text);
 }
 
+static bool time_down(const struct bead_still *b)
+{
+    return b->output->views.orientation == BEAD_TIME_DOWN;
+}
+
 static size_t count_of(const struct bead_still *b, size_t chain)
 {
     const struct bead_chain *c = b->context.chains[chain];
@@ -61,18 +68,20 @@ static enum bead_error make_areas(struct bead_still *b, const double time[2], st
     b->tops = calloc(chains + 1, sizeof *b->tops);
     if (!b->areas || !b->tops)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image");
-    if ((size_t)b->page.height < chains)
-        return scene_error(b, "size: fewer rows of pixels than chains", msg);
+    b->columns = time_down(b) ? b->page.height : b->page.width;
+    b->across = time_down(b) ? b->page.width : b->page.height;
+    if ((size_t)b->across < chains)
+        return scene_error(b, "size: fewer rows (or columns) of pixels than chains", msg);
     enum bead_error err = BEAD_OK;
     b->beads = (struct bead_span){b->output->shown.beads.first, 0};
     for (size_t c = 0; !err && c < chains; c++) {
-        struct bead_area_setup setup = {b->output->shown.beads, {time[0], time[1]}, 0, b->page.width, b->output->image.sampling};
+        struct bead_area_setup setup = {b->output->shown.beads, {time[0], time[1]}, 0, b->columns, b->output->image.sampling};
         size_t count = count_of(b, c);
         setup.beads.last = setup.beads.last < count ? setup.beads.last : count - 1;
         if (setup.beads.first > setup.beads.last)
             return scene_error(b, "beads: begin behind the end of the chain", msg);
         b->beads.last = setup.beads.last > b->beads.last ? setup.beads.last : b->beads.last;
-        b->tops[c + 1] = (int)((long long)b->page.height * (long long)(c + 1) / (long long)chains);
+        b->tops[c + 1] = (int)((long long)b->across * (long long)(c + 1) / (long long)chains);
         setup.places = b->tops[c + 1] - b->tops[c];
         err = bead_area_create(&setup, &b->areas[c], msg);
     }
@@ -96,7 +105,7 @@ static enum bead_error bare_prepare(struct bead_still *b, struct bead_message *m
         err = make_areas(b, time, msg);
     if (err)
         return err;
-    b->grid = bead_picture_grid(&b->context, &output->shown, time, b->page.width);
+    b->grid = bead_picture_grid(&b->context, &output->shown, time, b->columns);
     snprintf(b->why, sizeof b->why, "%d x %d bare pixels", b->page.width, b->page.height);
     return BEAD_OK;
 }
@@ -113,6 +122,17 @@ static struct bead_colour_range bare_find_range(const struct bead_still *b)
     return bead_colour_range_find(&b->output->colours, bead_chain_signed(b->context.chains[0], b->output->shown.field), low, high);
 }
 
+/* Where the pixels of a chain go. */
+static struct bead_area_image image_of(const struct bead_still *b, size_t chain, uint8_t *indices)
+{
+    const ptrdiff_t width = b->page.width;
+    if (time_down(b))
+        return (struct bead_area_image){indices + b->tops[chain], width, 1};
+    if (b->output->views.orientation == BEAD_TIME_RIGHT)
+        return (struct bead_area_image){indices + (b->tops[chain + 1] - 1) * width, 1, -width};
+    return (struct bead_area_image){indices + b->tops[chain] * width, 1, width};
+}
+
 static enum bead_error fill_indices(const struct bead_still *b, uint8_t *indices, struct bead_message *msg)
 {
     struct bead_colour_range range = bare_find_range(b);
@@ -121,9 +141,9 @@ static enum bead_error fill_indices(const struct bead_still *b, uint8_t *indices
     enum bead_error err = BEAD_OK;
     bead_colour_table_make(&colours, &table);
     for (size_t c = 0; c < b->context.chain_count; c++) {
-        struct bead_area_image image = {indices + (size_t)b->tops[c] * (size_t)b->page.width, 1, b->page.width};
-        for (int x = 0, done; !err && x < b->page.width; x = done + 1) /* skips a column that no sample has touched */
-            err = bead_area_colour(b->areas[c], &table, x, b->page.width, &image, &done, msg);
+        const struct bead_area_image image = image_of(b, c, indices);
+        for (int x = 0, done; !err && x < b->columns; x = done + 1) /* skips a column that no sample has touched */
+            err = bead_area_colour(b->areas[c], &table, x, b->columns, &image, &done, msg);
     }
     return err;
 }

@@ -60,6 +60,7 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
                                  struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
+    const enum bead_orientation asked = f->output->views.orientation;
     bool moments = !bead_views_all(views, f->view_count, BEAD_SHOWS_ALL_TIMES);
     for (size_t v = 0; !err && v < f->view_count; v++) {
         struct bead_tile *panel = &cell->panel[v];
@@ -74,7 +75,7 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
                                                 .look = &f->look,
                                                 .axes = f->output->views.axes,
                                                 .bead_labels = true,
-                                                .time_down = moments,
+                                                .time_down = asked == BEAD_ORIENTATION_AUTO ? moments : asked == BEAD_TIME_DOWN,
                                                 .sampling = f->output->image.sampling,
                                                 .marked = moments,
                                                 .mark = f->at,

@@ -167,7 +167,7 @@ const struct bead_option bead_axes_row[1] = {
      .type = BEAD_OPTION_FLAG,
      .offset = BEAD_OF_OUTPUT(views.axes),
      .initial = "true",
-     .help = "axes, labels and colour bar around the picture; false: bare pixels"},
+     .help = "axes, labels and colour bar around the picture; false: bare pixels, bead 0 in the top row (see orientation)"},
 };
 /* Of pictures with panels, and of the panels. */
 static const struct bead_option panels_rows[] = {
@@ -239,12 +239,14 @@ static const struct bead_option image_rows[] = {
 static const struct bead_option image_file[] = {
     BEAD_FILE_ROW("image", "FILE.png, .pdf or .svg", "force.png"),
 };
-static const struct bead_option_rows image_shared[] = {
-    {BEAD_OPTIONS(bead_field_row)},   {BEAD_OPTIONS(bead_time_row)},     {BEAD_OPTIONS(bead_beads_row)},
-    {BEAD_OPTIONS(bead_every_row)},   {BEAD_OPTIONS(bead_colormap_row)}, {BEAD_OPTIONS(image_rows)},
-    {BEAD_OPTIONS(bead_range_row)},   {BEAD_OPTIONS(bead_magnify_row)},  {BEAD_OPTIONS(bead_trust_row)},
-    {BEAD_OPTIONS(bead_page_rows)},   {BEAD_OPTIONS(bead_theme_row)},    {BEAD_OPTIONS(bead_axes_row)},
-    {BEAD_OPTIONS(bead_caption_row)}, {BEAD_OPTIONS(panels_rows)},       {NULL, 0}};
+static const struct bead_option_rows image_shared[] = {{BEAD_OPTIONS(bead_field_row)},       {BEAD_OPTIONS(bead_time_row)},
+                                                       {BEAD_OPTIONS(bead_beads_row)},       {BEAD_OPTIONS(bead_every_row)},
+                                                       {BEAD_OPTIONS(bead_colormap_row)},    {BEAD_OPTIONS(image_rows)},
+                                                       {BEAD_OPTIONS(bead_range_row)},       {BEAD_OPTIONS(bead_magnify_row)},
+                                                       {BEAD_OPTIONS(bead_trust_row)},       {BEAD_OPTIONS(bead_page_rows)},
+                                                       {BEAD_OPTIONS(bead_theme_row)},       {BEAD_OPTIONS(bead_axes_row)},
+                                                       {BEAD_OPTIONS(bead_caption_row)},     {BEAD_OPTIONS(panels_rows)},
+                                                       {BEAD_OPTIONS(bead_orientation_row)}, {NULL, 0}};
 static const struct bead_options image_options = {"image", "a field over the chain and time, or a still of other views",
                                                   BEAD_OPTIONS(image_file), image_shared, &bead_output_family};
 const struct bead_output_type bead_image_output = {.options = &image_options,
@@ -253,11 +255,17 @@ const struct bead_output_type bead_image_output = {.options = &image_options,
                                                               bead_output_check_trust, bead_output_check_panels},
                                                    .draws = true};
 
-static const struct bead_option_rows image_panel_shared[] = {{BEAD_OPTIONS(bead_field_row)},    {BEAD_OPTIONS(bead_time_row)},
-                                                             {BEAD_OPTIONS(bead_beads_row)},    {BEAD_OPTIONS(bead_every_row)},
-                                                             {BEAD_OPTIONS(bead_colormap_row)}, {BEAD_OPTIONS(image_rows)},
-                                                             {BEAD_OPTIONS(bead_range_row)},    {BEAD_OPTIONS(bead_magnify_row)},
-                                                             {BEAD_OPTIONS(bead_trust_row)},    {NULL, 0}};
+static const struct bead_option_rows image_panel_shared[] = {{BEAD_OPTIONS(bead_field_row)},
+                                                             {BEAD_OPTIONS(bead_time_row)},
+                                                             {BEAD_OPTIONS(bead_beads_row)},
+                                                             {BEAD_OPTIONS(bead_every_row)},
+                                                             {BEAD_OPTIONS(bead_colormap_row)},
+                                                             {BEAD_OPTIONS(image_rows)},
+                                                             {BEAD_OPTIONS(bead_range_row)},
+                                                             {BEAD_OPTIONS(bead_magnify_row)},
+                                                             {BEAD_OPTIONS(bead_trust_row)},
+                                                             {BEAD_OPTIONS(bead_orientation_row)},
+                                                             {NULL, 0}};
 const struct bead_options bead_image_panel_options = {NULL, "a panel that is an image", BEAD_OPTIONS(panel_rows),
                                                       image_panel_shared, &bead_output_family};
 

@@ -173,6 +173,10 @@ BEAD_OUTPUT_CHECK(bead_output_check_still_views)
     struct bead_at where = bead_at_key(at, "views");
     if (bead_views_any(output->views.kinds, output->views.count, BEAD_SHOWS_MODES))
         return bead_wrong(reader, &where, "modes are a view of movies; {plot: FILE, show: modes} has their energies over time");
+    where = bead_at_key(at, "orientation");
+    if (output->views.orientation == BEAD_MATRIX && output->views.axes)
+        return bead_wrong(reader, &where,
+                          "is matrix, which is how bare pixels lie: needs `axes: false`; must be time-right or time-down");
     return bead_output_check_views(reader, at, output);
 }
 

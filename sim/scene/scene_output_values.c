@@ -2,7 +2,19 @@
 #include <math.h>
 #include <string.h>
 
-#include "sim/scene/scene_output.h"
+#include "sim/scene/output_rows.h"
+
+static const char *const orientations[] = {"auto", "time-right", "time-down", "matrix", NULL};
+const struct bead_option bead_orientation_row[1] = {
+    {.key = "orientation",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = BEAD_OF_OUTPUT(views.orientation),
+     .initial = "auto",
+     .choices = orientations,
+     .help = "how space-time images lie; time-right: bead 0 at the bottom; time-down: bead 0 at the left; matrix: time to the "
+             "right, bead 0 "
+             "on top, of bare pixels only; auto: time-right, below views of a moment time-down, for bare pixels matrix"},
+};
 
 BEAD_OUTPUT_READER(bead_output_read_path)
 {

@@ -304,28 +304,45 @@ static void test_png_errors(void **state)
 
 /* ---- sinks ---- */
 
-static void test_bare_pixels_lie_as_imagesc(void **state)
+/* 10 beads, the pulse at bead j in a tenth of the time from j tenths on: colours of a picture of 40 x 20 or 20 x 40 pixels. */
+static void check_bare_pixels(const char *orientation, bool down, bool upside)
 {
-    (void)state;
-    char path[512];
-    struct built built = build_chain("image: bare.png, axes: false, size: [40, 20], range: [0, 10 N]");
+    char path[512], output[160];
+    snprintf(output, sizeof output, "image: bare.png, axes: false, size: %s, range: [0, 10 N]%s", down ? "[20, 40]" : "[40, 20]",
+             orientation);
+    struct built built = build_chain(output);
     draw_output(&built, pulse_down_the_chain);
     in_directory("bare.png", path, sizeof path);
     struct png_file png = read_png(path);
-    assert_true(png.width == 40 && png.height == 20 && png.colour_type == PNG_COLOR_TYPE_PALETTE);
+    const int width = down ? 20 : 40;
+    assert_true(png.width == width && png.height == 60 - width && png.colour_type == PNG_COLOR_TYPE_PALETTE);
     struct bead_colormap map;
     assert_int_equal(bead_colormap_load("viridis", &map, NULL), BEAD_OK);
-    /* 10 beads of 2 rows each, 4 columns a bead: the pulse is at bead j in columns 4 j to 4 j + 3, from the top left down. */
-    for (int y = 0; y < 20; y++) {
-        for (int x = 0; x < 40; x++) {
-            int index = x / 4 == y / 2 ? 255 : 0;
-            bool edge = x % 4 == 0 || x % 4 == 3; /* the pulse rises and falls there */
-            if (!edge || x / 4 != y / 2)
-                assert_memory_equal(png.rgb + 3 * (y * 40 + x), map.rgb[index], 3);
+    /* 2 pixels a bead, 4 of time a bead. */
+    for (int place = 0; place < 20; place++) {
+        for (int time = 0; time < 40; time++) {
+            const int bead = place / 2, y = down ? time : upside ? 19 - place : place, x = down ? place : time;
+            bool edge = time % 4 == 0 || time % 4 == 3; /* the pulse rises and falls there */
+            if (!edge || time / 4 != bead)
+                assert_memory_equal(png.rgb + 3 * (y * width + x), map.rgb[time / 4 == bead ? 255 : 0], 3);
         }
     }
     free(png.rgb);
     release_chain(&built);
+}
+
+static void test_bare_pixels_lie_as_imagesc(void **state)
+{
+    (void)state;
+    check_bare_pixels("", false, false);
+    check_bare_pixels(", orientation: matrix", false, false);
+}
+
+static void test_bare_pixels_turn(void **state)
+{
+    (void)state;
+    check_bare_pixels(", orientation: time-right", false, true);
+    check_bare_pixels(", orientation: time-down", true, false);
 }
 
 static void test_needs_are_no_more_than_shown(void **state)
@@ -465,6 +482,7 @@ int main(void)
         cmocka_unit_test(test_png_holds_the_frame),
         cmocka_unit_test(test_png_errors),
         cmocka_unit_test(test_bare_pixels_lie_as_imagesc),
+        cmocka_unit_test(test_bare_pixels_turn),
         cmocka_unit_test(test_needs_are_no_more_than_shown),
         cmocka_unit_test(test_sensors_view_without_sensors_is_refused),
         cmocka_unit_test(test_pdf_raster_is_the_png_s),
