@@ -285,9 +285,15 @@ struct bead_caption {
     double at;    /* s of the motion: from when on */
     double until; /* s of the motion; NaN: not given */
     double
-        lasting; /* s of the film; NaN: not given. Neither: until the next caption, the last one for as long as it takes to read */
+        lasting;  /* s of the film; NaN: not given. Neither: until the next caption, the last one for as long as it takes to read */
+    double pause; /* s of the film for which the motion stands when the caption appears */
     char *text;
     struct bead_place place; /* of `at` */
+};
+/* A point of the curve of speed. */
+struct bead_speed {
+    double at;     /* s of the motion */
+    double factor; /* s of the motion for one of the film, > 0 */
 };
 
 /* What a movie shows before the motion. */
@@ -303,6 +309,8 @@ struct bead_movie_asked {
     enum bead_type type;           /* size of letters */
     struct bead_caption *captions; /* by rising times */
     size_t caption_count;
+    struct bead_speed *speeds; /* by rising times; NULL: as even as `duration` asks */
+    size_t speed_count;
     struct bead_card card;
     enum bead_follow follow; /* what beads and profile show: all beads, or a window that moves with the front */
     size_t window;           /* beads in it */

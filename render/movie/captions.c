@@ -24,7 +24,7 @@ double bead_caption_height(const struct bead_look *look)
 }
 
 /* s of the motion. */
-static double end_of(const struct bead_movie_asked *movie, double slowed, size_t i)
+static double end_of(const struct bead_movie_asked *movie, const struct bead_film_clock *clock, size_t i)
 {
     const struct bead_caption *c = &movie->captions[i];
     bool last = i + 1 == movie->caption_count;
@@ -32,16 +32,16 @@ static double end_of(const struct bead_movie_asked *movie, double slowed, size_t
     if (!isnan(c->until))
         return fmin(c->until, next);
     if (!isnan(c->lasting))
-        return fmin(c->at + c->lasting / slowed, next);
-    return last ? c->at + fmax(least_time, (double)strlen(c->text) / reading) / slowed : next;
+        return fmin(bead_film_after(clock, c->at, fmax(c->lasting, c->pause)), next);
+    return last ? bead_film_after(clock, c->at, c->pause + fmax(least_time, (double)strlen(c->text) / reading)) : next;
 }
 
-size_t bead_captions_find(const struct bead_movie_asked *movie, double slowed, double time)
+size_t bead_captions_find(const struct bead_movie_asked *movie, const struct bead_film_clock *clock, double time)
 {
     size_t found = SIZE_MAX;
     for (size_t i = 0; i < movie->caption_count && movie->captions[i].at <= time; i++)
         found = i;
-    return found != SIZE_MAX && time < end_of(movie, slowed, found) ? found : SIZE_MAX;
+    return found != SIZE_MAX && time < end_of(movie, clock, found) ? found : SIZE_MAX;
 }
 
 enum bead_error bead_captions_check(const struct bead_output *output, const struct bead_scene *scene, double end, const char *unit,

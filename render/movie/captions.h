@@ -7,10 +7,11 @@
 
 #include "beadreel/look.h"
 #include "beadreel/scene.h"
+#include "render/movie/film_clock.h"
 
-/* The caption at a time of the motion; SIZE_MAX: none. `slowed`: s of the film for one of the motion. A caption stays until the
+/* The caption at a time of the motion; SIZE_MAX: none. A caption stays until the
  * next one or until its own end. The last one, if it has no end, stays as long as it takes to read, at least 2.5 s of the film. */
-size_t bead_captions_find(const struct bead_movie_asked *movie, double slowed, double time);
+size_t bead_captions_find(const struct bead_movie_asked *movie, const struct bead_film_clock *clock, double time);
 /* Lines that the longest caption needs in a frame of that width: at most 2, or 0 without captions. */
 int bead_captions_lines(const struct bead_movie_asked *movie, const struct bead_look *look, int width);
 /* Height of a line, px. */

@@ -121,7 +121,8 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
     c->colours = (struct bead_colours){&c->map, output->colours.scale, c->setup.range[0], c->setup.range[1]};
     c->clock = bead_clock_make(c->setup.time[1], c->setup.step, bead_chain_time_unit(c->setup.chains[0]));
     double span = c->setup.time[1] - c->setup.time[0];
-    c->slowed = span > 0 ? output->movie.duration / span : 1;
+    c->even.slowed = span > 0 ? output->movie.duration / span : 1;
+    c->setup.film = c->setup.film ? c->setup.film : &c->even;
     c->caption = SIZE_MAX;
     c->magnify = output->views.magnify > 0 ? output->views.magnify : bead_magnify_auto(c->setup.chains, c->setup.chain_count);
     if (output->movie.poster && output->movie.poster[0]) {
@@ -207,7 +208,7 @@ static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, stru
 static struct bead_facts facts_of(const struct bead_composer *c)
 {
     bool beads = bead_views_any(c->setup.output->views.kinds, c->setup.output->views.count, BEAD_SHOWS_BEADS);
-    return (struct bead_facts){.slowed = c->slowed,
+    return (struct bead_facts){.film = c->setup.film,
                                .clock = c->clock,
                                .magnify = beads ? c->magnify : 0,
                                .chains = c->setup.chains,

@@ -20,9 +20,10 @@ struct bead_composer_setup {
     size_t chain_count;
     const char *title;
     int width, height;
-    double time[2], step; /* s: first and last frame, and from one to the next */
-    double range[2];      /* of the colours; not empty */
-    bool over, under;     /* values may lie beyond the range */
+    double time[2], step;               /* s: first and last frame, and least from one to the next */
+    const struct bead_film_clock *film; /* NULL: time is even */
+    double range[2];                    /* of the colours; not empty */
+    bool over, under;                   /* values may lie beyond the range */
     const struct bead_scene *scene;
     const char *canvas;                  /* canvas back end; NULL: the first that works */
     double tolerance_factor;             /* of the comparison run of outputs with trust: see bead_run_context */

@@ -32,7 +32,7 @@ struct bead_composer {
     size_t caption; /* shown now; SIZE_MAX: none */
     double *fed;    /* [chain][fed_room]: values as of the last samples, for bead_composer_interest; NULL: no poster */
     size_t fed_room;
-    double slowed; /* s of the film for one of the motion */
+    struct bead_film_clock even; /* of setups without one */
 };
 
 /* Beads that are shown, also where the field is one of contacts. */

@@ -100,7 +100,7 @@ void bead_overlay_trust(struct bead_composer *c, double time, struct bead_change
 void bead_overlay_caption(struct bead_composer *c, double time, struct bead_changes *changes)
 {
     struct bead_rect rect = c->layout.caption;
-    size_t now = bead_captions_find(&c->setup.output->movie, c->slowed, time + 1e-6 * c->setup.step);
+    size_t now = bead_captions_find(&c->setup.output->movie, c->setup.film, time + 1e-6 * c->setup.step);
     if (rect.width == 0 || now == c->caption)
         return;
     c->caption = now;

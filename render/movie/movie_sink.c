@@ -359,6 +359,7 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
                                         .height = s->height,
                                         .time = {s->times.time[0], s->times.time[1]},
                                         .step = s->times.step,
+                                        .film = &s->times.film,
                                         .scene = s->context.scene,
                                         .tolerance_factor = s->context.tolerance_factor,
                                         .canvas = s->context.canvas};

@@ -20,14 +20,22 @@ static enum bead_error choose_frames(const struct bead_output *o, const struct b
 {
     t->time[0] = isnan(o->shown.time[0]) ? fmax(0, context->native.every > 0 ? context->native.start : 0) : o->shown.time[0];
     t->time[1] = isnan(o->shown.time[1]) ? context->end : fmin(o->shown.time[1], context->end);
-    double frames = round(o->movie.duration * o->movie.fps);
+    bead_film_clock_make(&o->movie, t->time, &t->film);
+    double lasting = t->film.count ? bead_film_length(&t->film) : o->movie.duration, frames = round(lasting * o->movie.fps);
     if (!(t->time[1] > t->time[0]) || !isfinite(t->time[1]))
         return wrong(o, context, "time: a movie needs some time to show, within the run", msg);
     if (!(frames >= 2 && frames <= most_frames))
-        return wrong(o, context, "duration: a movie has 2 to 10 million frames (duration times fps)", msg);
+        return wrong(o, context,
+                     "duration: a movie has 2 to 10 million frames (duration, or what `speed` and pauses make of it, times fps)",
+                     msg);
     t->card = o->movie.card.lasting > 0 ? (size_t)fmax(1, round(o->movie.card.lasting * o->movie.fps)) : 0;
     t->frames = t->card + (size_t)frames;
     t->step = (t->time[1] - t->time[0]) / (frames - 1);
+    if (t->film.count) {
+        double factors[2];
+        bead_film_factors(&t->film, factors);
+        t->step = factors[0] * lasting / (frames - 1);
+    }
     t->group = o->movie.quality == BEAD_QUALITY_DRAFT ? (size_t)fmax(1, ceil(o->movie.fps / draft_pictures - 1e-6)) : 1;
     return BEAD_OK;
 }
@@ -64,6 +72,9 @@ double bead_movie_time(const struct bead_movie_times *t, size_t index)
 {
     if (index < t->card)
         return t->time[0];
+    if (t->film.count && index + 1 < t->frames)
+        return bead_film_motion(&t->film,
+                                bead_film_length(&t->film) * (double)(index - t->card) / (double)(t->frames - t->card - 1));
     return index + 1 == t->frames ? t->time[1] : t->time[0] + (double)(index - t->card) * t->step;
 }
 

@@ -3,9 +3,11 @@
 #define BEADREEL_RENDER_MOVIE_MOVIE_TIMES_H
 
 #include "beadreel/sink.h"
+#include "render/movie/film_clock.h"
 
 struct bead_movie_times {
-    double time[2], step;  /* s: first and last frame of the motion, and between frames */
+    double time[2], step; /* s: first and last frame of the motion, and between frames, at least where speed changes */
+    struct bead_film_clock film;
     size_t card, frames;   /* those of the card; all */
     size_t group;          /* this many frames show the same picture: drafts have fewer pictures than frames */
     struct bead_grid grid; /* samples that they are made of */

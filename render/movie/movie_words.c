@@ -120,12 +120,17 @@ void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size)
 
 enum { MOST_FACTS = 3 };
 
-/* "1 s of film = 0.28 ms", in the unit of the clock; equations have times without a unit. */
+/* "1 s of film = 0.28 ms", in the unit of the clock, or "0.25 to 2 ms"; equations have times without a unit. */
 static void say_speed(const struct bead_facts *facts, char *out, size_t size)
 {
-    char number[64];
-    bead_round_number(1 / facts->slowed / facts->clock.unit, number, sizeof number);
-    snprintf(out, size, "1\u00a0s of film = %s\u00a0%s", number, facts->clock.sign[0] ? facts->clock.sign : "time units");
+    char number[40], most[40], range[96];
+    double factors[2];
+    bead_film_factors(facts->film, factors);
+    bead_round_number(factors[0] / facts->clock.unit, number, sizeof number);
+    bead_round_number(factors[1] / facts->clock.unit, most, sizeof most);
+    bool even = strcmp(number, most) == 0;
+    snprintf(range, sizeof range, "%s%s%s", number, even ? "" : " to ", even ? "" : most);
+    snprintf(out, size, "1\u00a0s of film = %s\u00a0%s", range, facts->clock.sign[0] ? facts->clock.sign : "time units");
 }
 
 static size_t words_gather(const struct bead_facts *facts, char text[MOST_FACTS][256])
@@ -323,11 +328,13 @@ static void card_plain(struct card *c, const char *plain, double size, bool bold
 /* "1 s of film = 0.28 ms, 3 600 times slower" */
 static void say_slowness(const struct bead_facts *facts, char *out, size_t size)
 {
-    char factor[64], speed[128];
-    bool slower = facts->slowed >= 1;
+    char factor[64], speed[160];
+    double factors[2];
+    bead_film_factors(facts->film, factors);
+    bool slower = factors[0] <= 1, even = factors[1] <= 1.001 * factors[0];
     say_speed(facts, speed, sizeof speed);
-    bead_round_number(slower ? facts->slowed : 1 / facts->slowed, factor, sizeof factor);
-    if (facts->clock.sign[0])
+    bead_round_number(slower ? 1 / factors[0] : factors[0], factor, sizeof factor);
+    if (facts->clock.sign[0] && even)
         snprintf(out, size, "%s, %s times %s", speed, factor, slower ? "slower" : "faster");
     else
         snprintf(out, size, "%s", speed);

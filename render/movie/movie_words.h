@@ -8,6 +8,7 @@
 #include "beadreel/chain.h"
 #include "beadreel/frame.h"
 #include "beadreel/look.h"
+#include "render/movie/film_clock.h"
 
 /* How times are written: in the unit of the picture's axes of time, always with the same width. */
 struct bead_clock {
@@ -24,7 +25,7 @@ struct bead_text_style bead_clock_style(const struct bead_look *look);
 
 /* Facts about the whole picture. */
 struct bead_facts {
-    double slowed; /* s of the film for one of the motion */
+    const struct bead_film_clock *film;
     struct bead_clock clock;
     double magnify; /* 0: displacements are not shown */
     const struct bead_chain *const *chains;

@@ -68,6 +68,12 @@ static const struct bead_option movie_rows[] = {
      .high = 36000,
      .help = "how long the movie shows the motion; a title card adds to it",
      .example = "15 s"},
+    {.key = "speed",
+     .type = BEAD_OPTION_CUSTOM,
+     .shape = "a list such as [{at: 0 ms, factor: 1/4000}, {at: 1 ms, factor: 1/500}]",
+     .help = "how fast time passes, instead of `duration`: see outputs.speed",
+     .example = "[{at: 0 ms, factor: 1/4000}, {at: 1 ms, factor: 1/500}]",
+     .read = bead_output_read_speeds},
     {.key = "captions",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "a list such as [{at: 0.2 ms, text: The front has left the striker}]",
@@ -112,21 +118,44 @@ static const struct bead_option movie_rows[] = {
      .high = 1e6,
      .word = "auto",
      .word_value = NAN,
-     .help = "time of the motion that the poster shows; auto: when the chains differ most, or where there is one, when there is most to see",
+     .help = "time of the motion that the poster shows; auto: when the chains differ most, or where there is one, when there is "
+             "most to see",
      .example = "0.8 ms"},
     {.key = "quality",
      .type = BEAD_OPTION_CHOICE,
      .offset = BEAD_OF_OUTPUT(movie.quality),
      .initial = "standard",
      .choices = qualities,
-     .help = "quality of the encoding; a draft has at most 30 pictures per second, each shown for several frames, and a picture that "
-             "does not change for as long as that lasts: a variable rate, while all others have a constant one"},
+     .help =
+         "quality of the encoding; a draft has at most 30 pictures per second, each shown for several frames, and a picture that "
+         "does not change for as long as that lasts: a variable rate, while all others have a constant one"},
 };
-static const struct bead_option_rows movie_shared[] = {{BEAD_OPTIONS(bead_field_row)}, {BEAD_OPTIONS(bead_time_row)},
-                                                       {BEAD_OPTIONS(bead_beads_row)}, {BEAD_OPTIONS(bead_square_root_row)},
-                                                       {BEAD_OPTIONS(bead_range_row)}, {BEAD_OPTIONS(bead_magnify_row)},
-                                                       {BEAD_OPTIONS(bead_trust_row)}, {BEAD_OPTIONS(bead_theme_row)},
-                                                       {BEAD_OPTIONS(bead_axes_row)},  {NULL, 0}};
+/* After `time`, of which they are parts. */
+static const struct bead_option span_rows[] = {
+    {.key = "from",
+     .type = BEAD_OPTION_CUSTOM,
+     .shape = "a time of the motion such as 0.2 ms",
+     .help = "when the movie begins; default: with the run",
+     .example = "0.2 ms",
+     .read = bead_output_read_from},
+    {.key = "until",
+     .type = BEAD_OPTION_CUSTOM,
+     .shape = "a time of the motion such as 1.5 ms",
+     .help = "when it ends; default: with the run. `time: [0.2 ms, 1.5 ms]` says both",
+     .example = "1.5 ms",
+     .read = bead_output_read_until},
+};
+static const struct bead_option_rows movie_shared[] = {{BEAD_OPTIONS(bead_field_row)},
+                                                       {BEAD_OPTIONS(bead_time_row)},
+                                                       {BEAD_OPTIONS(span_rows)},
+                                                       {BEAD_OPTIONS(bead_beads_row)},
+                                                       {BEAD_OPTIONS(bead_square_root_row)},
+                                                       {BEAD_OPTIONS(bead_range_row)},
+                                                       {BEAD_OPTIONS(bead_magnify_row)},
+                                                       {BEAD_OPTIONS(bead_trust_row)},
+                                                       {BEAD_OPTIONS(bead_theme_row)},
+                                                       {BEAD_OPTIONS(bead_axes_row)},
+                                                       {NULL, 0}};
 static const struct bead_options movie_options = {"movie", "a movie; .png is an animated PNG", BEAD_OPTIONS(movie_rows),
                                                   movie_shared, &bead_output_family};
 const struct bead_output_type bead_movie_output = {.options = &movie_options,

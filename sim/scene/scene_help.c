@@ -10,13 +10,14 @@ static const struct {
     const struct bead_options *options;
     const struct bead_option_family *family;
 } all[] = {
-    {&bead_scene_options, NULL},        {&bead_chain_options, NULL},      {&bead_striker_options, NULL},
-    {&bead_segment_options, NULL},      {NULL, &bead_law_family},         {&bead_damping_options, NULL},
-    {&bead_material_options, NULL},     {&bead_simulate_options, NULL},   {NULL, &bead_output_family},
-    {&bead_panel_options, NULL},        {&bead_caption_options, NULL},    {&bead_card_options, NULL},
-    {NULL, &bead_equation_family},      {&bead_start_mode_options, NULL}, {&bead_start_pulse_options, NULL},
-    {&bead_start_cosine_options, NULL}, {&bead_start_wave_options, NULL}, {&bead_start_solitons_options, NULL},
-    {&bead_soliton_options, NULL},      {&bead_sweep_options, NULL},      {&bead_sweep_measure_options, NULL},
+    {&bead_scene_options, NULL},          {&bead_chain_options, NULL},        {&bead_striker_options, NULL},
+    {&bead_segment_options, NULL},        {NULL, &bead_law_family},           {&bead_damping_options, NULL},
+    {&bead_material_options, NULL},       {&bead_simulate_options, NULL},     {NULL, &bead_output_family},
+    {&bead_panel_options, NULL},          {&bead_caption_options, NULL},      {&bead_speed_options, NULL},
+    {&bead_card_options, NULL},           {NULL, &bead_equation_family},      {&bead_start_mode_options, NULL},
+    {&bead_start_pulse_options, NULL},    {&bead_start_cosine_options, NULL}, {&bead_start_wave_options, NULL},
+    {&bead_start_solitons_options, NULL}, {&bead_soliton_options, NULL},      {&bead_sweep_options, NULL},
+    {&bead_sweep_measure_options, NULL},
 };
 
 /* Table number `index` of those with a heading; NULL behind the last. */

@@ -6,8 +6,27 @@
 
 #include "sim/scene/scene_output.h"
 
-enum { MOST_CAPTIONS = 200 };
+enum { MOST_CAPTIONS = 200, MOST_SPEEDS = 100 };
 static const double card_time = 3; /* s, of `card: true` */
+
+/* "1/4000" or a number. */
+static BEAD_OUTPUT_READER(read_factor)
+{
+    struct bead_speed *speed = settings;
+    const char *text = at->node->kind == BEAD_NODE_SCALAR ? at->node->text : "";
+    char shown[64], *end;
+    double over = strtod(text, &end), under = 1;
+    bool good = end > text;
+    if (good && *end == '/') {
+        const char *rest = end + 1;
+        under = strtod(rest, &end);
+        good = end > rest;
+    }
+    speed->factor = over / under;
+    if (!good || *end || !(speed->factor >= 1e-12 && speed->factor <= 1e12))
+        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
+    return BEAD_OK;
+}
 
 #define CAPTION(member) offsetof(struct bead_caption, member)
 static const struct bead_option caption_rows[] = {
@@ -49,9 +68,41 @@ static const struct bead_option caption_rows[] = {
      .word_value = NAN,
      .help = "how long the caption stays, in seconds of the movie; instead of `until`",
      .example = "4 s"},
+    {.key = "pause",
+     .offset = CAPTION(pause),
+     .unit = "s",
+     .initial = "0 s",
+     .low = 0,
+     .high = 600,
+     .help = "how long the motion stands when the caption appears, in seconds of the movie, which becomes longer by them",
+     .example = "2 s"},
 };
 const struct bead_options bead_caption_options = {"outputs.captions", "a list in order of time; a caption ends the previous one",
                                                   BEAD_OPTIONS(caption_rows), NULL, NULL};
+
+#define SPEED(member) offsetof(struct bead_speed, member)
+static const struct bead_option speed_rows[] = {
+    {.key = "at",
+     .offset = SPEED(at),
+     .unit = "s",
+     .of_motion = true,
+     .required = true,
+     .low = 0,
+     .high = 1e6,
+     .help = "time of the motion",
+     .example = "1 ms"},
+    {.key = "factor",
+     .type = BEAD_OPTION_CUSTOM,
+     .offset = SPEED(factor),
+     .required = true,
+     .shape = "a number above 0 such as 1/4000",
+     .help = "time of the motion that passes in as much time of the movie; between two points it changes evenly on a logarithmic "
+             "scale, before the first and after the last it stays",
+     .example = "1/4000",
+     .read = read_factor},
+};
+const struct bead_options bead_speed_options = {"outputs.speed", "a list in order of time: how fast the motion is shown",
+                                                BEAD_OPTIONS(speed_rows), NULL, NULL};
 
 #define CARD(member) offsetof(struct bead_card, member)
 static const struct bead_option card_rows[] = {
@@ -121,6 +172,55 @@ BEAD_OUTPUT_READER(bead_output_read_captions)
                              output->movie.captions[i].at, unit_of(reader), output->movie.captions[i - 1].at, unit_of(reader));
     }
     return err;
+}
+
+BEAD_OUTPUT_READER(bead_output_read_speeds)
+{
+    struct bead_output *output = settings;
+    char shown[64];
+    size_t count = at->node->count;
+    struct bead_at other = bead_at_key(at->up, "duration");
+    if (at->node->kind != BEAD_NODE_LIST)
+        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
+    if (count == 0 || count > MOST_SPEEDS)
+        return bead_wrong(reader, at, "has %zu entries; must have from 1 to %d", count, MOST_SPEEDS);
+    if (other.node != at->up->node)
+        return bead_wrong(reader, at, "is given beside `duration`; give one of them");
+    output->movie.speeds = calloc(count, sizeof *output->movie.speeds);
+    if (!output->movie.speeds)
+        return bead_no_memory(reader);
+    output->movie.speed_count = count;
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < count; i++) {
+        struct bead_at element = {at, NULL, i, at->node->items[i]}, where = bead_at_key(&element, "at");
+        struct bead_speed *speed = &output->movie.speeds[i];
+        err = bead_options_read(reader, &element, &bead_speed_options, speed);
+        if (!err && i > 0 && speed->at <= speed[-1].at)
+            err = bead_wrong(reader, &where, "is %g%s; must be later than that of the previous point, %g%s", speed->at,
+                             unit_of(reader), speed[-1].at, unit_of(reader));
+    }
+    return err;
+}
+
+static enum bead_error read_end(struct bead_reader *reader, const struct bead_at *at, double *end)
+{
+    static const struct bead_option time = {.unit = "s", .of_motion = true, .low = 0, .high = 1e6};
+    struct bead_at other = bead_at_key(at->up, "time");
+    if (other.node != at->up->node)
+        return bead_wrong(reader, at, "is given beside `time`; give one of them");
+    return bead_read_number(reader, at, &time, end);
+}
+
+BEAD_OUTPUT_READER(bead_output_read_from)
+{
+    (void)option;
+    return read_end(reader, at, &((struct bead_output *)settings)->shown.time[0]);
+}
+
+BEAD_OUTPUT_READER(bead_output_read_until)
+{
+    (void)option;
+    return read_end(reader, at, &((struct bead_output *)settings)->shown.time[1]);
 }
 
 /* A word, a time or a map. */
@@ -226,6 +326,7 @@ void bead_output_free_movie(struct bead_output *output)
     for (size_t i = 0; i < output->movie.caption_count; i++)
         free(output->movie.captions[i].text);
     free(output->movie.captions);
+    free(output->movie.speeds);
     free(output->movie.card.text);
     free(output->movie.poster);
 }

@@ -24,12 +24,13 @@
 static void captions_come_and_go(void **state)
 {
     (void)state;
-    struct bead_caption list[] = {{1e-3, NAN, NAN, "until the next", {0}},
-                                  {3e-3, 4e-3, NAN, "until its end", {0}},
-                                  {5e-3, NAN, 2, "two seconds of the film", {0}},
-                                  {8e-3, 20e-3, NAN, "longer than there is time", {0}},
-                                  {9e-3, NAN, NAN, "the last", {0}}};
+    struct bead_caption list[] = {{1e-3, NAN, NAN, 0, "until the next", {0}},
+                                  {3e-3, 4e-3, NAN, 0, "until its end", {0}},
+                                  {5e-3, NAN, 2, 0, "two seconds of the film", {0}},
+                                  {8e-3, 20e-3, NAN, 0, "longer than there is time", {0}},
+                                  {9e-3, NAN, NAN, 0, "the last", {0}}};
     struct bead_movie_asked movie = {.captions = list, .caption_count = 5};
+    const struct bead_film_clock slow = {.slowed = 1000};
     static const struct {
         double time;
         size_t caption;
@@ -37,9 +38,9 @@ static void captions_come_and_go(void **state)
         {0, SIZE_MAX}, {0.999e-3, SIZE_MAX}, {1e-3, 0},          {2.9e-3, 0}, {3e-3, 1}, {3.9e-3, 1},  {4.1e-3, SIZE_MAX},
         {5e-3, 2},     {6.9e-3, 2},          {7.1e-3, SIZE_MAX}, {8.5e-3, 3}, {9e-3, 4}, {11.4e-3, 4}, {11.6e-3, SIZE_MAX}};
     for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
-        if (bead_captions_find(&movie, 1000, expected[i].time) != expected[i].caption)
+        if (bead_captions_find(&movie, &slow, expected[i].time) != expected[i].caption)
             fail_msg("at %g ms there is caption %zu, not %zu", 1e3 * expected[i].time,
-                     bead_captions_find(&movie, 1000, expected[i].time), expected[i].caption);
+                     bead_captions_find(&movie, &slow, expected[i].time), expected[i].caption);
     }
 }
 
@@ -50,10 +51,11 @@ static void long_captions_stay_longer(void **state)
     char text[91];
     memset(text, 'x', 90);
     text[90] = '\0';
-    struct bead_caption list[] = {{0, NAN, NAN, text, {0}}};
+    struct bead_caption list[] = {{0, NAN, NAN, 0, text, {0}}};
     struct bead_movie_asked movie = {.captions = list, .caption_count = 1};
-    assert_int_equal(bead_captions_find(&movie, 1, 5.9), 0);
-    assert_int_equal(bead_captions_find(&movie, 1, 6.1), SIZE_MAX);
+    const struct bead_film_clock slow = {.slowed = 1};
+    assert_int_equal(bead_captions_find(&movie, &slow, 5.9), 0);
+    assert_int_equal(bead_captions_find(&movie, &slow, 6.1), SIZE_MAX);
 }
 
 static void long_captions_take_two_lines(void **state)
@@ -61,10 +63,11 @@ static void long_captions_take_two_lines(void **state)
     (void)state;
     struct bead_look look;
     bead_look_screen(&look, 1280, 720, true);
-    struct bead_caption list[] = {{0, NAN, NAN, "short", {0}},
+    struct bead_caption list[] = {{0, NAN, NAN, 0, "short", {0}},
                                   {1,
                                    NAN,
                                    NAN,
+                                   0,
                                    "This one is a good deal longer, says more than anybody wants to know about a chain of beads "
                                    "and will not fit into one line of a picture that is as small as this",
                                    {0}}};

@@ -1,0 +1,81 @@
+/* Films whose speed changes: how long they take, what they show when, pauses; and their frames. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "render/movie/film_clock.h"
+
+static const double whole[2] = {0, 2e-3};
+
+static void even_time_has_no_pieces(void **state)
+{
+    (void)state;
+    struct bead_film_clock clock;
+    struct bead_movie_asked movie = {.duration = 10};
+    bead_film_clock_make(&movie, whole, &clock);
+    assert_int_equal(clock.count, 0);
+    assert_float_equal(clock.slowed, 5000, 1e-9);
+    assert_float_equal(bead_film_after(&clock, 1e-3, 2), 1.4e-3, 1e-12);
+}
+
+/* 1/4000 at the beginning, 1/500 after 1 ms: 1 ms takes the integral of 1 / factor, (4000 - 500) / ln 8 ms; then 1 ms takes 0.5 s.
+ */
+static void the_curve_is_integrated(void **state)
+{
+    (void)state;
+    struct bead_film_clock clock;
+    struct bead_speed speeds[] = {{0, 1.0 / 4000}, {1e-3, 1.0 / 500}};
+    struct bead_movie_asked movie = {.duration = 10, .speeds = speeds, .speed_count = 2};
+    bead_film_clock_make(&movie, whole, &clock);
+    double first = 3.5 / log(8), factors[2];
+    assert_float_equal(bead_film_length(&clock), first + 0.5, 1e-9);
+    assert_float_equal(bead_film_time(&clock, 1e-3), first, 1e-9);
+    assert_float_equal(bead_film_motion(&clock, first + 0.25), 1.5e-3, 1e-12);
+    assert_float_equal(bead_film_motion(&clock, 0), 0, 0);
+    assert_float_equal(bead_film_motion(&clock, 1e-4), 1e-4 / 4000, 1e-10);
+    bead_film_factors(&clock, factors);
+    assert_float_equal(factors[0], 1.0 / 4000, 1e-15);
+    assert_float_equal(factors[1], 1.0 / 500, 1e-15);
+    double before = -1;
+    for (int i = 0; i <= 1000; i++) {
+        double film = bead_film_length(&clock) * i / 1000, motion = bead_film_motion(&clock, film);
+        assert_true(motion > before && motion <= whole[1] * (1 + 1e-12));
+        assert_float_equal(bead_film_time(&clock, motion), film, 1e-6);
+        before = motion;
+    }
+}
+
+/* A pause adds to the film; what begins there lasts beyond it. */
+static void the_motion_stands_in_a_pause(void **state)
+{
+    (void)state;
+    struct bead_film_clock clock;
+    struct bead_caption captions[] = {{.at = 0, .pause = 1, .until = NAN, .lasting = NAN},
+                                      {.at = 0.5e-3, .pause = 2, .until = NAN, .lasting = NAN},
+                                      {.at = 1e-3, .pause = 0, .until = NAN, .lasting = NAN}};
+    struct bead_movie_asked movie = {.duration = 10, .captions = captions, .caption_count = 3};
+    bead_film_clock_make(&movie, whole, &clock);
+    assert_float_equal(bead_film_length(&clock), 13, 1e-9);
+    assert_float_equal(bead_film_motion(&clock, 0.99), 0, 0);
+    assert_float_equal(bead_film_motion(&clock, 2), 0.2e-3, 1e-12);
+    assert_float_equal(bead_film_time(&clock, 0.5e-3), 3.5, 1e-9);
+    assert_float_equal(bead_film_motion(&clock, 3.6), 0.5e-3, 1e-15);
+    assert_float_equal(bead_film_motion(&clock, 5.4), 0.5e-3, 1e-15);
+    assert_float_equal(bead_film_motion(&clock, 6.5), 0.7e-3, 1e-12);
+    assert_float_equal(bead_film_after(&clock, 0.5e-3, 3), 0.7e-3, 1e-12);
+    assert_float_equal(bead_film_motion(&clock, 13), 2e-3, 1e-15);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(even_time_has_no_pieces),
+        cmocka_unit_test(the_curve_is_integrated),
+        cmocka_unit_test(the_motion_stands_in_a_pause),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
