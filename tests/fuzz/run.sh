@@ -32,9 +32,9 @@ TIMEFORMAT='%U %S'
 for target; do
     mkdir -p "$build/corpus/$target"
     case $target in scene | plan | set) most=4096 ;; journal) most=16384 ;; *) most=400000 ;; esac
-    # One seed of random numbers, so that a run can be repeated; slow is what takes a user's patience.
+    # One seed of random numbers, so that a run can be repeated; slow is what takes a user's patience, threefold for a busy machine.
     { time "$build/fuzz/fuzz_$target" -seed="${FUZZ_SEED:-1}" -max_total_time="$seconds" -runs="$runs" -max_len=$most \
-        -detect_leaks=0 -entropic=0 -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix="$build/faults/$target-" \
+        -detect_leaks=0 -entropic=0 -timeout=60 -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix="$build/faults/$target-" \
         "$build/corpus/$target" "$build/seeds/$target" >"$work/log" 2>&1; } 2>"$work/time"
     status=$?
     executed=$(sed -n 's/^stat::number_of_executed_units: *//p' "$work/log")
