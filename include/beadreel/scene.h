@@ -153,6 +153,7 @@ struct bead_simulate {
     double accuracy; /* relative error wanted in first-passage peak forces */
     char *method;    /* "auto" or a name from methods.h */
     double step;     /* s; 0: chosen from accuracy */
+    bool verify;     /* accuracy as a guarantee: shorter steps until two runs agree to it */
 };
 
 enum bead_show {
@@ -261,6 +262,7 @@ struct bead_curves_asked {
     size_t modes;                             /* how many, `show: modes` */
     double profile_times[BEAD_PROFILE_TIMES]; /* s, rising: `show: profiles` */
     size_t profile_time_count;
+    bool uncertainty; /* tables of peaks: with a column for it */
 };
 
 /* What plots and tables of sweeps show. */

@@ -95,6 +95,10 @@ struct bead_counts {
 BEAD_API const struct bead_counts *bead_session_counts(const struct bead_session *session);
 /* Unit of the session's times: "s", or "" (bead_chain_time_unit). */
 BEAD_API const char *bead_session_time_unit(const struct bead_session *session);
+/* After a run, what its user should know before believing it: sentences, the `index`-th; NULL behind the last. */
+BEAD_API const char *bead_session_warning(const struct bead_session *session, size_t index);
+/* False where `simulate: {verify: true}` asked for more than could be had; a warning says what. */
+BEAD_API bool bead_session_verified(const struct bead_session *session);
 BEAD_API const struct bead_outcome *bead_session_outcomes(const struct bead_session *session, size_t *chain_count);
 /* The sweep of a scene or file that has one, else NULL. */
 BEAD_API const struct bead_sweep *bead_session_sweep(const struct bead_session *session);

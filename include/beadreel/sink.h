@@ -33,6 +33,7 @@ struct bead_needs {
     bool range;                     /* wants the range of `range_field` over beads and times before begin (a scouting pass) */
     enum bead_field range_field;
     unsigned comparison; /* BEAD_FIELD_BITs, of `fields`, that samples are to have of the comparison run as well: see bead_sample */
+    bool uncertainty;    /* of these maxima: how well they are known, in the outcome (a comparison run) */
     double until;        /* s: nothing after this time is needed (tables of peaks: INFINITY = whole run) */
     const char *why;     /* a few words for --plan: "600 frames of 1920 x 1080, every 5 us" (owned by the sink) */
 };
@@ -92,10 +93,15 @@ struct bead_outcome {
     double embedded_error; /* of a velocity: a step against the embedded method of lower order, away from contacts that open or
                               close */
     double event_error;    /* of a velocity: the last correction of a contact that opens or closes */
-    const struct bead_peak *contact_peaks; /* [contacts], NULL where not asked */
-    const struct bead_peak *bead_peaks;    /* [beads], NULL where not asked */
-    struct bead_moment arrived, final;     /* as the front arrives; at `end` */
-    const struct bead_measure *measures;   /* what an equation's run has measured; NULL: none */
+    const struct bead_peak *contact_peaks;                /* [contacts], NULL where not asked */
+    const struct bead_peak *bead_peaks;                   /* [beads], NULL where not asked */
+    const double *contact_uncertainty, *bead_uncertainty; /* N, of these; NULL where not asked */
+    /* The peak that is known least well, as a part of itself: its contact, or bead, its force and uncertainty, N; NaN where not
+     * asked.
+     */
+    double worst_contact, worst_bead, worst_force, worst_uncertainty;
+    struct bead_moment arrived, final;   /* as the front arrives; at `end` */
+    const struct bead_measure *measures; /* what an equation's run has measured; NULL: none */
     size_t measure_count;
 };
 

@@ -140,6 +140,10 @@ static void print_outcome(FILE *out, size_t index, const char *unit, const struc
     if (isfinite(outcome->event_error))
         fprintf(out, ", contact events %.2g", outcome->event_error);
     fputc('\n', out);
+    if (outcome->worst_force > 0)
+        fprintf(out, "  least certain peak: %s %.0f, %.6g N to %.2g N\n", isnan(outcome->worst_bead) ? "contact" : "bead",
+                isnan(outcome->worst_bead) ? outcome->worst_contact : outcome->worst_bead, outcome->worst_force,
+                outcome->worst_uncertainty);
 }
 
 static void print_samples(FILE *out, const struct bead_trajectory *trajectory, const struct bead_chain *chain)

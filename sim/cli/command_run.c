@@ -82,6 +82,20 @@ static void print_errors(const struct bead_outcome *outcomes, size_t chains)
     }
 }
 
+/* The peak that is known least well, where tables of peaks have asked. */
+static void print_worst(const struct bead_outcome *outcomes, size_t chains)
+{
+    const struct bead_outcome *worst = NULL;
+    for (size_t i = 0; i < chains; i++) {
+        const struct bead_outcome *o = &outcomes[i];
+        if (o->worst_force > 0 && (!worst || o->worst_uncertainty * worst->worst_force > worst->worst_uncertainty * o->worst_force))
+            worst = o;
+    }
+    if (worst)
+        printf("; least certain peak: %s %.0f, %.6g N to %.2g N", isnan(worst->worst_bead) ? "contact" : "bead",
+               isnan(worst->worst_bead) ? worst->worst_contact : worst->worst_bead, worst->worst_force, worst->worst_uncertainty);
+}
+
 /* ": 2581 chains, 83 a second"; if a sweep is resumed, only the chains computed now count. */
 static void print_sweep(const struct bead_session *session, double seconds)
 {
@@ -114,6 +128,7 @@ static void print_summary(const struct bead_session *session, size_t files, uint
         if (outcomes[0].method)
             printf(" with %s, first step %s", outcomes[0].method, command_quantity(outcomes[0].step, unit, step, sizeof step));
         print_errors(outcomes, chains);
+        print_worst(outcomes, chains);
     } else if (chains > 0)
         printf(": drawings only, nothing to compute");
     putchar('\n');
@@ -147,7 +162,15 @@ static enum bead_error play(const struct command *command, struct bead_session *
         return err;
     print_skipped(command, session);
     print_summary(session, count, bytes, command_clock() - began);
-    return BEAD_OK;
+    fflush(stdout);
+    const char *warning = NULL, *last = NULL;
+    for (size_t i = 0; (warning = bead_session_warning(session, i)); i++) {
+        if (bead_session_verified(session) || bead_session_warning(session, i + 1))
+            fprintf(stderr, "%s: warning: %s\n", command->program->name, warning);
+        last = warning;
+    }
+    /* All is written; the last warning says what could not be verified. */
+    return bead_session_verified(session) ? BEAD_OK : bead_fail(msg, BEAD_ERROR_NUMBERS, "%s", last);
 }
 
 enum bead_error command_run(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg)

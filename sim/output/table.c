@@ -48,20 +48,25 @@ static void peaks_needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
     needs->contact_peaks = sink->output->curves.show == BEAD_SHOW_PEAKS;
     needs->bead_peaks = sink->output->curves.show == BEAD_SHOW_BEAD_PEAKS;
+    needs->uncertainty = sink->output->curves.uncertainty;
     needs->until = INFINITY;
 }
 
 static void peaks_header(struct bead_sink *sink)
 {
-    fprintf(sink->file, "%s%s,peak_force_N,time_s,state\n", several(sink) ? "chain," : "",
-            sink->output->curves.show == BEAD_SHOW_PEAKS ? "contact" : "bead");
+    fprintf(sink->file, "%s%s,peak_force_N,time_s,state%s\n", several(sink) ? "chain," : "",
+            sink->output->curves.show == BEAD_SHOW_PEAKS ? "contact" : "bead",
+            sink->output->curves.uncertainty ? ",uncertainty_N" : "");
 }
 
-static void write_peak(FILE *file, size_t index, const struct bead_peak *peak)
+static void write_peak(FILE *file, size_t index, const struct bead_peak *peak, const double *uncertainty)
 {
     fprintf(file, "%zu", index);
     bead_table_numbers(file, 2, (const double[]){peak->value, peak->time});
-    fprintf(file, ",%s\n", peak->open ? "open" : "");
+    fprintf(file, ",%s", peak->open ? "open" : "");
+    if (uncertainty)
+        bead_table_numbers(file, 1, uncertainty);
+    fputc('\n', file);
 }
 
 static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
@@ -70,6 +75,8 @@ static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcome
     for (size_t c = 0; outcomes && c < sink->context.chain_count; c++) {
         const struct bead_chain *chain = sink->context.chains[c];
         const struct bead_peak *peaks = contacts ? outcomes[c].contact_peaks : outcomes[c].bead_peaks;
+        const double *uncertainty = contacts ? outcomes[c].contact_uncertainty : outcomes[c].bead_uncertainty;
+        const double unknown = NAN;
         size_t first = sink->output->shown.beads.first;
         size_t count = bead_span_rows(&sink->output->shown.beads, contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain));
         for (size_t i = first; peaks && i < first + count; i++) {
@@ -77,7 +84,10 @@ static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcome
                 bead_table_text(sink->file, bead_chain_name(chain));
                 fputc(',', sink->file);
             }
-            write_peak(sink->file, i, &peaks[i]);
+            write_peak(sink->file, i, &peaks[i],
+                       !sink->output->curves.uncertainty ? NULL
+                       : uncertainty                     ? &uncertainty[i]
+                                                         : &unknown);
             sink->rows++;
         }
     }

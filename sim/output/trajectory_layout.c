@@ -42,5 +42,9 @@ const struct bead_outcome_column bead_outcome_columns[] = {
     {"energy_error", "1", offsetof(struct bead_outcome, energy_error)},
     {"embedded_error", "1", offsetof(struct bead_outcome, embedded_error)},
     {"event_error", "1", offsetof(struct bead_outcome, event_error)},
+    {"worst_contact", "1", offsetof(struct bead_outcome, worst_contact)},
+    {"worst_bead", "1", offsetof(struct bead_outcome, worst_bead)},
+    {"worst_force", "N", offsetof(struct bead_outcome, worst_force)},
+    {"worst_uncertainty", "N", offsetof(struct bead_outcome, worst_uncertainty)},
 };
 const size_t bead_outcome_column_count = sizeof bead_outcome_columns / sizeof *bead_outcome_columns;

@@ -203,10 +203,11 @@ static enum bead_error read_outcomes(struct bead_trajectory *t)
     for (size_t i = 0; values && i < bead_outcome_column_count; i++) {
         char name[128];
         snprintf(name, sizeof name, "%s/outcome/%s", BEAD_PROFILE_GROUP, bead_outcome_columns[i].name);
-        if (there)
+        bool known = there && bead_h5_has(&t->h5, name);
+        if (known)
             bead_h5_read_doubles(&t->h5, name, values, n);
         for (size_t c = 0; c < n; c++) {
-            double value = there ? values[c] : NAN;
+            double value = known ? values[c] : NAN;
             memcpy((char *)&t->outcomes[c] + bead_outcome_columns[i].offset, &value, sizeof value);
         }
     }

@@ -108,3 +108,8 @@ double bead_method_theta(const struct bead_method_choice *choice, double accurac
 {
     return fmin(choice->theta * bead_pow(choice->share * accuracy / row_accuracy, 1 / choice->order), choice->cap);
 }
+
+double bead_method_error(const struct bead_method_choice *choice, double theta)
+{
+    return fmin(row_accuracy / choice->share * pow(theta / choice->theta, choice->order), 1);
+}

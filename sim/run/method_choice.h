@@ -21,4 +21,7 @@ BEAD_CHECK enum bead_error bead_choose_method(const struct bead_chain *chain, co
 /* Step in units of 1/omega for peaks as accurate as that. */
 double bead_method_theta(const struct bead_method_choice *choice, double accuracy);
 
+/* The relative error of peaks to expect of steps of theta/omega: the inverse of that, at most 1. */
+double bead_method_error(const struct bead_method_choice *choice, double theta);
+
 #endif

@@ -2,6 +2,7 @@
 #include "sim/run/run.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -94,6 +95,26 @@ enum bead_error bead_run_comparison_stepping(const struct bead_chain *chain, con
     if (!(stepping->step > 0) || !isfinite(stepping->step))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.step: no step can be chosen (nothing moves?): give one", file);
     return BEAD_OK;
+}
+
+/* Peaks that are expected to be off by more than this are worth a warning. */
+static const double poor = 1e-4;
+
+struct bead_long_step bead_run_long_step(const struct bead_chain *chain, const struct bead_simulate *asked)
+{
+    struct bead_long_step step = {""};
+    struct bead_method_choice choice;
+    struct bead_message msg;
+    const double omega = bead_chain_omega(chain, bead_chain_energy(chain));
+    if (!(asked->step > 0) || bead_choose_method(chain, asked, &choice, &msg) ||
+        !(bead_method_error(&choice, asked->step * omega) > poor))
+        return step;
+    snprintf(step.text, sizeof step.text,
+             "%s: simulate.step: steps of %.3g us are too long: for peak forces to %.3g `%s` takes at most %.2g us here; "
+             "leave `step` out, or look at the uncertainties of the peaks",
+             chain->scene->file, 1e6 * asked->step, asked->accuracy, choice.method->info.name,
+             1e6 * bead_method_theta(&choice, asked->accuracy) / omega);
+    return step;
 }
 
 static enum bead_error allocate(struct bead_run *run, struct bead_message *msg)
@@ -426,6 +447,10 @@ void bead_run_finish(struct bead_run *run, double end, struct bead_outcome *outc
         .event_error = s->events && speed > 0 ? run->event_error / speed : NAN,
         .contact_peaks = run->contact_peaks ? bead_peaks_found(run->contact_peaks) : NULL,
         .bead_peaks = run->bead_peaks ? bead_peaks_found(run->bead_peaks) : NULL,
+        .worst_contact = NAN,
+        .worst_bead = NAN,
+        .worst_force = NAN,
+        .worst_uncertainty = NAN,
     };
     if (run->arrived && !isnan(run->front.arrival))
         outcome->arrived = moment(run, run->front.arrival, run->arrived);

@@ -58,6 +58,12 @@ BEAD_CHECK enum bead_error bead_run_comparison_stepping(const struct bead_chain 
  * tenth or half where the method has no room for that. */
 double bead_run_tolerance_factor(const struct bead_chain *const *chains, size_t count, const struct bead_simulate *asked);
 
+/* In words, that a step given is too long for peaks worth having; "" where it is not, or none is given. */
+struct bead_long_step {
+    char text[256];
+};
+struct bead_long_step bead_run_long_step(const struct bead_chain *chain, const struct bead_simulate *asked);
+
 BEAD_CHECK enum bead_error bead_run_create(const struct bead_run_settings *settings, struct bead_run **run,
                                            struct bead_message *msg);
 void bead_run_destroy(struct bead_run *run);

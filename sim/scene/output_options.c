@@ -384,6 +384,12 @@ static const struct bead_option table_rows[] = {
      .help =
          "what to list: the force at each sensor; the peak of each contact or of each bead; measures of the run (--list measures); "
          "the energies of modes; profiles, a field along the chain at several times; or the beads and contacts of the chain"},
+    {.key = "uncertainty",
+     .type = BEAD_OPTION_FLAG,
+     .offset = BEAD_OF_OUTPUT(curves.uncertainty),
+     .initial = "true",
+     .help = "tables of peaks: a column that says how well each is known, from a second run at ten times the tolerance; false: no "
+             "such run"},
 };
 static const struct bead_option_rows table_shared[] = {
     {BEAD_OPTIONS(curves_rows)}, {BEAD_OPTIONS(bead_time_row)}, {BEAD_OPTIONS(bead_every_row)}, {NULL, 0}};

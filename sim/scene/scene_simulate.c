@@ -76,6 +76,16 @@ static const struct bead_option rows[] = {
      .word = "auto",
      .help = "time step; auto: follows from accuracy",
      .example = "0.1 us"},
+    {.key = "verify",
+     .type = BEAD_OPTION_FLAG,
+     .offset = SIMULATE(verify),
+     .initial = "false",
+     .help =
+         "accuracy as a guarantee: runs with a tenth of the tolerance, and a tenth of that, until two agree about every peak of "
+         "contacts and beads to what was asked. Peaks for which they never do are told at the end, with how well they are known; "
+         "all "
+         "results are written, and the exit status is 1",
+     .example = "true"},
 };
 const struct bead_options bead_simulate_options = {"simulate", "how long and how exactly to compute", BEAD_OPTIONS(rows), NULL,
                                                    NULL};
@@ -113,6 +123,11 @@ enum bead_error bead_scene_read_simulate(struct bead_reader *reader, const struc
     err = bead_scene_plain(reader->scene) ? check_equations(reader, at) : BEAD_OK;
     if (err)
         return err;
+    struct bead_at verify = bead_at_key(at, "verify");
+    if (simulate->verify && simulate->step > 0)
+        return bead_wrong(reader, &verify, "chooses the steps itself; must not stand beside `step`");
+    if (simulate->verify && bead_scene_plain(reader->scene))
+        return bead_wrong(reader, &verify, "is about the peaks of contacts and beads, which equations do not have");
     for (size_t i = 0; i < reader->scene->chain_count; i++) {
         const struct bead_method_info *method = bead_method_find(simulate->method);
         struct bead_at where = bead_at_key(at, "method");

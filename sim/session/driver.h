@@ -38,7 +38,8 @@ struct bead_driver {
     bool passage;  /* the scene's `until` is the default */
     bool full_window, hash;
     int threads;             /* for chains whose last sample is delivered; results do not depend on it */
-    double tolerance_factor; /* of comparison runs, where consumers want one */
+    double refinement;       /* of the runs: their tolerance in units of what is asked; 0: 1 */
+    double tolerance_factor; /* of comparison runs, where consumers want one; in the same units */
     const struct bead_kernels *kernels;
     const char *what; /* for progress */
     const volatile sig_atomic_t *stop;
@@ -51,6 +52,7 @@ struct bead_passed {
     struct bead_runner *runs;
     struct bead_runner *comparison_runs; /* NULL if no consumer wants one */
     struct bead_outcome *outcomes;       /* [chains] */
+    double **uncertainty;                /* [2 chains]: of the peaks of contacts, and of beads; NULL if no consumer wants them */
     size_t count;
     double end;   /* s: reached by all chains */
     bool stopped; /* by a signal */

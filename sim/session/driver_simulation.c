@@ -7,7 +7,9 @@
 
 #include "sim/base/stop.h"
 #include "sim/base/thread_pool.h"
+#include "sim/chain/chain_data.h"
 #include "sim/run/run_kinds.h"
+#include "sim/run/uncertainty.h"
 #include "sim/session/driver.h"
 
 struct pass {
@@ -19,6 +21,7 @@ struct pass {
     bool quiet;          /* in a thread that reports no progress */
     double fraction;     /* reported last; never falls */
     atomic_size_t *done; /* chains; NULL: they advance together */
+    size_t jobs;         /* so many are to be done */
 };
 
 static double now(void)
@@ -41,7 +44,7 @@ static enum bead_error look_up(struct pass *pass, double time, struct bead_messa
     double end = fmin(p->end, p->needed);
     double fraction = isfinite(end) && end > 0 ? fmin(time / end, 1) : 0;
     if (pass->done)
-        fraction = fmin(((double)atomic_load(pass->done) + fraction) / (double)p->chain_count, 1);
+        fraction = fmin(((double)atomic_load(pass->done) + fraction) / (double)pass->jobs, 1);
     pass->fraction = fmax(pass->fraction, fraction);
     struct bead_progress progress = {.what = p->what, .done = pass->fraction, .time = time};
     p->progress(p->progress_context, &progress);
@@ -62,7 +65,8 @@ static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
                                          .end = p->end,
                                          .passage = p->passage,
                                          .full_window = p->full_window,
-                                         .hash = p->hash};
+                                         .hash = p->hash,
+                                         .tolerance_factor = p->refinement};
     for (size_t i = 0; i < p->consumer_count; i++) {
         settings.contact_peaks |= p->consumers[i].needs.contact_peaks;
         settings.bead_peaks |= p->consumers[i].needs.bead_peaks;
@@ -77,7 +81,15 @@ static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
     return err;
 }
 
-/* A second run of each chain, if a consumer wants its samples. */
+static bool wants_uncertainty(const struct bead_driver *p)
+{
+    bool any = false;
+    for (size_t i = 0; i < p->consumer_count; i++)
+        any = any || (p->consumers[i].needs.uncertainty && !p->chains[0]->system);
+    return any;
+}
+
+/* A second run of each chain, if a consumer wants its samples, or compares its peaks. */
 static enum bead_error create_comparison_runs(struct pass *pass, struct bead_message *msg)
 {
     const struct bead_driver *p = pass->driver;
@@ -88,9 +100,13 @@ static enum bead_error create_comparison_runs(struct pass *pass, struct bead_mes
                                          .full_window = p->full_window,
                                          .tolerance_factor = p->tolerance_factor};
     unsigned asked = 0;
-    for (size_t i = 0; i < p->consumer_count; i++)
-        asked |= p->consumers[i].needs.comparison;
-    if (!asked)
+    for (size_t i = 0; i < p->consumer_count; i++) {
+        const struct bead_needs *needs = &p->consumers[i].needs;
+        asked |= needs->comparison;
+        settings.contact_peaks |= needs->uncertainty && needs->contact_peaks;
+        settings.bead_peaks |= needs->uncertainty && needs->bead_peaks;
+    }
+    if (!asked && !wants_uncertainty(p))
         return BEAD_OK;
     pass->passed->comparison_runs = calloc(p->chain_count, sizeof *pass->passed->comparison_runs);
     if (!pass->passed->comparison_runs)
@@ -126,10 +142,11 @@ static enum bead_error advance(struct pass *pass, const struct bead_runner *runn
 }
 
 /* Without a known end: until the front arrives. */
-static enum bead_error advance_to_arrival(struct pass *pass, size_t chain, struct bead_message *msg)
+static enum bead_error advance_to_arrival(struct pass *pass, const struct bead_runner *runner, size_t chain,
+                                          struct bead_message *msg)
 {
-    struct bead_run *run = pass->passed->runs[chain].run;
-    const struct bead_run_kind *kind = pass->passed->runs[chain].kind;
+    struct bead_run *run = runner->run;
+    const struct bead_run_kind *kind = runner->kind;
     const struct bead_chain *c = pass->driver->chains[chain];
     double give_up = patience * bead_chain_passage(c, bead_chain_energy(c));
     enum bead_error err = BEAD_OK;
@@ -190,16 +207,65 @@ static enum bead_error give_samples(struct pass *pass, struct bead_message *msg)
     return err;
 }
 
-/* Runs one chain to its end after the last sample. */
-static enum bead_error complete(void *context, size_t chain, bool calling, struct bead_message *msg)
+/* Runs one chain to its end after the last sample; behind the last chain, the comparison runs. */
+static enum bead_error complete(void *context, size_t job, bool calling, struct bead_message *msg)
 {
     struct pass *pass = context, quiet = {.driver = pass->driver, .passed = pass->passed, .quiet = true};
     struct pass *mine = calling ? pass : &quiet;
+    const size_t chains = pass->driver->chain_count, chain = job % chains;
+    const struct bead_runner *runner = job < chains ? &pass->passed->runs[chain] : &pass->passed->comparison_runs[chain];
     double rest = fmin(pass->driver->end, pass->driver->needed);
-    enum bead_error err =
-        isfinite(rest) ? advance(mine, &pass->passed->runs[chain], rest, msg) : advance_to_arrival(mine, chain, msg);
+    enum bead_error err = isfinite(rest) ? advance(mine, runner, rest, msg) : advance_to_arrival(mine, runner, chain, msg);
     if (!err)
         atomic_fetch_add(pass->done, 1);
+    return err;
+}
+
+/* How well a chain's peaks are known, from its two runs. */
+static enum bead_error compare_peaks(struct pass *pass, size_t chain, struct bead_message *msg)
+{
+    const struct bead_driver *p = pass->driver;
+    struct bead_passed *passed = pass->passed;
+    const struct bead_runner *comparison = &passed->comparison_runs[chain];
+    struct bead_outcome *outcome = &passed->outcomes[chain], other;
+    comparison->kind->finish(comparison->run, outcome->end, &other);
+    const double refinement = p->refinement > 0 ? p->refinement : 1;
+    const struct bead_uncertainty_of of = {p->simulate->step > 0 ? 0 : p->simulate->accuracy * refinement,
+                                           p->tolerance_factor / refinement};
+    const struct bead_peak *peaks[2] = {outcome->contact_peaks, outcome->bead_peaks},
+                           *others[2] = {other.contact_peaks, other.bead_peaks};
+    const size_t count[2] = {bead_chain_contacts(p->chains[chain]), bead_chain_beads(p->chains[chain])};
+    const double **found[2] = {&outcome->contact_uncertainty, &outcome->bead_uncertainty};
+    double *const which[2] = {&outcome->worst_contact, &outcome->worst_bead};
+    for (size_t kind = 0; kind < 2; kind++) {
+        if (!peaks[kind] || !others[kind])
+            continue;
+        double *u = passed->uncertainty[2 * chain + kind] = calloc(count[kind], sizeof *u);
+        if (!u)
+            return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu beads", count[1]);
+        bead_uncertainty_find(&of, peaks[kind], others[kind], count[kind], u);
+        *found[kind] = u;
+        for (size_t i = 0; i < count[kind]; i++) {
+            if (!(u[i] > 0) || u[i] * outcome->worst_force <= outcome->worst_uncertainty * peaks[kind][i].value)
+                continue;
+            *which[0] = *which[1] = NAN;
+            *which[kind] = (double)i;
+            outcome->worst_force = peaks[kind][i].value;
+            outcome->worst_uncertainty = u[i];
+        }
+    }
+    return BEAD_OK;
+}
+
+static enum bead_error compare_all_peaks(struct pass *pass, struct bead_message *msg)
+{
+    const size_t chains = pass->driver->chain_count;
+    enum bead_error err = BEAD_OK;
+    pass->passed->uncertainty = calloc(2 * chains, sizeof *pass->passed->uncertainty);
+    if (!pass->passed->uncertainty)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu chains", chains);
+    for (size_t i = 0; !err && i < chains; i++)
+        err = compare_peaks(pass, i, msg);
     return err;
 }
 
@@ -245,11 +311,12 @@ enum bead_error bead_drive_simulation(const struct bead_driver *driver, struct b
     bead_driver_start(driver);
     err = give_samples(&pass, msg);
     pass.done = &done;
+    pass.jobs = wants_uncertainty(driver) ? 2 * driver->chain_count : driver->chain_count;
     if (!err)
-        err = bead_thread_pool_run(driver->chain_count, driver->threads, complete, &pass, msg);
+        err = bead_thread_pool_run(pass.jobs, driver->threads, complete, &pass, msg);
     passed->stopped = err == BEAD_ERROR_STOPPED;
     pass_finish(&pass);
-    return err;
+    return err || !wants_uncertainty(driver) ? err : compare_all_peaks(&pass, msg);
 }
 
 void bead_passed_free(struct bead_passed *passed)
@@ -258,6 +325,9 @@ void bead_passed_free(struct bead_passed *passed)
         bead_runner_destroy(&passed->runs[i]);
     for (size_t i = 0; passed->comparison_runs && i < passed->count; i++)
         bead_runner_destroy(&passed->comparison_runs[i]);
+    for (size_t i = 0; passed->uncertainty && i < 2 * passed->count; i++)
+        free(passed->uncertainty[i]);
+    free(passed->uncertainty);
     free(passed->runs);
     free(passed->comparison_runs);
     free(passed->outcomes);

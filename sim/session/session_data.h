@@ -38,7 +38,10 @@ struct bead_session {
     bool passage;                     /* the scene's `until` is the default */
     double end, needed;               /* s; end INFINITY: not known before the run */
     double resolution;                /* s */
-    double tolerance_factor;          /* of comparison runs */
+    double refinement;                /* tolerance of the runs, in units of what is asked */
+    double tolerance_factor;          /* of comparison runs, in the same units */
+    char warning[2][320];             /* "": none */
+    bool unverified;
     struct bead_grid native;          /* of the trajectory output, every 0: none */
     const struct bead_output *keeper; /* that output */
     struct bead_made *made;
@@ -105,6 +108,9 @@ struct bead_settings {
 BEAD_CHECK enum bead_error bead_session_settings_make(const struct bead_job *job, const char *outputs, const char *first,
                                                       struct bead_settings *settings, struct bead_message *msg);
 void bead_session_settings_free(struct bead_settings *settings);
+
+/* session_verify.c: warnings; and with `verify` the tolerance at which two runs agree to what was asked, in runs of their own. */
+BEAD_CHECK enum bead_error bead_session_verify(struct bead_session *session, struct bead_message *msg);
 
 /* session_again.c: a trajectory. */
 BEAD_CHECK enum bead_error bead_session_open_trajectory(struct bead_session *session, struct bead_message *msg);

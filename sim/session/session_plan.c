@@ -106,8 +106,9 @@ static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, 
     size_t count = 0;
     for (size_t i = 0; i < s->made_count; i++) {
         const struct bead_made *m = &s->made[i];
-        if (m->sink && m->needs.comparison)
-            fprintf(out, "%s %s", count++ ? "," : "comparison run: trust of", m->path);
+        if (m->sink && (m->needs.comparison || m->needs.uncertainty))
+            fprintf(out, "%s %s of %s", count++ ? "," : "comparison run:", m->needs.comparison ? "trust" : "uncertainties",
+                    m->path);
     }
     if (count == 0)
         return BEAD_OK;

@@ -26,7 +26,7 @@ static enum bead_error scout(struct bead_session *s, struct bead_consumer *consu
         struct bead_consumer *c = &consumers[count++];
         *c = (struct bead_consumer){.needs = m->needs, .take = bead_consumer_scout, .made = m};
         c->needs.fields = BEAD_FIELD_BIT(m->needs.range_field);
-        c->needs.contact_peaks = c->needs.bead_peaks = false;
+        c->needs.contact_peaks = c->needs.bead_peaks = c->needs.uncertainty = false;
         c->needs.comparison = 0;
         needed = fmax(needed, m->needs.until);
     }
@@ -161,6 +161,8 @@ static enum bead_error session_run(struct bead_session *s, struct bead_consumer 
     enum bead_error err = s->trajectory ? BEAD_OK : bead_file_make_directory(s->job.output, msg);
     if (!err)
         err = bead_session_claim(s, msg);
+    if (!err && !s->trajectory)
+        err = bead_session_verify(s, msg);
     if (!err)
         err = scout(s, consumers, msg);
     if (err) /* stopped while scouting, too: no sink has begun */

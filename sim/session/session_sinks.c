@@ -47,6 +47,7 @@ struct bead_driver bead_session_driver(const struct bead_session *s, const char 
                                 .full_window = s->job.full_window,
                                 .hash = s->job.hash,
                                 .threads = s->threads,
+                                .refinement = s->refinement,
                                 .tolerance_factor = s->tolerance_factor,
                                 .kernels = s->kernels,
                                 .what = what,

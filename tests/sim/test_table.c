@@ -22,11 +22,15 @@ static void finish_with_peaks(struct stand *s)
     struct bead_message msg = {""};
     struct bead_outcome outcomes[4];
     struct bead_peak peaks[4][32];
+    double uncertainty[32];
     for (size_t c = 0; c < s->scene->chain_count; c++) {
         size_t count = s->needs.contact_peaks ? bead_chain_contacts(s->chains[c]) : bead_chain_beads(s->chains[c]);
         for (size_t j = 0; j < count; j++)
+            uncertainty[j] = (double)j / 1000;
+        for (size_t j = 0; j < count; j++)
             peaks[c][j] = (struct bead_peak){(double)(j + c) / 3, j + 2 == count ? NAN : (double)j * 1e-6, j + 1 == count};
         outcomes[c] = made_outcome(c);
+        outcomes[c].contact_uncertainty = s->needs.uncertainty ? uncertainty : NULL;
         outcomes[c].contact_peaks = s->needs.contact_peaks ? peaks[c] : NULL;
         outcomes[c].bead_peaks = s->needs.bead_peaks ? peaks[c] : NULL;
     }
@@ -39,18 +43,19 @@ static void peaks_of_one_chain(void **state)
     (void)state;
     struct stand s;
     set_up(&s, ONE_CHAIN, "table: t.csv, show: peaks", 1e-3);
-    assert_true(s.needs.contact_peaks && !s.needs.bead_peaks && isinf(s.needs.until));
+    assert_true(s.needs.contact_peaks && !s.needs.bead_peaks && s.needs.uncertainty && isinf(s.needs.until));
     assert_true(s.needs.grid.every == 0 && s.needs.fields == 0);
     finish_with_peaks(&s);
     char *text = read_all(s.path), *rest = NULL;
-    assert_string_equal(strtok_r(text, "\n", &rest), "contact,peak_force_N,time_s,state");
+    assert_string_equal(strtok_r(text, "\n", &rest), "contact,peak_force_N,time_s,state,uncertainty_N");
     for (size_t j = 0; j < 13; j++) {
         char *line = strtok_r(NULL, "\n", &rest), *at = NULL;
         assert_int_equal(strtoul(line, &at, 10), j);
         assert_true(strtod(at + 1, &at) == (double)j / 3);
         double time = strtod(at + 1, &at);
         assert_true(j == 11 ? isnan(time) : time == (double)j * 1e-6);
-        assert_string_equal(at, j == 12 ? ",open" : ",");
+        assert_true(strncmp(at, j == 12 ? ",open," : ",,", j == 12 ? 6 : 2) == 0);
+        assert_true(strtod(strrchr(at, ',') + 1, NULL) == (double)j / 1000);
     }
     assert_null(strtok_r(NULL, "\n", &rest));
     tear_down(&s, 1);
@@ -60,8 +65,8 @@ static void peaks_of_two_chains_and_some_beads(void **state)
 {
     (void)state;
     struct stand s;
-    set_up(&s, TWO_CHAINS, "table: t.csv, show: bead-peaks", 1e-3);
-    assert_true(s.needs.bead_peaks && !s.needs.contact_peaks);
+    set_up(&s, TWO_CHAINS, "table: t.csv, show: bead-peaks, uncertainty: false", 1e-3);
+    assert_true(s.needs.bead_peaks && !s.needs.contact_peaks && !s.needs.uncertainty);
     finish_with_peaks(&s);
     char *text = read_all(s.path);
     assert_true(strncmp(text, "chain,bead,peak_force_N,time_s,state\n\"a, b\",0,0,0,\n", 50) == 0);

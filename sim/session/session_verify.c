@@ -1,0 +1,98 @@
+/* Makes sure of the accuracy before the run (`simulate: {verify: true}`), and warns of steps that are too long. */
+#include <math.h>
+#include <stdio.h>
+
+#include "sim/run/run.h"
+#include "sim/session/session_data.h"
+
+/* Each round has a tenth of the tolerance of the one before; below the least, rounding is all that differs. */
+static const double tenth = 0.1, least = 1e-13;
+
+/* Of a round: peaks that are known less well than asked, and the worst of all. */
+struct verdict {
+    size_t peaks, poor;
+    struct bead_outcome worst;
+    size_t chain;
+};
+
+static void judge(const struct bead_peak *peaks, const double *uncertainty, size_t count, double accuracy, struct verdict *verdict)
+{
+    for (size_t i = 0; i < count; i++) {
+        verdict->peaks += peaks[i].value > 0;
+        verdict->poor += uncertainty[i] > accuracy * peaks[i].value;
+    }
+}
+
+/* Two runs of every chain, for their peaks only. */
+static enum bead_error try_round(struct bead_session *s, struct verdict *verdict, struct bead_message *msg)
+{
+    struct bead_consumer consumer = {.needs = {.contact_peaks = true, .bead_peaks = true, .uncertainty = true, .until = INFINITY}};
+    struct bead_driver driver = bead_session_driver(s, "verifying");
+    struct bead_passed passed = {.count = 0};
+    driver.consumers = &consumer;
+    driver.consumer_count = 1;
+    driver.hash = false;
+    *verdict = (struct verdict){.worst = {.worst_uncertainty = NAN, .worst_force = NAN}};
+    enum bead_error err = bead_drive_simulation(&driver, &s->counts, &passed, msg);
+    for (size_t c = 0; !err && c < passed.count; c++) {
+        const struct bead_outcome *o = &passed.outcomes[c];
+        judge(o->contact_peaks, o->contact_uncertainty, bead_chain_contacts(s->chains[c]), s->source->simulate.accuracy, verdict);
+        judge(o->bead_peaks, o->bead_uncertainty, bead_chain_beads(s->chains[c]), s->source->simulate.accuracy, verdict);
+        if (!(o->worst_uncertainty * verdict->worst.worst_force <= verdict->worst.worst_uncertainty * o->worst_force)) {
+            verdict->worst = *o;
+            verdict->chain = c;
+        }
+    }
+    bead_passed_free(&passed);
+    return err;
+}
+
+static void tell(struct bead_session *s, const struct verdict *verdict)
+{
+    const struct bead_outcome *w = &verdict->worst;
+    const char *name = bead_chain_name(s->chains[verdict->chain]);
+    const bool bead = !isnan(w->worst_bead);
+    s->unverified = true;
+    snprintf(s->warning[1], sizeof s->warning[1],
+             "%s: simulate.verify: %zu of %zu peaks cannot be had to %.3g; least well known: %s %.0f%s%s, %.6g N to %.2g of that",
+             s->source->file, verdict->poor, verdict->peaks, s->source->simulate.accuracy, bead ? "bead" : "contact",
+             bead ? w->worst_bead : w->worst_contact, *name ? " of chain " : "", name, w->worst_force,
+             w->worst_uncertainty / w->worst_force);
+}
+
+enum bead_error bead_session_verify(struct bead_session *s, struct bead_message *msg)
+{
+    const struct bead_simulate *asked = &s->source->simulate;
+    struct verdict verdict;
+    enum bead_error err = BEAD_OK;
+    if (bead_chain_spec(s->chains[0])->equation.name)
+        return BEAD_OK;
+    for (size_t i = 0; i < s->chain_count && !s->warning[0][0]; i++)
+        snprintf(s->warning[0], sizeof s->warning[0], "%s", bead_run_long_step(s->chains[i], asked).text);
+    if (!asked->verify)
+        return BEAD_OK;
+    const double factor = s->tolerance_factor;
+    for (s->refinement = 1; !err; s->refinement *= tenth) {
+        s->tolerance_factor = factor * s->refinement;
+        err = try_round(s, &verdict, msg);
+        if (verdict.poor == 0 || tenth * s->refinement * asked->accuracy < least)
+            break;
+    }
+    if (!err && verdict.poor > 0)
+        tell(s, &verdict);
+    return err;
+}
+
+const char *bead_session_warning(const struct bead_session *s, size_t index)
+{
+    for (size_t i = 0; i < sizeof s->warning / sizeof *s->warning; i++) {
+        if (s->warning[i][0] && index-- == 0)
+            return s->warning[i];
+    }
+    return NULL;
+}
+
+bool bead_session_verified(const struct bead_session *s)
+{
+    return !s->unverified;
+}
