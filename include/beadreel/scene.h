@@ -284,11 +284,10 @@ struct bead_image_asked {
 
 /* A text that a movie shows while something happens. */
 struct bead_caption {
-    double at;    /* s of the motion: from when on */
-    double until; /* s of the motion; NaN: not given */
-    double
-        lasting;  /* s of the film; NaN: not given. Neither: until the next caption, the last one for as long as it takes to read */
-    double pause; /* s of the film for which the motion stands when the caption appears */
+    double at;      /* s of the motion: from when on */
+    double until;   /* s of the motion; NaN: not given */
+    double lasting; /* s of the film; NaN: not given. Neither: until the next caption, the last one as long as it takes to read */
+    double pause;   /* s of the film for which the motion stands when the caption appears */
     char *text;
     struct bead_place place; /* of `at` */
 };

@@ -302,7 +302,7 @@ static void compare_copies(enum bead_follow follow)
     struct bead_composer *composer;
     struct bead_frame copy;
     double u[BEADS], f[BEADS];
-    struct bead_caption captions[] = {{1e-4, 3e-4, NAN, "F_{max}", {0}}, {5e-4, NAN, NAN, "the last", {0}}};
+    struct bead_caption captions[] = {{1e-4, 3e-4, NAN, 0, "F_{max}", {0}}, {5e-4, NAN, NAN, 0, "the last", {0}}};
     struct bead_output changed = w.scene->outputs[0];
     const struct bead_output *output = &changed;
     changed.movie.follow = follow;
