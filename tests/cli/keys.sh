@@ -54,7 +54,7 @@ base() {
     'chain.start (simple-wave)') scene=shock prefix=chain.start. ;;
     'chain.start (solitons)') scene=kdv prefix=chain.start. ;;
     chain.start.solitons) scene=kdv prefix=chain.start.solitons.0. ;;
-    outputs.speed) prefix=outputs.0.speed.0. before=('outputs=[{movie: m.mp4, speed: [{at: 0, factor: 1}]}]') ;;
+    outputs.speed) prefix=outputs.0.speed.0. before=('outputs=[{movie: m.mp4, speed: [{at: 0, factor: 1/5000}]}]') ;;
     outputs.captions) prefix=outputs.0.captions.0. before=('outputs=[{movie: m.mp4, captions: [{at: 0, text: x}]}]') ;;
     outputs.card) prefix=outputs.0.card. before=('outputs=[{movie: m.mp4, card: {text: x}}]') ;;
     sweep) scene=sweep prefix=sweep. ;;
