@@ -173,10 +173,12 @@ static double error_of(const struct decoded *coded, const struct decoded *exact,
     double sum = 0, darkest = 255, brightest = 0;
     size_t count = 0;
     for (size_t i = 0; i < coded->count; i += 7) {
+        size_t same = (size_t)lround(coded->time[i] * FPS); /* drafts have fewer */
+        assert_true(same < exact->count);
         for (int y = from; y < to; y++) {
             for (int x = 0; x < WIDTH; x++) {
                 int rgb[3];
-                decoded_rgb(exact->frame[i], x, y, rgb);
+                decoded_rgb(exact->frame[same], x, y, rgb);
                 double luma = 16 + 219 / 255.0 * (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]);
                 double found = coded->frame[i]->data[0][(ptrdiff_t)y * coded->frame[i]->linesize[0] + x];
                 sum += (luma - found) * (luma - found);
@@ -214,7 +216,7 @@ static void text_is_sharp(void **state)
     for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
         struct decoded coded;
         film("teaching", kinds[k].name, kinds[k].quality, "outputs.0.duration=4 s", &coded);
-        assert_int_equal(coded.count, exact.count);
+        assert_true(coded.count == exact.count || strcmp(kinds[k].quality, "draft") == 0);
         check_text(kinds[k].name, &coded, &exact, 5, 45, kinds[k].least);
         check_text(kinds[k].name, &coded, &exact, HEIGHT - 30, HEIGHT - 5, kinds[k].least);
         decoded_free(&coded);
