@@ -41,6 +41,13 @@ static void describe(const AVFormatContext *format, const AVStream *stream, cons
     snprintf(movie->codec, sizeof movie->codec, "%s", decoder->name);
     tag(format, "title", movie->title, sizeof movie->title);
     tag(format, "comment", movie->comment, sizeof movie->comment);
+    movie->chapters = format->nb_chapters;
+    for (unsigned i = 0; i < format->nb_chapters; i++) {
+        const AVChapter *chapter = format->chapters[i];
+        const AVDictionaryEntry *title = av_dict_get(chapter->metadata, "title", NULL, 0);
+        movie->chapter_start = (double)chapter->start * av_q2d(chapter->time_base);
+        snprintf(movie->chapter_title, sizeof movie->chapter_title, "%s", title ? title->value : "");
+    }
     if (format->duration != AV_NOPTS_VALUE)
         movie->said = (double)format->duration / AV_TIME_BASE;
 }
@@ -51,12 +58,17 @@ void decode(const char *path, struct decoded *movie)
     AVFormatContext *format = NULL;
     assert_int_equal(avformat_open_input(&format, path, NULL, NULL), 0);
     assert_true(avformat_find_stream_info(format, NULL) >= 0);
+    unsigned lists = 0;
     for (unsigned i = 1; i < format->nb_streams; i++) {
+        if (format->streams[i]->codecpar->codec_type == AVMEDIA_TYPE_DATA) { /* the chapters of an mp4 file */
+            lists++;
+            continue;
+        }
         assert_true(format->streams[i]->disposition & AV_DISPOSITION_ATTACHED_PIC);
         movie->covers += format->streams[i]->codecpar->codec_id == AV_CODEC_ID_PNG;
         movie->cover_bytes = (size_t)format->streams[i]->attached_pic.size;
     }
-    assert_int_equal(format->nb_streams, 1 + movie->covers);
+    assert_int_equal(format->nb_streams, 1 + lists + movie->covers);
     const AVStream *stream = format->streams[0];
     const AVCodec *decoder = avcodec_find_decoder(stream->codecpar->codec_id);
     assert_non_null(decoder);

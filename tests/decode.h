@@ -13,6 +13,9 @@ struct decoded {
     int width, height;
     unsigned covers; /* PNG pictures beside the movie; bytes of the last */
     size_t cover_bytes;
+    unsigned chapters;
+    double chapter_start; /* s, of the last */
+    char chapter_title[64];
     size_t count;
     AVFrame *frame[DECODED_MOST];
     double time[DECODED_MOST]; /* s */

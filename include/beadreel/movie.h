@@ -27,6 +27,11 @@
 
 BEAD_BEGIN
 
+struct bead_movie_chapter {
+    double start;      /* s of the movie */
+    const char *title; /* plain text */
+};
+
 struct bead_movie_settings {
     size_t size;       /* of this structure: BEAD_DEFAULT */
     int width, height; /* pixels, 1..16384; odd sizes are an error where the codec needs even ones */
@@ -34,6 +39,10 @@ struct bead_movie_settings {
     enum bead_quality quality;
     const char *title, *comment; /* metadata; may be NULL */
     bool cover;                  /* bead_movie_cover will be called */
+    const struct bead_movie_chapter
+        *chapters; /* by rising times, the first at 0; borrowed until the movie is closed; mp4 and mkv */
+    size_t chapter_count;
+    double length; /* s: where the last chapter ends */
 };
 
 struct bead_movie;

@@ -8,6 +8,7 @@
 
 #include "beadreel/file.h"
 #include "render/encode/av_file.h"
+#include "render/encode/chapters.h"
 #include "render/encode/libav.h"
 #include "render/encode/movie_private.h"
 #include "render/encode/pictures.h"
@@ -144,6 +145,8 @@ static int open_stream(struct bead_movie *movie)
     int code = e->av.avcodec_parameters_from_context(stream->codecpar, e->codec);
     if (code >= 0 && movie->settings.title)
         code = e->av.av_dict_set(&e->format->metadata, "title", movie->settings.title, 0);
+    if (code >= 0 && movie->codec->chapters && !movie->codec->plain_options) /* else the finished file has them */
+        code = bead_chapters_add(&e->av, e->format, &movie->settings);
     if (code >= 0 && movie->settings.comment)
         code = e->av.av_dict_set(&e->format->metadata, "comment", movie->settings.comment, 0);
     return code;
@@ -398,6 +401,8 @@ static int copy_plain(struct bead_movie *movie, int descriptor)
     int code = make_format(e, movie, &plain);
     if (code >= 0)
         code = e->av.av_dict_copy(&plain->metadata, e->format->metadata, 0);
+    if (code >= 0 && movie->codec->chapters)
+        code = bead_chapters_add(&e->av, plain, &movie->settings);
     if (code >= 0)
         code = parse_options(&e->av, movie->codec->plain_options, &options);
     if (code >= 0)

@@ -53,6 +53,7 @@ struct bead_codec {
     enum bead_error (*comment)(int descriptor, const char *text, struct bead_message *msg); /* NULL: the muxer writes it */
     const struct bead_preset *presets;                                                      /* by enum bead_quality */
     int delay_unit; /* 1/s: of the muxer's option final_delay; 0: durations are the packets' own */
+    bool chapters;  /* the container has chapters */
     bool covers;    /* the container has room for a picture beside the movie */
     int most_fps;   /* 1/s: more are thinned out, because players slow such files down; 0: no limit */
 };

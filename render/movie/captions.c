@@ -176,3 +176,15 @@ void bead_caption_draw(cairo_t *cr, const struct bead_look *look, const char *te
         draw_line(cr, &style, lines.text[i], lines.length[i], rect.x + 0.5 * rect.width, y + step * (double)i, rect.width);
     cairo_restore(cr);
 }
+
+void bead_caption_plain(const char *text, char *out, size_t size)
+{
+    size_t used = 0;
+    for (; *text && used + 1 < size; text++) {
+        if (*text == '\\' && text[1])
+            out[used++] = *++text;
+        else if (!strchr("*_^{}", *text))
+            out[used++] = *text;
+    }
+    out[used] = '\0';
+}

@@ -19,6 +19,9 @@ double bead_caption_height(const struct bead_look *look);
 /* Centred in `rect`, in as many lines as fit; a long caption gets smaller type and is cut as a last resort. */
 void bead_caption_draw(cairo_t *cr, const struct bead_look *look, const char *text, struct bead_rect rect);
 
+/* The text without its marks, for lists of chapters. */
+void bead_caption_plain(const char *text, char *out, size_t size);
+
 /* Checks that the movie shows the times of captions and poster, for runs whose end the scene does not give. `end`: the last time
  * shown, in `unit`. Errors: SCENE. */
 BEAD_CHECK enum bead_error bead_captions_check(const struct bead_output *output, const struct bead_scene *scene, double end,

@@ -14,6 +14,7 @@
 #include "render/encode/movie_private.h"
 #include "render/movie/captions.h"
 #include "render/movie/composer.h"
+#include "render/movie/movie_notes.h"
 #include "render/movie/movie_poster.h"
 #include "render/movie/movie_sink.h"
 #include "render/movie/movie_times.h"
@@ -40,6 +41,7 @@ struct bead_sink {
     const struct bead_output *output;
     struct bead_run_context context;
     char *path, *poster_path, *comment; /* NULL: none */
+    struct bead_movie_notes notes;
     uint64_t poster_bytes;
     char why[192], makers[160];
     int width, height;
@@ -77,7 +79,10 @@ static struct bead_movie_settings movie_settings_of(const struct bead_sink *s)
                                         .fps = s->output->movie.fps,
                                         .quality = s->output->movie.quality,
                                         .title = s->context.scene->title[0] ? s->context.scene->title : NULL,
-                                        .comment = s->comment,
+                                        .comment = s->notes.comment,
+                                        .chapters = s->notes.chapters,
+                                        .chapter_count = s->notes.chapter_count,
+                                        .length = (double)s->times.frames / s->output->movie.fps,
                                         .cover = s->output->movie.poster && s->output->movie.poster[0]};
 }
 
@@ -118,22 +123,9 @@ static void movie_destroy(struct bead_sink *s)
     for (int i = 0; i < FRAME_SLOTS; i++)
         bead_frame_free(&s->buffer[i]);
     free(s->path);
-    free(s->comment);
+    bead_movie_notes_free(&s->notes);
     free(s->poster_path);
     free(s);
-}
-
-/* What made the movie: the program's version and the scene. */
-static enum bead_error make_comment(struct bead_sink *s, struct bead_message *msg)
-{
-    const struct bead_scene *scene = s->context.scene;
-    const char *text = scene->text ? scene->text : "";
-    size_t size = strlen(text) + 64;
-    s->comment = malloc(size);
-    if (!s->comment)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
-    snprintf(s->comment, size, "beadreel %s, scene:\n%s", bead_version(), text);
-    return BEAD_OK;
 }
 
 static enum bead_error movie_prepare(struct bead_sink *s, struct bead_message *msg)
@@ -151,7 +143,7 @@ static enum bead_error movie_prepare(struct bead_sink *s, struct bead_message *m
     if (!err)
         err = bead_file_join(s->context.directory, s->output->path, &s->path, msg);
     if (!err)
-        err = make_comment(s, msg);
+        err = bead_movie_notes_make(s->output, s->context.scene, &s->times, &s->notes, msg);
     if (err)
         return err;
     settings = movie_settings_of(s);

@@ -78,6 +78,13 @@ double bead_movie_time(const struct bead_movie_times *t, size_t index)
     return index + 1 == t->frames ? t->time[1] : t->time[0] + (double)(index - t->card) * t->step;
 }
 
+double bead_movie_film_time(const struct bead_movie_times *t, double motion, double fps)
+{
+    double within = fmax(0, motion - t->time[0]);
+    double film = t->film.count ? bead_film_time(&t->film, t->time[0] + within) : within / t->step / fps;
+    return (double)t->card / fps + film;
+}
+
 bool bead_movie_draws(const struct bead_movie_times *t, size_t index)
 {
     return index < t->card || index + 1 == t->frames || (index - t->card) % t->group == 0;

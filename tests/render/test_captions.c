@@ -217,6 +217,32 @@ static void posters_are_covers(void **state)
     release_chain(&poster);
 }
 
+/* A chapter for each caption, and one for the card before them; titles without marks. */
+static void captions_are_chapters(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"a.mp4", "a.mkv"};
+    for (size_t k = 0; k < 2; k++) {
+        char path[256], text[400];
+        struct decoded movie;
+        snprintf(text, sizeof text,
+                 "movie: %s, card: 2 s, captions: [{at: 0 ms, text: One}, {at: 0.5 ms, text: \"*F*_{max} is\\\\_here\", pause: 1 "
+                 "s}], " SMALL,
+                 names[k]);
+        struct built built = build_chain(text);
+        draw_output(&built, pulse_down_the_chain);
+        in_directory(names[k], path, sizeof path);
+        decode(path, &movie);
+        remove(path);
+        assert_int_equal(movie.chapters, 3);
+        assert_true(fabs(movie.chapter_start - 2.5) < 0.04);
+        assert_string_equal(movie.chapter_title, "Fmax is_here");
+        assert_int_equal(movie.count, 80); /* card, motion, pause at 20 frames a second */
+        decoded_free(&movie);
+        release_chain(&built);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -227,6 +253,7 @@ int main(void)
         cmocka_unit_test(cards_come_first_and_take_their_time),
         cmocka_unit_test(posters_are_frames),
         cmocka_unit_test(posters_are_covers),
+        cmocka_unit_test(captions_are_chapters),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }
