@@ -9,12 +9,14 @@
 /* Most of a bead movie never changes, and there the search for a better encoding is the cost, not the picture:
  * constant QP, no lookahead and no B-frames take a third of the time of the presets they start from. Small intra blocks buy more
  * than a better search for motion, and QP 26 with them is as far from the picture as the usual rate factor 18.
+ * Where images fill in, blocks without the filter at their edges show at once: the standard quality has it, at QP 24, for about a
+ * fifth of the size; drafts go without.
  * What stands still keeps what the key frames gave it: these are 12 QP better (ipratio=4; high: 9), which makes colour bars true to
  * two levels and text sharp for 1 % of the size.
  */
 #define H264_LEAN     "x264-params=bframes=0:rc-lookahead=0:sync-lookahead=0:mbtree=0:scenecut=0:weightp=0"
 #define H264_DRAFT    "preset=ultrafast qp=28 " H264_LEAN ":ipratio=4:cabac=1"
-#define H264_STANDARD "preset=ultrafast qp=26 " H264_LEAN ":ipratio=4:cabac=1:partitions=i4x4"
+#define H264_STANDARD "preset=ultrafast qp=24 " H264_LEAN ":ipratio=4:cabac=1:partitions=i4x4:no-deblock=0:deblock=0,0"
 #define H264_HIGH     "preset=fast qp=17 " H264_LEAN ":ipratio=2.83"
 #define H264_LOSSLESS "preset=ultrafast qp=0 " H264_LEAN ":cabac=1"
 #define VP9_LEAN      "lag-in-frames=0 auto-alt-ref=0 row-mt=0 tile-columns=0 frame-parallel=0 aq-mode=0 b=0 "
