@@ -91,8 +91,10 @@ bool bead_strip_add(struct bead_strip *strip, size_t material, bool left_out, si
     if (strip->count == strip->room) {
         size_t room = strip->room ? 2 * strip->room : 64;
         struct bead_strip_bead *grown = realloc(strip->beads, room * sizeof *grown);
-        if (!grown)
+        if (!grown) {
+            strip->failed = true;
             return false;
+        }
         strip->beads = grown;
         strip->room = room;
     }

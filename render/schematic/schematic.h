@@ -55,6 +55,7 @@ struct bead_strip {
         size_t mark;   /* the group or segment it belongs to */
     } * beads;
     size_t count, room;
+    bool failed; /* out of memory; told to the sketch where the strip is freed */
 };
 BEAD_CHECK bool bead_strip_add(struct bead_strip *strip, size_t material, bool left_out, size_t mark);
 void bead_strip_free(struct bead_strip *strip);

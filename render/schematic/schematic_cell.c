@@ -207,6 +207,7 @@ static bool cell_draw_row(const struct drawing *g, const struct cell *cell, bool
         style.across = BEAD_ALIGN_END;
         bead_sketch_text(sketch, &style, left + 0.5 * (width - needed) - 0.9 * em, middle, down ? "down" : "up");
     }
+    sketch->failed = sketch->failed || strip.failed;
     bead_strip_free(&strip);
     return room;
 }

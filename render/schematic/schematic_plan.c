@@ -16,10 +16,16 @@ static const double largest_ball = 2.2, least_ball[][2] = {{0.9, 0.5}, {0.22, 0}
 static const size_t entries[] = {BEAD_PLAN_PARTS - 2, 24, 16, 12, 9, 7, 5, 4, 3, 2};
 static const size_t shown[] = {400, 60, 40, 30, 24, 18, 14, 10, 8, 6, 4, 3, 2};
 
+static void free_strip(const struct bead_plan *plan, struct bead_strip *strip)
+{
+    plan->d->sketch->failed = plan->d->sketch->failed || strip->failed;
+    bead_strip_free(strip);
+}
+
 void bead_plan_free(struct bead_plan *plan)
 {
     for (size_t i = 0; plan->rows && i < plan->row_count; i++)
-        bead_strip_free(&plan->rows[i].strip);
+        free_strip(plan, &plan->rows[i].strip);
     free(plan->rows);
     plan->rows = NULL;
     plan->row_count = 0;
@@ -206,8 +212,10 @@ bool bead_plan_make(const struct bead_drafting *d, struct bead_box area, struct 
     size_t wanted = (size_t)fmax(0, fmin((double)count, floor((area.height + gap) / (row + gap))));
     *plan = (struct bead_plan){.d = d, .area = area, .em = d->sketch->look->label};
     plan->rows = calloc(count, sizeof *plan->rows);
-    if (!plan->rows)
+    if (!plan->rows) {
+        d->sketch->failed = true;
         return false;
+    }
     plan->row_count = count;
     find_largest(plan);
     bool found = false;
@@ -216,7 +224,7 @@ bool bead_plan_make(const struct bead_drafting *d, struct bead_box area, struct 
             found = try_entries(plan, wanted, least_ball[l]);
     }
     for (size_t i = wanted; i < count; i++)
-        bead_strip_free(&plan->rows[i].strip);
+        free_strip(plan, &plan->rows[i].strip);
     plan->row_count = wanted;
     if (found) {
         struct bead_text_style style = bead_sketch_style(d->sketch, plan->em);

@@ -208,6 +208,7 @@ bool bead_schematic_setup(const struct bead_drafting *d)
     struct bead_piece *pieces = calloc(MOST_MATERIALS, sizeof *pieces);
     struct bead_plan plan = {0};
     struct bead_box area = d->area;
+    d->sketch->failed = d->sketch->failed || !pieces;
     bool room = pieces && bead_drafting_pieces(d, &area, pieces, list_materials(d, pieces), true) && bead_plan_make(d, area, &plan);
     if (room && plan.row_count < d->context->chain_count) { /* again, with a line about beads left out */
         struct bead_box less = area;
