@@ -366,7 +366,7 @@ static char *read_all(const char *path)
 static char *run_with_threads(const char *directory, int threads, struct bead_grid native)
 {
     struct world w = make_world();
-    struct bead_caption captions[] = {{1e-4, NAN, NAN, "something happens", {0}}};
+    struct bead_caption captions[] = {{1e-4, NAN, NAN, 0, "something happens", {0}}};
     struct bead_output output = w.scene->outputs[0];
     struct bead_message msg = {""};
     struct bead_sink *sink;
