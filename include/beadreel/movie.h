@@ -39,8 +39,8 @@ struct bead_movie_settings {
     enum bead_quality quality;
     const char *title, *comment; /* metadata; may be NULL */
     bool cover;                  /* bead_movie_cover will be called */
-    const struct bead_movie_chapter
-        *chapters; /* by rising times, the first at 0; borrowed until the movie is closed; mp4 and mkv */
+    /* mp4 and mkv: by rising times, the first at 0; borrowed until the movie is closed. */
+    const struct bead_movie_chapter *chapters;
     size_t chapter_count;
     double length; /* s: where the last chapter ends */
 };

@@ -12,7 +12,8 @@
  * 3. The interpolant's zeros tau split the step. Next to tau f is analytic in x where t = tau +- x^2 (x^3 for d^{3/2}, and
  *    another power for another law), so 8 Gauss nodes in x integrate it to rounding.
  * 4. Picard's iteration takes the interpolation error out of d: with F_k the forces over m, integrated twice over time,
- *    d_k(t) = d_k + t d_k' + F_{k-1}/m_k - F_k (1/m_k + 1/m_{k+1}) + F_{k+1}/m_{k+1}, then f_k(t) = A_k d_k(t)_+^{3/2}. Twice, or until it changes little.
+ *    d_k(t) = d_k + t d_k' + F_{k-1}/m_k - F_k (1/m_k + 1/m_{k+1}) + F_{k+1}/m_{k+1}, then f_k(t) = A_k d_k(t)_+^{3/2}. Twice, or
+ * until it changes little.
  * 5. The impulse of each contact, int f dt, and its moment, int (t1 - t) f dt, take the place of what the method's quadrature
  *    made of them, with opposite signs on its two beads: momentum is conserved to rounding.
  * 6. Forces at the end of the step are computed again where beads have moved: the next step begins with them.

@@ -35,12 +35,12 @@ struct bead_session {
     size_t chain_count;
     const struct bead_kernels *kernels;
     int threads;
-    bool passage;                     /* the scene's `until` is the default */
-    double end, needed;               /* s; end INFINITY: not known before the run */
-    double resolution;                /* s */
-    double refinement;                /* tolerance of the runs, in units of what is asked */
-    double tolerance_factor;          /* of comparison runs, in the same units */
-    char warning[2][320];             /* "": none */
+    bool passage;            /* the scene's `until` is the default */
+    double end, needed;      /* s; end INFINITY: not known before the run */
+    double resolution;       /* s */
+    double refinement;       /* tolerance of the runs, in units of what is asked */
+    double tolerance_factor; /* of comparison runs, in the same units */
+    char warning[2][320];    /* "": none */
     bool unverified;
     struct bead_grid native;          /* of the trajectory output, every 0: none */
     const struct bead_output *keeper; /* that output */

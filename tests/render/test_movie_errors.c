@@ -32,8 +32,11 @@ static void wrong_settings_are_refused(void **state)
         {"a.mp4", 640, 360, 60, (enum bead_quality)9, "quality"},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        struct bead_movie_settings wanted = {sizeof wanted, wrong[i].width, wrong[i].height, wrong[i].fps, wrong[i].quality, NULL,
-                                             NULL,          false};
+        struct bead_movie_settings wanted = {.size = sizeof wanted,
+                                             .width = wrong[i].width,
+                                             .height = wrong[i].height,
+                                             .fps = wrong[i].fps,
+                                             .quality = wrong[i].quality};
         struct bead_movie *movie = (struct bead_movie *)&wanted;
         struct bead_message msg = {""};
         const char *path = place(wrong[i].name);
@@ -44,7 +47,7 @@ static void wrong_settings_are_refused(void **state)
         assert_null(strchr(msg.text, '\n'));
         assert_false(left_behind(path));
     }
-    struct bead_movie_settings odd = {sizeof odd, 641, 361, 60, BEAD_QUALITY_LOSSLESS, NULL, NULL, false};
+    struct bead_movie_settings odd = {.size = sizeof odd, .width = 641, .height = 361, .fps = 60, .quality = BEAD_QUALITY_LOSSLESS};
     static const char *const fine[] = {"a.mp4", "a.mkv", "a.webm", "a.gif", "a.png", "a.hash"};
     for (size_t i = 0; i < sizeof fine / sizeof *fine; i++)
         assert_int_equal(bead_movie_check(fine[i], &odd, NULL), BEAD_OK);
