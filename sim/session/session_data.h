@@ -23,6 +23,9 @@ struct bead_made {
     struct bead_range range; /* found by scouting */
 };
 
+/* Of the step, of what could not be verified. */
+enum { SESSION_WARNINGS = 2 };
+
 struct bead_session {
     struct bead_job job;
     struct bead_scene *scene;           /* own; NULL with a trajectory or a sweep's file */
@@ -35,12 +38,12 @@ struct bead_session {
     size_t chain_count;
     const struct bead_kernels *kernels;
     int threads;
-    bool passage;            /* the scene's `until` is the default */
-    double end, needed;      /* s; end INFINITY: not known before the run */
-    double resolution;       /* s */
-    double refinement;       /* tolerance of the runs, in units of what is asked */
-    double tolerance_factor; /* of comparison runs, in the same units */
-    char warning[2][320];    /* "": none */
+    bool passage;                        /* the scene's `until` is the default */
+    double end, needed;                  /* s; end INFINITY: not known before the run */
+    double resolution;                   /* s */
+    double refinement;                   /* tolerance of the runs, in units of what is asked */
+    double tolerance_factor;             /* of comparison runs, in the same units */
+    char warning[SESSION_WARNINGS][320]; /* "": none */
     bool unverified;
     struct bead_grid native;          /* of the trajectory output, every 0: none */
     const struct bead_output *keeper; /* that output */

@@ -85,7 +85,7 @@ enum bead_error bead_session_verify(struct bead_session *s, struct bead_message 
 
 const char *bead_session_warning(const struct bead_session *s, size_t index)
 {
-    for (size_t i = 0; i < sizeof s->warning / sizeof *s->warning; i++) {
+    for (size_t i = 0; i < SESSION_WARNINGS; i++) {
         if (s->warning[i][0] && index-- == 0)
             return s->warning[i];
     }

@@ -199,7 +199,7 @@ static void states_are_read_at_their_times(void **state)
     static const char *const names[] = {"participation of forces", "participation of energies", "clean index"};
     static const char *const pulses[] = {"second pulse", "third pulse", "fourth pulse"};
     for (size_t u = 0; u < 2; u++) {
-        double exact[3], pulse[3];
+        double exact[3] = {0}, pulse[3] = {0};
         for (size_t e = 0; e < 3; e++) {
             char text[1024];
             snprintf(text, sizeof text, scene, until[u], every[e]);
