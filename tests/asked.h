@@ -30,9 +30,9 @@ static inline double random_part(uint64_t *state)
 }
 
 /* Peaks up to time `end` (s; 0: until the front has passed), of stiffnesses changed by random parts of `shake` (shake number
- * `draw`).
+ * `draw`), with a tolerance `factor` times as large as asked (0: 1).
  */
-static inline struct peaks find_peaks(const char *text, const char *simulate, double end, double shake, int draw)
+static inline struct peaks find_peaks_of(const char *text, const char *simulate, double end, double shake, int draw, double factor)
 {
     struct bead_message msg = {""};
     struct bead_run *run = NULL;
@@ -47,7 +47,8 @@ static inline struct peaks find_peaks(const char *text, const char *simulate, do
                                          .end = end > 0 ? end : INFINITY,
                                          .passage = !(end > 0),
                                          .contact_peaks = true,
-                                         .bead_peaks = true};
+                                         .bead_peaks = true,
+                                         .tolerance_factor = factor};
     enum bead_error err = bead_run_create(&settings, &run, &msg);
     while (!err && (end > 0 ? bead_run_time(run) < end : isnan(bead_run_arrival(run))))
         err = bead_run_step(run, &msg);
@@ -62,6 +63,16 @@ static inline struct peaks find_peaks(const char *text, const char *simulate, do
     bead_run_destroy(run);
     release(&built);
     return p;
+}
+
+static inline struct peaks find_peaks(const char *text, const char *simulate, double end, double shake, int draw)
+{
+    return find_peaks_of(text, simulate, end, shake, draw, 0);
+}
+
+static inline struct peaks find_peaks_at(const char *text, const char *simulate, double factor)
+{
+    return find_peaks_of(text, simulate, 0, 0, 0, factor);
 }
 
 static inline bool is_peak(const struct bead_peak *peak)

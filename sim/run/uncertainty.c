@@ -2,19 +2,17 @@
 #include "sim/run/uncertainty.h"
 
 #include <math.h>
-#include <stdbool.h>
 
-/* Differences up to this many times what was asked are those of peaks as they should be: a comparison run at ten times the
- * tolerance is as accurate as it was asked to be. They count twice, so that errors of both runs that happen to be alike do no harm;
- * larger ones three times. */
-static const double usual = 10, twice = 2, thrice = 3;
-/* A relative difference that is larger than both has stopped growing in proportion to the errors: that much, and that many times
- * what was asked. Such differences count ten times: nobody knows what the next one would be. */
+/* Of a peak that is as it should be: this much of what was asked where the difference is all that the comparison run may be off by;
+ * and with damping, where errors follow the tolerance. */
+static const double usual = 8, damped = 3;
+/* Peaks that answer too strongly are uncertain by so many times their difference, this part of it from one neighbour to the next.
+ */
+static const double strong = 5, next = 0.75;
+/* Where differences are larger than this, and than so many times what was asked, they have stopped growing in proportion to the
+ * errors: the chain is chaotic there, and nobody knows what the next difference would be. */
 static const double chaotic = 5e-3, chaotic_times = 100, chaos = 10;
-/* They spoil the peaks of so many contacts on either side, this part of the way on from one to the next. */
-enum { NEAR = 12 };
-static const double next = 0.75;
-/* Steps given by hand: a difference is the error of the longer steps. Rounding leaves this part of a peak. */
+/* Rounding leaves this part of a peak. */
 static const double rounding = 1e-14;
 
 /* Difference of the two runs, relative to the peak. */
@@ -24,38 +22,47 @@ static double difference(const struct bead_peak *a, const struct bead_peak *b)
     return largest > 0 ? fabs(a->value - b->value) / fabs(a->value > 0 ? a->value : largest) : 0;
 }
 
-/* The relative uncertainty that a peak's own difference means, in units of what was asked. */
-static double response(double times)
+/* What peaks that answer too strongly, differing by more than `allowed`, say of themselves and their neighbours: into u. */
+static void find_strong(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, double allowed)
 {
-    return fmax(fmax(1, fmin(twice * times, usual)), thrice * times - twice * usual);
-}
-
-/* The largest difference of chaotic peaks near peak i. */
-static double chaos_near(const struct bead_peak *peaks, const struct bead_peak *comparison, size_t count, size_t i, double limit)
-{
-    double most = 0;
-    for (size_t j = i > NEAR ? i - NEAR : 0; j < count && j <= i + NEAR; j++) {
-        const double d = difference(&peaks[j], &comparison[j]);
-        if (d > limit)
-            most = fmax(most, d * pow(next, fabs((double)i - (double)j)));
-    }
-    return most;
-}
-
-void bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_peak *peaks, const struct bead_peak *comparison,
-                           size_t count, double *uncertainty)
-{
-    /* What a comparison run at ten times the tolerance would differ by. */
-    const double scale = of->accuracy > 0 && of->tolerance_factor > 1 ? 10 / of->tolerance_factor : 1;
     const double limit = fmax(chaotic, chaotic_times * of->accuracy);
-    bool any = false;
-    for (size_t i = 0; i < count; i++)
-        any = any || difference(&peaks[i], &comparison[i]) > limit;
-    for (size_t i = 0; i < count; i++) {
-        const double d = scale * difference(&peaks[i], &comparison[i]);
-        double part = of->accuracy > 0 ? of->accuracy * response(d / of->accuracy) : fmax(d, rounding);
-        if (any)
-            part = fmax(part, fmin(chaos * chaos_near(peaks, comparison, count, i, limit), fmax(1, d)));
-        uncertainty[i] = part * fabs(peaks[i].value);
+    for (size_t i = 0; i < p->count; i++) {
+        const double d = difference(&p->peaks[i], &p->comparison[i]);
+        p->uncertainty[i] = of->damped || !(d > allowed) ? 0 : d > limit ? chaos * d : strong * d;
+    }
+}
+
+/* Contact i is beside bead i: each takes what the other has. */
+static void share(const struct bead_uncertain_peaks kinds[2])
+{
+    for (size_t i = 0; i < kinds[0].count && i < kinds[1].count; i++)
+        kinds[0].uncertainty[i] = kinds[1].uncertainty[i] = fmax(kinds[0].uncertainty[i], kinds[1].uncertainty[i]);
+}
+
+static void spread(double *u, size_t count)
+{
+    for (size_t i = 1; i < count; i++)
+        u[i] = fmax(u[i], next * u[i - 1]);
+    for (size_t i = count; i-- > 1;)
+        u[i - 1] = fmax(u[i - 1], next * u[i]);
+}
+
+void bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
+{
+    const double a = of->accuracy, allowed = a * fmax(of->tolerance_factor, 1);
+    for (size_t kind = 0; kind < 2 && a > 0; kind++)
+        find_strong(of, &kinds[kind], allowed);
+    if (a > 0)
+        share(kinds);
+    for (size_t kind = 0; kind < 2; kind++) {
+        const struct bead_uncertain_peaks *p = &kinds[kind];
+        if (a > 0)
+            spread(p->uncertainty, p->count);
+        for (size_t i = 0; i < p->count; i++) {
+            const double d = difference(&p->peaks[i], &p->comparison[i]), part = allowed > 0 ? d / allowed : 0;
+            const double own = a > 0 ? a * fmax(1, of->damped ? damped * part : fmin(usual * part, usual)) : fmax(d, rounding);
+            const double near = a > 0 ? fmin(p->uncertainty[i], fmax(1, d)) : 0;
+            p->uncertainty[i] = fmax(own, near) * fabs(p->peaks[i].value);
+        }
     }
 }

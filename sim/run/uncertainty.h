@@ -1,24 +1,32 @@
 /* Uncertainty: how well the peaks of a run are known, from those of a comparison run with other steps.
  *
- * A peak that answers to errors as most do differs between a run and one at ten times its tolerance by about as much as was asked.
- * One that differs by more answers more strongly, and so it does to the errors of the run itself. */
+ * A comparison run at f times the tolerance is off by up to f times what was asked, and the run itself by that less: where the two
+ * differ by no more the peaks are as they should be. Peaks that differ by more answer too strongly, and their errors hardly follow
+ * the tolerance: what drives them are the few ways in which the chain is unstable, which drive the peaks nearby as well, if by
+ * chance not in these two runs. Damping takes that away. */
 #ifndef BEADREEL_SIM_RUN_UNCERTAINTY_H
 #define BEADREEL_SIM_RUN_UNCERTAINTY_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "beadreel/sink.h"
 
-/* What is compared: the accuracy that the run was made for (0: steps were given), and the comparison run's in units of it, or its
- * step where steps were given. */
+/* What is compared. */
 struct bead_uncertainty_of {
-    double accuracy, tolerance_factor;
+    double accuracy;         /* that the run was made for; 0: steps were given */
+    double tolerance_factor; /* the comparison run's accuracy in units of it, or its step in those of the step */
+    bool damped;
 };
 
-/* Uncertainties of peaks 0..count-1 of a chain, of neighbours in order, in N. Where the runs differ by so much that errors have
- * stopped growing in proportion (the chain is chaotic there) peaks nearby are uncertain as well: another maximum may become the
- * largest. */
-void bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_peak *peaks, const struct bead_peak *comparison,
-                           size_t count, double *uncertainty);
+/* The peaks of contacts, or of beads, in order. */
+struct bead_uncertain_peaks {
+    const struct bead_peak *peaks, *comparison;
+    size_t count;        /* 0: not known */
+    double *uncertainty; /* N: out */
+};
+
+/* Uncertainties of the peaks of a chain's contacts [0] and beads [1]. */
+void bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);
 
 #endif

@@ -81,6 +81,23 @@ static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
     return err;
 }
 
+static bool wants_samples(const struct bead_driver *p)
+{
+    bool any = false;
+    for (size_t i = 0; i < p->consumer_count; i++)
+        any = any || p->consumers[i].needs.comparison;
+    return any;
+}
+
+/* Runs that are compared for their peaks only may be coarser by this, and cheaper: what counts is how strongly peaks answer. */
+static const double coarser = 3;
+
+static double comparison_factor(const struct bead_driver *p)
+{
+    const bool free = !wants_samples(p) && !(p->simulate->step > 0) && p->tolerance_factor > p->refinement;
+    return free ? coarser * p->tolerance_factor : p->tolerance_factor;
+}
+
 static bool wants_uncertainty(const struct bead_driver *p)
 {
     bool any = false;
@@ -98,15 +115,13 @@ static enum bead_error create_comparison_runs(struct pass *pass, struct bead_mes
                                          .end = p->end,
                                          .passage = p->passage,
                                          .full_window = p->full_window,
-                                         .tolerance_factor = p->tolerance_factor};
-    unsigned asked = 0;
+                                         .tolerance_factor = comparison_factor(p)};
     for (size_t i = 0; i < p->consumer_count; i++) {
         const struct bead_needs *needs = &p->consumers[i].needs;
-        asked |= needs->comparison;
         settings.contact_peaks |= needs->uncertainty && needs->contact_peaks;
         settings.bead_peaks |= needs->uncertainty && needs->bead_peaks;
     }
-    if (!asked && !wants_uncertainty(p))
+    if (!wants_samples(p) && !wants_uncertainty(p))
         return BEAD_OK;
     pass->passed->comparison_runs = calloc(p->chain_count, sizeof *pass->passed->comparison_runs);
     if (!pass->passed->comparison_runs)
@@ -221,6 +236,23 @@ static enum bead_error complete(void *context, size_t job, bool calling, struct 
     return err;
 }
 
+/* The least certain peak, as a part of itself. */
+static void note_worst(const struct bead_uncertain_peaks kinds[2], struct bead_outcome *outcome)
+{
+    double *const which[2] = {&outcome->worst_contact, &outcome->worst_bead};
+    for (size_t kind = 0; kind < 2; kind++) {
+        for (size_t i = 0; i < kinds[kind].count; i++) {
+            const double force = kinds[kind].peaks[i].value, u = kinds[kind].uncertainty[i];
+            if (!(u > 0) || u * outcome->worst_force <= outcome->worst_uncertainty * force)
+                continue;
+            *which[0] = *which[1] = NAN;
+            *which[kind] = (double)i;
+            outcome->worst_force = force;
+            outcome->worst_uncertainty = u;
+        }
+    }
+}
+
 /* How well a chain's peaks are known, from its two runs. */
 static enum bead_error compare_peaks(struct pass *pass, size_t chain, struct bead_message *msg)
 {
@@ -228,32 +260,25 @@ static enum bead_error compare_peaks(struct pass *pass, size_t chain, struct bea
     struct bead_passed *passed = pass->passed;
     const struct bead_runner *comparison = &passed->comparison_runs[chain];
     struct bead_outcome *outcome = &passed->outcomes[chain], other;
+    double **u = passed->uncertainty + 2 * chain;
     comparison->kind->finish(comparison->run, outcome->end, &other);
     const double refinement = p->refinement > 0 ? p->refinement : 1;
     const struct bead_uncertainty_of of = {p->simulate->step > 0 ? 0 : p->simulate->accuracy * refinement,
-                                           p->tolerance_factor / refinement};
-    const struct bead_peak *peaks[2] = {outcome->contact_peaks, outcome->bead_peaks},
-                           *others[2] = {other.contact_peaks, other.bead_peaks};
-    const size_t count[2] = {bead_chain_contacts(p->chains[chain]), bead_chain_beads(p->chains[chain])};
-    const double **found[2] = {&outcome->contact_uncertainty, &outcome->bead_uncertainty};
-    double *const which[2] = {&outcome->worst_contact, &outcome->worst_bead};
+                                           comparison_factor(p) / refinement,
+                                           bead_chain_spec(p->chains[chain])->damping_coefficient > 0};
+    struct bead_uncertain_peaks kinds[2] = {
+        {outcome->contact_peaks, other.contact_peaks, other.contact_peaks ? bead_chain_contacts(p->chains[chain]) : 0, NULL},
+        {outcome->bead_peaks, other.bead_peaks, other.bead_peaks ? bead_chain_beads(p->chains[chain]) : 0, NULL}};
     for (size_t kind = 0; kind < 2; kind++) {
-        if (!peaks[kind] || !others[kind])
-            continue;
-        double *u = passed->uncertainty[2 * chain + kind] = calloc(count[kind], sizeof *u);
-        if (!u)
-            return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu beads", count[1]);
-        bead_uncertainty_find(&of, peaks[kind], others[kind], count[kind], u);
-        *found[kind] = u;
-        for (size_t i = 0; i < count[kind]; i++) {
-            if (!(u[i] > 0) || u[i] * outcome->worst_force <= outcome->worst_uncertainty * peaks[kind][i].value)
-                continue;
-            *which[0] = *which[1] = NAN;
-            *which[kind] = (double)i;
-            outcome->worst_force = peaks[kind][i].value;
-            outcome->worst_uncertainty = u[i];
-        }
+        kinds[kind].uncertainty = u[kind] = kinds[kind].count ? calloc(kinds[kind].count, sizeof(double)) : NULL;
+        if (kinds[kind].count && !u[kind])
+            return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu beads",
+                             bead_chain_beads(p->chains[chain]));
     }
+    bead_uncertainty_find(&of, kinds);
+    note_worst(kinds, outcome);
+    outcome->contact_uncertainty = u[0];
+    outcome->bead_uncertainty = u[1];
     return BEAD_OK;
 }
 

@@ -3,7 +3,7 @@
 #   stress.sh BUILD       status 1 if a row FAILED; STRESS_QUICK=1: seconds instead of minutes
 build=$1
 status=0
-for program in stability ranges sizes accuracy long; do
+for program in stability ranges sizes accuracy uncertainty long; do
     "$build/tests/stress/stress_$program" || status=1
 done
 

@@ -1,0 +1,158 @@
+/* Chains drawn at random, beside references of their own: are peaks as accurate as was asked, or as their uncertainties say? For
+ * tests and stress.
+ *
+ * Materials from .5 to 600 GPa, radii from 1 to 20 mm, 10 to 150 beads, strikers from .01 to 10 m/s; ordered or not, some with a
+ * wall, precompression, a slope or damping. The references have fixed steps, a tenth to a twentieth of usual ones; two of them say
+ * how well the peaks are known. How strongly a peak answers is measured as in tests/asked.h. */
+#ifndef BEADREEL_TESTS_DRAWN_H
+#define BEADREEL_TESTS_DRAWN_H
+
+#include "sim/base/random.h"
+#include "sim/run/uncertainty.h"
+#include "tests/asked.h"
+
+enum { DRAWN_TEXT = 6000 };
+
+struct drawing {
+    uint64_t seed, index;
+};
+
+static inline double draw_part(struct drawing *d)
+{
+    return (double)(bead_draw(d->seed, 0, d->index++) >> 11) * 0x1p-53;
+}
+
+/* Evenly in the logarithm. */
+static inline double draw_between(struct drawing *d, double low, double high)
+{
+    return low * pow(high / low, draw_part(d));
+}
+
+static inline size_t draw_below(struct drawing *d, size_t count)
+{
+    return (size_t)(draw_part(d) * (double)count);
+}
+
+/* Returns whether it has damping. `most`: beads. */
+static inline bool draw_chain(uint64_t seed, double most, char text[DRAWN_TEXT])
+{
+    struct drawing d = {seed, 0};
+    const size_t materials = 1 + draw_below(&d, 3);
+    size_t used = (size_t)snprintf(text, DRAWN_TEXT, "materials: {");
+    for (size_t m = 0; m < materials; m++) {
+        const double density = draw_between(&d, 1000, 12000), modulus = draw_between(&d, 0.5, 600),
+                     poisson = 0.05 + 0.4 * draw_part(&d);
+        used += (size_t)snprintf(text + used, DRAWN_TEXT - used,
+                                 "%sm%zu: {density: %.5g, modulus: %.5g GPa, poisson: %.3f, radius: %.5g mm}", m > 0 ? ",\n  " : "",
+                                 m, density, modulus, poisson, draw_between(&d, 1, 20));
+    }
+    const size_t beads = (size_t)draw_between(&d, 10, most), striker = draw_below(&d, materials);
+    const bool ordered = draw_below(&d, 3) == 0, pressed = draw_below(&d, 5) == 0, sloping = !pressed && draw_below(&d, 6) == 0;
+    const bool damped = draw_below(&d, 8) == 0;
+    static const char *const walls[] = {"none", "rigid", "m0", "brass"};
+    const char *wall = walls[draw_below(&d, 4)];
+    used += (size_t)snprintf(text + used, DRAWN_TEXT - used, "}\nchain: {striker: {bead: m%zu, velocity: %.5g m/s}, wall: %s",
+                             striker, draw_between(&d, 0.01, 10), (pressed || sloping) && *wall == 'n' ? "rigid" : wall);
+    if (pressed)
+        used += (size_t)snprintf(text + used, DRAWN_TEXT - used, ", precompression: %.4g N", draw_between(&d, 1e-3, 30));
+    if (sloping)
+        used += (size_t)snprintf(text + used, DRAWN_TEXT - used, ", tilt: %.3g deg", 1 + 29 * draw_part(&d));
+    if (damped)
+        used += (size_t)snprintf(text + used, DRAWN_TEXT - used, ", damping: {coefficient: %.3g, exponent: %.3g}",
+                                 draw_between(&d, 0.01, 10), 1 + draw_part(&d));
+    used += (size_t)snprintf(text + used, DRAWN_TEXT - used, ",\n  beads: [");
+    for (size_t j = 0; j < beads; j++)
+        used += (size_t)snprintf(text + used, DRAWN_TEXT - used, "%s{bead: m%zu}", j > 0 ? ", " : "",
+                                 ordered ? j % materials : draw_below(&d, materials));
+    snprintf(text + used, DRAWN_TEXT - used, "]}\n");
+    return damped;
+}
+
+/* A chain, its peaks as exactly as they can be had, and how strongly each answers. */
+struct drawn {
+    char text[DRAWN_TEXT];
+    struct peaks fine, other; /* the references */
+    double omega;             /* rad/s */
+    const char *method;
+};
+
+static inline struct drawn drawn_make(uint64_t seed, double most)
+{
+    struct drawn d;
+    char simulate[2][64];
+    const bool damped = draw_chain(seed, most, d.text);
+    struct built built = build(d.text, "accuracy: 1e-6");
+    d.omega = bead_chain_omega(built.chain, bead_chain_energy(built.chain));
+    release(&built);
+    d.method = damped ? "rk4" : "rkn8";
+    for (size_t i = 0; i < 2; i++)
+        snprintf(simulate[i], sizeof simulate[i], "method: %s, step: %.9g", d.method,
+                 (i ? 1.4 : 1) * (damped ? 0.006 : 0.06) / d.omega);
+    d.fine = find_peaks(d.text, simulate[0], 0, 0, 0);
+    d.other = find_peaks(d.text, simulate[1], 0, 0, 0);
+    return d;
+}
+
+static inline void drawn_end(struct drawn *d)
+{
+    free(d->fine.peak);
+    free(d->other.peak);
+}
+
+/* What came of asking. */
+struct kept {
+    double error, of_uncertainty; /* largest error in units of what was asked; of the larger of that and the uncertainty */
+    double hidden;                /* largest uncertainty of a peak that is not ill-conditioned, of the larger of error and asked */
+    double ill;                   /* largest answer of a peak to a change of the stiffnesses by what was asked */
+    size_t index;                 /* of the worst peak */
+};
+
+static inline struct peaks find_coarse(const char *text, double accuracy, double factor)
+{
+    char simulate[64];
+    snprintf(simulate, sizeof simulate, "accuracy: %g", accuracy);
+    return find_peaks_at(text, simulate, factor);
+}
+
+static inline struct kept drawn_ask(const struct drawn *d, double accuracy)
+{
+    struct kept kept = {0};
+    const double factor = 30;
+    struct peaks got = find_coarse(d->text, accuracy, 0), comparison = find_coarse(d->text, accuracy, factor);
+    double *u = calloc(got.count, sizeof *u), *answer = calloc(got.count, sizeof *answer);
+    if (!u || !answer)
+        GIVE_UP("out of memory");
+    const struct bead_uncertainty_of of = {accuracy, factor, strcmp(d->method, "rk4") == 0};
+    const struct bead_uncertain_peaks kinds[2] = {
+        {got.peak, comparison.peak, got.contacts, u},
+        {got.peak + got.contacts, comparison.peak + got.contacts, got.count - got.contacts, u + got.contacts}};
+    bead_uncertainty_find(&of, kinds);
+    for (int i = 0; i < SHAKES; i++) {
+        char simulate[64];
+        snprintf(simulate, sizeof simulate, "method: %s, step: %.9g", d->method, (of.damped ? 0.03 : 0.1) / d->omega);
+        struct peaks shaken = find_peaks(d->text, simulate, 0, accuracy, i);
+        for (size_t k = 0; k < got.count; k++)
+            answer[k] = fmax(answer[k], difference(&shaken.peak[k], &d->fine.peak[k]) / accuracy);
+        free(shaken.peak);
+    }
+    for (size_t k = 0; k < got.count; k++) {
+        const struct bead_peak *exact = &d->fine.peak[k];
+        const double error = difference(&got.peak[k], exact) / accuracy, known = difference(&d->other.peak[k], exact) / accuracy;
+        const double said = exact->value > 0 ? u[k] / (accuracy * exact->value) : 0;
+        if (error > kept.error) {
+            kept.error = error;
+            kept.index = k;
+        }
+        kept.of_uncertainty = fmax(kept.of_uncertainty, (error - known) / fmax(1, said));
+        kept.ill = fmax(kept.ill, answer[k]);
+        if (answer[k] < chaotic)
+            kept.hidden = fmax(kept.hidden, said / fmax(error, 1));
+    }
+    free(u);
+    free(answer);
+    free(got.peak);
+    free(comparison.peak);
+    return kept;
+}
+
+#endif

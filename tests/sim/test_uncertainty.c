@@ -1,0 +1,54 @@
+/* Peaks are off by no more than their uncertainties say, or than what was asked; and these say no more than they need. */
+#include "support.h"
+
+#include "drawn.h"
+
+static const double asked[] = {1e-4, 1e-6, 1e-8};
+enum { ASKED = sizeof asked / sizeof *asked };
+
+/* Some of the chains of tests/stress/stress_uncertainty.c that are quick. */
+static void chains_drawn_at_random(void **state)
+{
+    (void)state;
+    static const uint64_t seeds[] = {1, 3, 19, 22, 24, 31, 34, 36};
+    for (size_t c = 0; c < sizeof seeds / sizeof *seeds; c++) {
+        struct drawn drawn = drawn_make(seeds[c], 150);
+        for (size_t i = 0; i < ASKED; i++) {
+            const struct kept kept = drawn_ask(&drawn, asked[i]);
+            if (!(kept.error <= 1) || !(kept.of_uncertainty <= 1) || !(kept.hidden <= 10))
+                fail_msg("chain %d, asked %g: peak %zu is off by %.3g times that, %.3g times its uncertainty; said: up to %.3g",
+                         (int)seeds[c], asked[i], kept.index, kept.error, kept.of_uncertainty, kept.hidden);
+        }
+        drawn_end(&drawn);
+    }
+}
+
+/* One peak answers too strongly: it and its neighbours are uncertain, those far away are not. */
+static void strong_answers_spread(void **state)
+{
+    (void)state;
+    struct bead_peak peaks[41], comparison[41];
+    double u[41];
+    for (size_t i = 0; i < 41; i++) {
+        peaks[i] = (struct bead_peak){10, 1e-3, false};
+        comparison[i] = (struct bead_peak){i == 0 ? 10 * (1 + 1e-3) : 10 * (1 + 1e-6), 1e-3, false};
+    }
+    const struct bead_uncertainty_of of = {1e-6, 30, false}, damped = {1e-6, 30, true}, step = {0, 2, false};
+    const struct bead_uncertain_peaks kinds[2] = {{peaks, comparison, 41, u}, {NULL, NULL, 0, NULL}};
+    bead_uncertainty_find(&of, kinds);
+    assert_near(u[0], 0.05, 1e-6);
+    assert_near(u[1], 0.75 * 0.05, 1e-6);
+    assert_near(u[40], 1e-5, 1e-12);
+    bead_uncertainty_find(&damped, kinds);
+    assert_near(u[0], 1e-3, 1e-6);
+    assert_near(u[1], 1e-5, 1e-12);
+    bead_uncertainty_find(&step, kinds);
+    assert_near(u[0], 1e-2, 1e-9);
+    assert_near(u[1], 1e-5, 1e-9);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(chains_drawn_at_random), cmocka_unit_test(strong_answers_spread)};
+    return cmocka_run_group_tests_name("uncertainty", tests, NULL, NULL);
+}
