@@ -128,7 +128,7 @@ ok "without -o" fails 2 "$beadreel" "$T/whole/sweep.h5"
 ok "a configuration runs" exits 0 "$beadsim" "$T/whole/sweep.h5" --configuration 17 -o "$T/one.csv"
 row=$(grep '^17,' "$T/whole/configurations.csv")
 IFS=, read -r _ _ _ force time bead spins _ <<<"$row"
-ok "... its peak is that of the sweep" grep -qx "$bead,$force,$time," "$T/one.csv"
+ok "... its peak is that of the sweep" grep -q "^$bead,$force,$time,," "$T/one.csv"
 ok "... as a movie" exits 0 "$beadreel" "$T/whole/sweep.h5" --configuration 17 -o "$T/one.mp4" --set 'outputs.0.size=[320, 180]' --set outputs.0.duration=0.1
 ok "... as a trajectory" exits 0 "$beadsim" "$T/whole/sweep.h5" --configuration 17 -o "$T/one.h5"
 ok "... that tells its spins" exits 0 "$beadsim" --info "$T/one.h5"
