@@ -200,8 +200,8 @@ static void peaks_ahead_of_the_wave_are_static(void **state)
     (void)state;
     static const char *const chains[] = {"chain: {beads: [{bead: large-steel, count: 50}], wall: brass, precompression: 10 N}\n",
                                          "chain: {beads: [{bead: large-steel, count: 50}], wall: brass, tilt: 30 deg}\n",
-                                         "chain: {beads: [{bead: large-steel, count: 50}], precompression: 10 N,\n"
-                                         "  damping: {coefficient: 20, exponent: 1.8}}\n"};
+                                         ("chain: {beads: [{bead: large-steel, count: 50}], precompression: 10 N, "
+                                          "damping: {coefficient: 20, exponent: 1.8}}\n")};
     for (size_t i = 0; i < 3; i++) {
         struct built built = build(chains[i], "until: 0.1 ms");
         struct bead_run *run =

@@ -74,6 +74,26 @@ long fail_alloc_end(long *left)
     return made;
 }
 
+static int run_program(int argc, char **argv, char **environment)
+{
+    int status = program(argc, argv, environment);
+    ended = true;
+    return status;
+}
+
+/* What calls main. */
+int __libc_start_main(int (*main)(int, char **, char **), int argc, char **argv, void (*init)(void), void (*fini)(void),
+                      void (*rtld_fini)(void), void *stack_end);
+__attribute__((visibility("default"))) int __libc_start_main(int (*main)(int, char **, char **), int argc, char **argv,
+                                                             void (*init)(void), void (*fini)(void), void (*rtld_fini)(void),
+                                                             void *stack_end)
+{
+    __auto_type start = (__typeof__(&__libc_start_main))dlsym(RTLD_NEXT, "__libc_start_main");
+    program = main;
+    return start(run_program, argc, argv, init, fini, rtld_fini, stack_end);
+}
+
+#ifndef __SANITIZE_ADDRESS__ /* it has allocators of its own */
 static bool own(const void *caller)
 {
     uintptr_t from = (uintptr_t)caller;
@@ -96,26 +116,6 @@ static void *count(void *memory, const void *caller)
     return memory;
 }
 
-static int run_program(int argc, char **argv, char **environment)
-{
-    int status = program(argc, argv, environment);
-    ended = true;
-    return status;
-}
-
-/* What calls main. */
-int __libc_start_main(int (*main)(int, char **, char **), int argc, char **argv, void (*init)(void), void (*fini)(void),
-                      void (*rtld_fini)(void), void *stack_end);
-__attribute__((visibility("default"))) int __libc_start_main(int (*main)(int, char **, char **), int argc, char **argv,
-                                                             void (*init)(void), void (*fini)(void), void (*rtld_fini)(void),
-                                                             void *stack_end)
-{
-    __auto_type start = (__typeof__(&__libc_start_main))dlsym(RTLD_NEXT, "__libc_start_main");
-    program = main;
-    return start(run_program, argc, argv, init, fini, rtld_fini, stack_end);
-}
-
-#ifndef __SANITIZE_ADDRESS__ /* it has allocators of its own */
 #define CALLER __builtin_return_address(0)
 #define EXPORT __attribute__((visibility("default")))
 
