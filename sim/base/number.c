@@ -9,7 +9,7 @@
 
 /* 17 digits identify every double; a text of 15 or fewer survives the way there and back, so that %.15g is the shortest wherever
  * it reads back. Denormal numbers have fewer digits. */
-enum { SURE = DBL_DIG, MOST = DBL_DECIMAL_DIG, ROOM = 32 };
+enum { SURE = DBL_DIG, MOST = DBL_DECIMAL_DIG, ROOM = 40 };
 
 /* Add one to the last digit of "d.ddde-dd"; false where that carries past the first. */
 static bool bump(char *text)
