@@ -1,7 +1,9 @@
-/* The HDF5 driver of h5_disk.h: keeps what could not be written, so that HDF5 itself never sees a failure. */
+/* The HDF5 driver of h5_disk.h: holds changes of what was flushed until the next flush, and keeps what could not be written, so
+ * that HDF5 itself never sees a failure. */
 #include "sim/base/h5_disk.h"
 
 #include <errno.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -10,9 +12,10 @@
 #include <H5FDdevelop.h>
 #endif
 
-/* Bytes that could not be written. */
-struct lost {
-    struct lost *next;
+/* Bytes that are not in the file yet. */
+struct kept {
+    struct kept *next;
+    H5FD_mem_t type;
     haddr_t address;
     size_t size;
     unsigned char bytes[];
@@ -22,8 +25,9 @@ struct disk {
     H5FD_t public; /* HDF5 wants it first */
     int file;
     haddr_t allocated, end; /* end of what HDF5 uses, and of the file */
+    haddr_t flushed;        /* what a reader of the flushed file may look at ends here */
     struct bead_h5_disk *caller;
-    struct lost *lost, **last; /* in the order of writing */
+    struct kept *kept, **last; /* in the order of writing */
 };
 
 /* What an access list carries. */
@@ -43,31 +47,17 @@ static H5FD_t *disk_open(const char *name, unsigned flags, hid_t access, haddr_t
         return NULL;
     disk->file = info->caller->file;
     disk->caller = info->caller;
-    disk->last = &disk->lost;
+    disk->last = &disk->kept;
     info->caller->file = -1;
     return &disk->public;
-}
-
-static herr_t disk_close(H5FD_t *public)
-{
-    struct disk *disk = (struct disk *)public;
-    if (close(disk->file) != 0 && !disk->caller->error)
-        disk->caller->error = errno;
-    while (disk->lost) {
-        struct lost *next = disk->lost->next;
-        free(disk->lost);
-        disk->lost = next;
-    }
-    free(disk);
-    return 0;
 }
 
 static herr_t disk_query(const H5FD_t *public, unsigned long *flags)
 {
     (void)public;
     if (flags)
-        *flags = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA | H5FD_FEAT_DATA_SIEVE |
-                 H5FD_FEAT_AGGREGATE_SMALLDATA | H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
+        *flags =
+            H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_DATA_SIEVE | H5FD_FEAT_AGGREGATE_SMALLDATA | H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
     return 0;
 }
 
@@ -90,40 +80,74 @@ static haddr_t disk_get_eof(const H5FD_t *public, H5FD_mem_t type)
     return ((const struct disk *)public)->end;
 }
 
-static herr_t keep(struct disk *disk, haddr_t address, size_t size, const void *bytes)
+/* Where [address, address + size) and the kept bytes meet: the number of bytes, and their offsets in either. */
+static size_t overlap(const struct kept *kept, haddr_t address, size_t size, size_t *in_kept, size_t *in_other)
 {
-    struct lost *lost = malloc(sizeof *lost + size);
-    if (!lost)
+    haddr_t from = kept->address > address ? kept->address : address;
+    haddr_t to = kept->address + kept->size < address + size ? kept->address + kept->size : address + size;
+    *in_kept = (size_t)(from - kept->address);
+    *in_other = (size_t)(from - address);
+    return from < to ? (size_t)(to - from) : 0;
+}
+
+/* What is kept must not bring back what stood there before. Returns true if all of the new bytes are kept as `type` now. */
+static bool renew(const struct disk *disk, H5FD_mem_t type, haddr_t address, size_t size, const unsigned char *bytes)
+{
+    bool whole = false;
+    for (struct kept *kept = disk->kept; kept; kept = kept->next) {
+        size_t in_kept, in_other, common = overlap(kept, address, size, &in_kept, &in_other);
+        if (common > 0)
+            memcpy(kept->bytes + in_kept, bytes + in_other, common);
+        whole = whole || (common == size && kept->type == type);
+    }
+    return whole;
+}
+
+static herr_t keep(struct disk *disk, H5FD_mem_t type, haddr_t address, size_t size, const void *bytes)
+{
+    struct kept *kept = malloc(sizeof *kept + size);
+    if (!kept)
         return -1;
-    lost->next = NULL;
-    lost->address = address;
-    lost->size = size;
-    memcpy(lost->bytes, bytes, size);
-    *disk->last = lost;
-    disk->last = &lost->next;
+    kept->next = NULL;
+    kept->type = type;
+    kept->address = address;
+    kept->size = size;
+    memcpy(kept->bytes, bytes, size);
+    *disk->last = kept;
+    disk->last = &kept->next;
     return 0;
 }
 
-static herr_t disk_write(H5FD_t *public, H5FD_mem_t type, hid_t transfer, haddr_t address, size_t size, const void *bytes)
+/* Returns the number of bytes that could not be written. */
+static size_t put(struct disk *disk, haddr_t address, size_t size, const unsigned char *bytes)
 {
-    (void)type, (void)transfer;
-    struct disk *disk = (struct disk *)public;
-    if (address + size > disk->end)
-        disk->end = address + size;
-    const unsigned char *from = bytes;
     while (size > 0 && !disk->caller->error) {
-        ssize_t done = pwrite(disk->file, from, size, (off_t)address);
+        ssize_t done = pwrite(disk->file, bytes, size, (off_t)address);
         if (done < 0 && errno == EINTR)
             continue;
         if (done <= 0) {
             disk->caller->error = done < 0 ? errno : ENOSPC;
             break;
         }
-        from += done;
+        bytes += done;
         address += (haddr_t)done;
         size -= (size_t)done;
     }
-    return size > 0 ? keep(disk, address, size, from) : 0;
+    return size;
+}
+
+static herr_t disk_write(H5FD_t *public, H5FD_mem_t type, hid_t transfer, haddr_t address, size_t size, const void *bytes)
+{
+    (void)transfer;
+    struct disk *disk = (struct disk *)public;
+    if (address + size > disk->end)
+        disk->end = address + size;
+    if (renew(disk, type, address, size, bytes))
+        return 0;
+    if (type == H5FD_MEM_SUPER || (type != H5FD_MEM_DRAW && address < disk->flushed))
+        return keep(disk, type, address, size, bytes);
+    size_t left = put(disk, address, size, bytes);
+    return left > 0 ? keep(disk, type, address + (size - left), left, (const unsigned char *)bytes + (size - left)) : 0;
 }
 
 static herr_t disk_read(H5FD_t *public, H5FD_mem_t type, hid_t transfer, haddr_t address, size_t size, void *bytes)
@@ -142,11 +166,10 @@ static herr_t disk_read(H5FD_t *public, H5FD_mem_t type, hid_t transfer, haddr_t
         got += (size_t)done;
     }
     memset((unsigned char *)bytes + got, 0, size - got);
-    for (const struct lost *lost = disk->lost; lost; lost = lost->next) {
-        haddr_t from = lost->address > address ? lost->address : address;
-        haddr_t to = lost->address + lost->size < address + size ? lost->address + lost->size : address + size;
-        if (from < to)
-            memcpy((unsigned char *)bytes + (from - address), lost->bytes + (from - lost->address), (size_t)(to - from));
+    for (const struct kept *kept = disk->kept; kept; kept = kept->next) {
+        size_t in_kept, in_other, common = overlap(kept, address, size, &in_kept, &in_other);
+        if (common > 0)
+            memcpy((unsigned char *)bytes + in_other, kept->bytes + in_kept, common);
     }
     return 0;
 }
@@ -160,6 +183,48 @@ static herr_t disk_truncate(H5FD_t *public, hid_t transfer, hbool_t closing)
     if (!disk->caller->error && ftruncate(disk->file, (off_t)disk->allocated) != 0)
         disk->caller->error = errno;
     disk->end = disk->allocated;
+    return 0;
+}
+
+static void forget(struct disk *disk)
+{
+    while (disk->kept) {
+        struct kept *next = disk->kept->next;
+        free(disk->kept);
+        disk->kept = next;
+    }
+    disk->last = &disk->kept;
+}
+
+/* New blocks are in the file, and nothing there refers to them yet. Each of these steps leaves a file that can be read: the
+ * superblock says how long it is, indices and groups learn of the new blocks, objects learn of the new indices and of their new
+ * size. */
+static herr_t disk_flush(H5FD_t *public, hid_t transfer, hbool_t closing)
+{
+    (void)transfer, (void)closing;
+    struct disk *disk = (struct disk *)public;
+    static const struct {
+        H5FD_mem_t first, second;
+    } steps[] = {{H5FD_MEM_SUPER, H5FD_MEM_SUPER}, {H5FD_MEM_BTREE, H5FD_MEM_LHEAP}, {H5FD_MEM_OHDR, H5FD_MEM_DEFAULT}};
+    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++)
+        for (const struct kept *kept = disk->kept; kept; kept = kept->next)
+            if (kept->type == steps[i].first || kept->type == steps[i].second)
+                put(disk, kept->address, kept->size, kept->bytes);
+    if (disk->caller->error)
+        return 0; /* all is kept: HDF5 may read it */
+    forget(disk);
+    disk->flushed = disk->allocated;
+    return 0;
+}
+
+static herr_t disk_close(H5FD_t *public)
+{
+    struct disk *disk = (struct disk *)public;
+    disk_flush(public, H5P_DEFAULT, true);
+    if (close(disk->file) != 0 && !disk->caller->error)
+        disk->caller->error = errno;
+    forget(disk);
+    free(disk);
     return 0;
 }
 
@@ -180,6 +245,7 @@ static const H5FD_class_t driver = {
     .get_eof = disk_get_eof,
     .read = disk_read,
     .write = disk_write,
+    .flush = disk_flush,
     .truncate = disk_truncate,
     .fl_map = H5FD_FLMAP_DICHOTOMY,
 };

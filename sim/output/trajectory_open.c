@@ -197,7 +197,7 @@ static enum bead_error check_times(struct bead_trajectory *t)
 static enum bead_error read_outcomes(struct bead_trajectory *t)
 {
     size_t n = t->chain_count;
-    bool there = bead_h5_has(&t->h5, BEAD_PROFILE_GROUP "/outcome");
+    bool there = bead_h5_has(&t->h5, BEAD_PROFILE_GROUP "/outcome/evaluations"); /* the last to be written */
     double *values = calloc(n, sizeof *values);
     int64_t *counts = calloc(n, sizeof *counts);
     for (size_t i = 0; values && i < bead_outcome_column_count; i++) {
