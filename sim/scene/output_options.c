@@ -388,7 +388,7 @@ static const struct bead_option table_rows[] = {
      .type = BEAD_OPTION_FLAG,
      .offset = BEAD_OF_OUTPUT(curves.uncertainty),
      .initial = "true",
-     .help = "tables of peaks: a column that says how well each is known, from a second run at ten times the tolerance; false: no "
+     .help = "tables of peaks: a column that says how well each is known, from a second, coarser run; false: no "
              "such run"},
 };
 static const struct bead_option_rows table_shared[] = {
