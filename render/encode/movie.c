@@ -219,32 +219,30 @@ static enum bead_error commit(struct bead_movie *movie, struct bead_message *msg
     return err;
 }
 
-enum bead_error bead_movie_close(struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg)
+/* `whole`: under its own name; else the unfinished file stays, which plays up to here. */
+static enum bead_error conclude(struct bead_movie *movie, bool whole, uint64_t *bytes, struct bead_message *msg)
 {
-    enum bead_error err = finish(movie, true, msg);
-    if (!err)
+    enum bead_error err = finish(movie, whole, msg);
+    if (!err && whole)
         err = commit(movie, msg);
     if (err) {
         bead_movie_abort(movie);
         return err;
     }
     if (bytes)
-        *bytes = bead_file_bytes(movie->path);
+        *bytes = bead_file_bytes(whole ? movie->path : movie->part);
     destroy(movie);
     return BEAD_OK;
 }
 
+enum bead_error bead_movie_close(struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg)
+{
+    return conclude(movie, true, bytes, msg);
+}
+
 enum bead_error bead_movie_stop(struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg)
 {
-    enum bead_error err = finish(movie, false, msg);
-    if (err) {
-        bead_movie_abort(movie);
-        return err;
-    }
-    if (bytes)
-        *bytes = bead_file_bytes(movie->part);
-    destroy(movie);
-    return BEAD_OK;
+    return conclude(movie, false, bytes, msg);
 }
 
 void bead_movie_abort(struct bead_movie *movie)
