@@ -1,4 +1,4 @@
-/* Logarithm, cube root and the power 3/2, with the same bits on every processor. */
+/* Logarithm, cube root and the powers 2/5 and 3/2, with the same bits on every processor. */
 #include "sim/base/elementary.h"
 
 #include <math.h>
@@ -31,6 +31,20 @@ double bead_cbrt(double x)
         return x < small ? 0x1p-100 * bead_cbrt(0x1p300 * x) : 0x1p100 * bead_cbrt(0x1p-300 * x);
     const struct pair square = product(y, y), cube = product(square.high, y);
     return y + ((x - cube.high) - (cube.low + square.low * y)) / (3 * square.high);
+}
+
+/* As bead_cbrt, for y^5 = x^2. */
+double bead_two_fifths(double x)
+{
+    const double y = pow(x, 0.4);
+    if (!(x > 0 && isfinite(x)))
+        return y;
+    if (x < 0x1p-150 || x > 0x1p150)
+        return x < 1 ? 0x1p-120 * bead_two_fifths(0x1p300 * x) : 0x1p120 * bead_two_fifths(0x1p-300 * x);
+    const struct pair wanted = product(x, x), square = product(y, y), fourth = product(square.high, square.high);
+    const struct pair fifth = product(fourth.high, y);
+    const double low = fifth.low + (fourth.low + 2 * square.high * square.low) * y;
+    return y + ((wanted.high - fifth.high) + (wanted.low - low)) / (5 * fourth.high);
 }
 
 /* x sqrt(x), with the remainder of the root. */

@@ -113,21 +113,22 @@ static double bound(const struct bead_chain *chain, size_t k, double energy)
     return high;
 }
 
-/* Cells repeat, so the bounds of the last two different contacts are kept. */
+/* Cells repeat, so the bounds of the last few different contacts are kept: cells of two beads in any order have three. */
+enum { BOUNDS_KEPT = 4 };
 struct bounds {
-    double stiffness[2], start[2], found[2];
+    double stiffness[BOUNDS_KEPT], start[BOUNDS_KEPT], found[BOUNDS_KEPT];
     int next;
 };
 
 static double remembered_bound(struct bounds *known, const struct bead_chain *chain, size_t k, double energy)
 {
     double a = chain->stiffness[k], d0 = chain->static_compression[k];
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < BOUNDS_KEPT; i++) {
         if (known->stiffness[i] == a && known->start[i] == d0)
             return known->found[i];
     }
     int i = known->next;
-    known->next = 1 - i;
+    known->next = (i + 1) % BOUNDS_KEPT;
     known->stiffness[i] = a;
     known->start[i] = d0;
     return known->found[i] = bound(chain, k, energy);
@@ -135,7 +136,7 @@ static double remembered_bound(struct bounds *known, const struct bead_chain *ch
 
 double bead_chain_omega(const struct bead_chain *chain, double energy)
 {
-    struct bounds known = {{0, 0}, {0, 0}, {0, 0}, 0};
+    struct bounds known = {{0}, {0}, {0}, 0};
     double worst = 0, before = 0, here = 0;
     for (size_t k = 0; k < chain->contacts; k++) {
         const struct bead_law_spec *spec = &chain->spec->law;
@@ -157,7 +158,7 @@ double bead_chain_omega(const struct bead_chain *chain, double energy)
 
 double bead_chain_passage(const struct bead_chain *chain, double energy)
 {
-    struct bounds known = {{0, 0}, {0, 0}, {0, 0}, 0};
+    struct bounds known = {{0}, {0}, {0}, 0};
     double time = 0;
     for (size_t k = 0; k < chain->contacts; k++) {
         double d = remembered_bound(&known, chain, k, energy);

@@ -85,7 +85,7 @@ static double hertz_compression(double a, const struct bead_law_spec *spec, doub
 static double hertz_energy_compression(double a, const struct bead_law_spec *spec, double e)
 {
     (void)spec;
-    return e > 0 && a > 0 ? bead_pow(2.5 * e / a, 0.4) : 0;
+    return e > 0 && a > 0 ? bead_two_fifths(2.5 * e / a) : 0;
 }
 
 /* The same as the thesis's program computes it: the last bit may differ. */

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/elementary.h"
 #include "sim/base/wide.h"
 #include "sim/integrate/events_private.h"
 
@@ -45,6 +46,13 @@ static double force_power(const struct bead_patch_rule *rule, double r)
     return rule->hertz ? r * sqrt(r) : pow(r, rule->exponent);
 }
 
+/* Its inverse. bead_pow takes as long as a tenth of a step. */
+static double force_root(const struct bead_patch_rule *rule, double power)
+{
+    const double root = rule->hertz ? bead_cbrt(power) : 0;
+    return rule->hertz ? root * root : bead_pow(power, 1 / rule->exponent);
+}
+
 /* Effect in units of A (h r)^p h/m of a branch point x steps outside. */
 static double loss_outside(double x)
 {
@@ -66,7 +74,7 @@ static void find_limits(struct bead_events *e, double h, double tolerance)
         *(worst * loss_outside(x) > tolerance ? &low : &high) = x;
     }
     e->limits.reach = high;
-    e->limits.slow = alike * bead_pow(tolerance / (BEAD_EFFECT_INSIDE * e->hardest * h), 1 / e->rule.exponent);
+    e->limits.slow = alike * force_root(&e->rule, tolerance / (BEAD_EFFECT_INSIDE * e->hardest * h));
     e->limits.tolerance = tolerance;
     e->limits_h = h;
 }

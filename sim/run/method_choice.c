@@ -46,7 +46,7 @@ static bool never_opens(const struct bead_chain *chain)
 }
 
 /* The method that `auto` picks, and why. */
-static const char *automatic(const struct bead_chain *chain, double accuracy, const char **why)
+static const char *automatic(const struct bead_chain *chain, double share, double accuracy, const char **why)
 {
     if (chain->spec->damping_coefficient > 0) {
         *why = "damping: forces follow velocities";
@@ -60,7 +60,7 @@ static const char *automatic(const struct bead_chain *chain, double accuracy, co
         *why = "the energy cannot open any contact";
         return "rkn8-plain";
     }
-    if (share_of(chain) * accuracy >= low_accuracy) {
+    if (share * accuracy >= low_accuracy) {
         *why = "the requested accuracy is low: contact events need no correction";
         return "rkn8-plain";
     }
@@ -77,7 +77,8 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
 {
     const char *file = chain->scene->file, *why = "as asked";
     const bool any = strcmp(asked->method, "auto") == 0;
-    const char *name = any ? automatic(chain, asked->accuracy, &why) : asked->method;
+    const double share = share_of(chain);
+    const char *name = any ? automatic(chain, share, asked->accuracy, &why) : asked->method;
     const struct bead_method *method = bead_method_row(name);
     if (!method)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: there is no method `%s`: see --list methods", file, name);
@@ -90,7 +91,7 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
                          file, name, chain->law->name);
     *choice = (struct bead_method_choice){method, method->info.theta, method->info.theta_order, method->info.theta_cap, 1, why};
     if (method->events && chain->law->one_sided)
-        choice->share = share_of(chain);
+        choice->share = share;
     if (any && method->tableau && never_opens(chain)) {
         choice->theta = smooth_theta;
         choice->order = smooth_order;

@@ -39,6 +39,7 @@ static void functions_are_right(void **state)
         const double x = number(&seed, i), root = sqrt(x), cube = bead_cbrt(x);
         assert_true(within(bead_log(x), BEAD_WIDE_NAME(log)(x), 2));
         assert_true(within(cube, BEAD_WIDE_NAME(cbrt)(x), 0.5));
+        assert_true(within(bead_two_fifths(x), BEAD_WIDE_NAME(pow)(x, (bead_wide)2 / 5), 0.5));
         if (x < 0x1p600 && x > 0x1p-600)
             assert_true(within(bead_three_halves(x), x * (root + (x - (bead_wide)root * root) / (2 * root)), 0.5));
     }
@@ -50,6 +51,8 @@ static void ends_of_the_range(void **state)
     assert_true(bead_log(1) == 0 && bead_log(0) == -INFINITY && isnan(bead_log(-1)) && bead_log(INFINITY) == INFINITY);
     assert_true(bead_cbrt(0) == 0 && bead_cbrt(27) == 3 && bead_cbrt(INFINITY) == INFINITY);
     assert_true(within(bead_cbrt(DBL_TRUE_MIN), BEAD_WIDE_NAME(cbrt)(DBL_TRUE_MIN), 0.5));
+    assert_true(bead_two_fifths(0) == 0 && bead_two_fifths(32) == 4 && bead_two_fifths(INFINITY) == INFINITY);
+    assert_true(within(bead_two_fifths(DBL_TRUE_MIN), BEAD_WIDE_NAME(pow)(DBL_TRUE_MIN, (bead_wide)2 / 5), 0.5));
     assert_true(bead_three_halves(0) == 0 && bead_three_halves(4) == 8 && bead_three_halves(1e-300) == 0);
     assert_true(bead_three_halves(1e300) == INFINITY);
 }
