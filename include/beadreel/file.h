@@ -20,7 +20,7 @@
 
 BEAD_BEGIN
 
-/* `path` seen from `directory` (NULL or "": the working directory; absolute paths stay as they are).
+/* `path` seen from `directory` (NULL, "" or ".": the working directory; absolute paths stay as they are).
  * *joined belongs to the caller (free), NULL on failure. Errors: MEMORY, IO (empty path). */
 BEAD_API BEAD_CHECK enum bead_error bead_file_join(const char *directory, const char *path, char **joined,
                                                    struct bead_message *msg);

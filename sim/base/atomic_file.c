@@ -31,7 +31,7 @@ enum bead_error bead_file_join(const char *directory, const char *path, char **j
     *joined = NULL;
     if (!path || !*path)
         return bead_fail(msg, BEAD_ERROR_IO, "an output has no file name");
-    if (!directory || !*directory || path[0] == '/')
+    if (!directory || !*directory || strcmp(directory, ".") == 0 || path[0] == '/')
         return concatenate("", "", path, joined, msg);
     return concatenate(directory, directory[strlen(directory) - 1] == '/' ? "" : "/", path, joined, msg);
 }

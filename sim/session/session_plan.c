@@ -70,6 +70,18 @@ static const char *plan_fields(unsigned fields, char *text, size_t size)
     return text;
 }
 
+/* Where samples taken at the trajectory's times come from: --only may leave it out. */
+static const char *plan_sharing(const struct bead_session *s, const struct bead_made *m)
+{
+    if (!m->shared || s->trajectory)
+        return "";
+    for (size_t i = 0; i < s->made_count; i++) {
+        if (s->made[i].output == s->keeper && s->made[i].sink)
+            return " (shared with the trajectory)";
+    }
+    return " (at the times of the trajectory that is skipped)";
+}
+
 static void plan_output(const struct bead_session *s, const struct bead_made *m, FILE *out)
 {
     if (!m->sink) {
@@ -87,7 +99,7 @@ static void plan_output(const struct bead_session *s, const struct bead_made *m,
         fprintf(out, "  samples: %s of %s %zu to %zu, %zu times every %s until %s%s\n",
                 plan_fields(n->fields, fields, sizeof fields), beads ? "beads" : "points", n->beads.first, n->beads.last,
                 bead_grid_count(&n->grid), time_words(s, n->grid.every, false).text, time_words(s, n->grid.end, true).text,
-                m->shared && !s->trajectory ? " (shared with the trajectory)" : "");
+                plan_sharing(s, m));
     } else {
         fprintf(out, "  samples: none\n");
     }

@@ -47,9 +47,16 @@ ok "... is listed before it, though ended after it" test "$(sed -n 's/^both\/\([
 ok "--only" exits 0 "$beadreel" scene.yaml -o only --only peaks.csv
 ok "... makes one file" test "$(ls -A only)" = peaks.csv
 ok "... with the same numbers" cmp all/peaks.csv only/peaks.csv
+ok "--plan of what shares samples" exits 0 "$beadreel" scene.yaml --plan --only run.h5 --only force.png
+ok "... says so" grep -q '(shared with the trajectory)$' out
+ok "... names files as they will be" grep -q '^output force.png: ' out
+ok "--plan without the trajectory" exits 0 "$beadreel" scene.yaml --plan --only force.png
+ok "... shares nothing" bash -c "! grep -q 'shared with' out"
+ok "... but has its times" grep -q '(at the times of the trajectory that is skipped)$' out
 ok "--only twice" bash -c "'$beadreel' scene.yaml -o two --only peaks.csv --only force.png && [ \$(ls two | wc -l) = 2 ]"
 ok "... the same picture" cmp all/force.png two/force.png
-ok "the current directory is the default" bash -c "mkdir here && cd here && '$beadsim' ../scene.yaml --only beads && [ -s beads.csv ]"
+ok "the current directory is the default" bash -c "mkdir here && cd here && '$beadsim' ../scene.yaml --only beads >../out && [ -s beads.csv ]"
+ok "... and not named" grep -q '^beads.csv  ' out
 
 ok "--info of a trajectory" exits 0 "$beadreel" --info all/run.h5
 ok "... measures it" grep -qE '^  peak contact force +[0-9.]+ N$' out
