@@ -11,6 +11,7 @@
 #ifndef BEADREEL_SINK_H
 #define BEADREEL_SINK_H
 
+#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -50,7 +51,8 @@ struct bead_run_context {
     int threads;             /* 1: do everything in the calling thread */
     const char *canvas;      /* back end for what is drawn with GL; NULL: the first that works */
     const char *directory;   /* where relative paths of outputs go */
-    bool claimed;            /* the caller holds claims on all files (file.h); else sinks that write as they go claim their own */
+    const volatile sig_atomic_t *stop; /* non-zero: what takes long ends soon, with STOPPED; NULL: never */
+    bool claimed; /* the caller holds claims on all files (file.h); else sinks that write as they go claim their own */
 };
 
 /* Found by scouting: of the sink's range_field, over all chains. */
@@ -118,8 +120,9 @@ struct bead_sink_type {
     enum bead_error (*begin)(struct bead_sink *sink, struct bead_range range, struct bead_message *msg);
     enum bead_error (*sample)(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg);
     enum bead_error (*end)(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg);
-    /* Instead of `end` where the run was stopped: leave the unfinished file, `path.part`, such that it can be read up to there.
-     * What was finished before under the name itself stays. NULL: a part is worth nothing, it is removed. */
+    /* Instead of `end` where the run was stopped, or after it returned STOPPED: leave the unfinished file, `path.part`, such that
+     * it can be read up to there. What was finished before under the name itself stays. NULL: a part is worth nothing, it is
+     * removed. */
     enum bead_error (*stop)(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg);
     void (*destroy)(struct bead_sink *sink);
     /* For the result line: bytes written so far, and a work measure such as frames; may be NULL. */

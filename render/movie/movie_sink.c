@@ -18,6 +18,7 @@
 #include "render/movie/movie_poster.h"
 #include "render/movie/movie_sink.h"
 #include "render/movie/movie_times.h"
+#include "sim/base/stop.h"
 
 /* Frames between drawing and encoding; bytes of samples between the run and drawing. */
 enum { FRAME_SLOTS = 4, LEAST_SAMPLES = 2, MOST_SAMPLES = 1024 };
@@ -265,6 +266,8 @@ static enum bead_error draw_frames(struct bead_sink *s, double until, struct bea
 {
     while (s->drawn < s->times.frames && bead_movie_time(&s->times, s->drawn) <= until) {
         struct bead_changes changes = {0};
+        if (bead_stop_is_asked(s->context.stop)) /* pauses and cards are many frames of one sample */
+            return bead_fail(msg, BEAD_ERROR_STOPPED, "%s: stopped after %zu frames", s->output->path, s->drawn);
         enum bead_error err = bead_movie_draws(&s->times, s->drawn) ? movie_draw_frame(s, &changes, msg) : BEAD_OK;
         if (!err)
             err = send_frame(s, &changes, msg);
@@ -283,16 +286,12 @@ static enum bead_error take_snapshot(struct bead_sink *s, struct snapshot *snaps
                                  .active = snapshot->active,
                                  .comparison_active = snapshot->comparison_active};
     const double *data = movie_numbers(snapshot);
-    for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++) {
-        if (!(s->fields & BEAD_FIELD_BIT(f)))
+    for (unsigned i = 0; i < 2 * BEAD_FIELD_COUNT; i++) {
+        unsigned f = i % BEAD_FIELD_COUNT;
+        bool first = i < BEAD_FIELD_COUNT;
+        if (!((first ? s->fields : s->comparison) & BEAD_FIELD_BIT(f)))
             continue;
-        sample.field[f] = data;
-        data += field_room(s);
-    }
-    for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++) {
-        if (!(s->comparison & BEAD_FIELD_BIT(f)))
-            continue;
-        sample.comparison[f] = data;
+        *(first ? &sample.field[f] : &sample.comparison[f]) = data;
         data += field_room(s);
     }
     enum bead_error err = bead_composer_feed(s->composer, &sample, msg);
@@ -454,7 +453,7 @@ static enum bead_error movie_stop(struct bead_sink *s, const struct bead_outcome
 {
     (void)outcomes;
     enum bead_error err = finish_pipes(s, msg);
-    if (err)
+    if (err && err != BEAD_ERROR_STOPPED)
         return err;
     credit(s);
     struct bead_movie *movie = s->movie;

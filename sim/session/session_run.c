@@ -123,7 +123,20 @@ static void add_results(struct bead_session *s, const struct bead_made *m)
         s->results[s->result_count++] = (struct bead_result){.path = beside, .bytes = bytes, .items = 1};
 }
 
-/* What works in the background comes last; results are listed in the order of the scene. */
+/* One that has nothing to leave does not keep others from leaving theirs. */
+static enum bead_error stop_all(struct bead_session *s, struct bead_message *msg)
+{
+    enum bead_error worst = BEAD_OK;
+    for (size_t i = 0; i < s->made_count; i++) {
+        struct bead_made *m = &s->made[i];
+        enum bead_error err = m->sink && !m->ended ? session_stop(s, m, msg) : BEAD_OK;
+        worst = worst ? worst : err;
+    }
+    return worst;
+}
+
+/* What works in the background comes last; results are listed in the order of the scene. A stop comes even now: what is finished
+ * stays. */
 static enum bead_error finish_all(struct bead_session *s, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
@@ -138,22 +151,21 @@ static enum bead_error finish_all(struct bead_session *s, struct bead_message *m
         if (s->made[i].sink && s->made[i].ended)
             add_results(s, &s->made[i]);
     }
+    struct bead_message unused;
+    if (err == BEAD_ERROR_STOPPED)
+        (void)stop_all(s, &unused); /* what cannot be left is removed */
     return err;
 }
 
 static enum bead_error session_end(struct bead_session *s, bool stopped, struct bead_message *msg)
 {
-    enum bead_error err = collect_outcomes(s, msg), worst = BEAD_OK;
+    enum bead_error err = collect_outcomes(s, msg);
     s->results = calloc(2 * s->made_count + 1, sizeof *s->results); /* each with a second file, at most */
     if (!err && !s->results)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for results");
-    if (!err && !stopped)
-        return finish_all(s, msg);
-    for (size_t i = 0; !err && i < s->made_count; i++) {
-        enum bead_error one = s->made[i].sink ? session_stop(s, &s->made[i], msg) : BEAD_OK;
-        worst = worst ? worst : one; /* one that has nothing to leave does not keep others from leaving theirs */
-    }
-    return err ? err : worst;
+    if (err)
+        return err;
+    return stopped ? stop_all(s, msg) : finish_all(s, msg);
 }
 
 static enum bead_error session_run(struct bead_session *s, struct bead_consumer *consumers, struct bead_message *msg)

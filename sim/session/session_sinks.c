@@ -105,6 +105,7 @@ enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_mad
                                        .tolerance_factor = s->tolerance_factor,
                                        .threads = s->threads,
                                        .canvas = s->job.canvas,
+                                       .stop = s->job.stop,
                                        .claimed = true,
                                        .directory = s->trajectory || !s->job.output ? "." : s->job.output};
     enum bead_error err = m->type->create(m->output, &context, &m->sink, msg);
