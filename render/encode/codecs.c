@@ -3,6 +3,7 @@
 
 #include "render/encode/file_comment.h"
 
+#include <math.h>
 #include <string.h>
 #include <strings.h>
 
@@ -95,4 +96,9 @@ const struct bead_codec *bead_codec_find(const char *path)
             return &codecs[i];
     }
     return NULL;
+}
+
+size_t bead_codec_group(const struct bead_codec *codec, double fps)
+{
+    return codec->most_fps ? (size_t)fmax(1, ceil(fps / codec->most_fps - 1e-6)) : 1;
 }

@@ -229,8 +229,7 @@ static enum bead_error libav_open(struct bead_movie *movie, struct bead_message 
     silence(e);
     double fps = movie->settings.fps;
     e->frame_time = av_inv_q(e->av.av_d2q(fps, 100100));
-    e->group = movie->codec->most_fps ? (int64_t)((fps + movie->codec->most_fps - 1e-6) / movie->codec->most_fps) : 1;
-    e->group = e->group < 1 ? 1 : e->group;
+    e->group = (int64_t)bead_codec_group(movie->codec, fps);
     err = open_format(movie, msg);
     if (!err)
         err = open_codec(movie, msg);

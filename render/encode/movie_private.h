@@ -60,6 +60,8 @@ struct bead_codec {
 
 /* By the extension of `path`, in any case of letters; NULL: none. */
 const struct bead_codec *bead_codec_find(const char *path);
+/* So many frames are one picture in the file, to stay below its most_fps; usually 1. */
+size_t bead_codec_group(const struct bead_codec *codec, double fps);
 
 struct bead_movie {
     const struct bead_codec *codec;

@@ -105,11 +105,10 @@ static enum bead_error choose_size(struct bead_sink *s, struct bead_message *msg
 
 static void movie_describe(struct bead_sink *s)
 {
-    char every[48], drawn[48] = "";
+    char every[48], frames[96];
     bead_quantity(s->times.step, bead_chain_time_unit(s->context.chains[0]), 3, every, sizeof every);
-    if (s->times.group > 1)
-        snprintf(drawn, sizeof drawn, " (%zu of them drawn)", bead_movie_pictures(&s->times));
-    snprintf(s->why, sizeof s->why, "%zu frames%s of %d x %d pixels, every %s", s->times.frames, drawn, s->width, s->height, every);
+    bead_movie_count_words(&s->times, s->output, frames, sizeof frames);
+    snprintf(s->why, sizeof s->why, "%s of %d x %d pixels, every %s", frames, s->width, s->height, every);
 }
 
 static void movie_destroy(struct bead_sink *s)
@@ -158,7 +157,8 @@ static enum bead_error movie_prepare(struct bead_sink *s, struct bead_message *m
     s->last_bead = s->output->shown.beads.last < s->last_bead ? s->output->shown.beads.last : s->last_bead;
     if (s->output->shown.beads.first > s->last_bead)
         return wrong(s, "beads: no chain has so many beads", msg);
-    movie_describe(s);
+    if (!err)
+        movie_describe(s);
     return err;
 }
 

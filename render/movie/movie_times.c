@@ -2,7 +2,9 @@
 #include "render/movie/movie_times.h"
 
 #include <math.h>
+#include <stdio.h>
 
+#include "render/encode/movie_private.h"
 #include "render/movie/composer.h"
 
 static const double most_frames = 1e7, most_samples = 1e9;
@@ -94,4 +96,17 @@ size_t bead_movie_pictures(const struct bead_movie_times *t)
 {
     size_t motion = t->frames - t->card - 1; /* but the last */
     return t->card + (motion + t->group - 1) / t->group + 1;
+}
+
+void bead_movie_count_words(const struct bead_movie_times *t, const struct bead_output *output, char *text, size_t size)
+{
+    const struct bead_codec *codec = bead_codec_find(output->path);
+    size_t group = bead_codec_group(codec, output->movie.fps);
+    if (group > 1 && group >= t->group)
+        snprintf(text, size, "%zu frames (%zu of them in the file: %s has at most %d a second)", t->frames,
+                 (t->frames + group - 1) / group, codec->info.extension, codec->most_fps);
+    else if (t->group > 1)
+        snprintf(text, size, "%zu frames (%zu of them drawn)", t->frames, bead_movie_pictures(t));
+    else
+        snprintf(text, size, "%zu frames", t->frames);
 }

@@ -24,5 +24,7 @@ double bead_movie_film_time(const struct bead_movie_times *times, double motion,
 bool bead_movie_draws(const struct bead_movie_times *times, size_t index);
 /* How many of the frames have. */
 size_t bead_movie_pictures(const struct bead_movie_times *times);
+/* "120 frames (60 of them in the file: gif has at most 50 a second)", of the movie `output`. */
+void bead_movie_count_words(const struct bead_movie_times *times, const struct bead_output *output, char *text, size_t size);
 
 #endif

@@ -58,7 +58,8 @@ static const struct bead_option movie_rows[] = {
      .initial = "60",
      .low = 1,
      .high = 240,
-     .help = "frames per second",
+     .help = "frames per second; a GIF has at most 50, its delays being whole hundredths of a second of which players want two: "
+             "of more, every second frame is in it, or every third and so on",
      .example = "30"},
     {.key = "duration",
      .offset = BEAD_OF_OUTPUT(movie.duration),

@@ -90,11 +90,49 @@ static void drafts_show_pictures_for_longer(void **state)
     }
 }
 
+/* The pictures in a GIF are as many as the plan says. */
+static void plans_count_what_is_in_a_gif(void **state)
+{
+    (void)state;
+    static const struct {
+        int fps;
+        size_t frames, kept;
+    } gifs[] = {{25, 25, 25}, {40, 40, 40},   {50, 50, 50},   {51, 51, 26},
+                {60, 60, 30}, {100, 100, 50}, {120, 120, 40}, {240, 240, 48}};
+    for (size_t i = 0; i < sizeof gifs / sizeof gifs[0]; i++) {
+        char scene[512], text[600], path[512], plan[4096] = "", said[160];
+        static struct decoded movie;
+        snprintf(text, sizeof text,
+                 "chain: {beads: [{bead: large-steel, count: 9}]}\nsimulate: {until: 0.3 ms}\n"
+                 "outputs: [{movie: film.gif, size: [160, 120], fps: %d, duration: 1 s}]\n",
+                 gifs[i].fps);
+        write_scene(text, scene);
+        struct bead_session *session = play_session((struct bead_job){.input = scene, .output = directory});
+        FILE *out = fmemopen(plan, sizeof plan, "w");
+        assert_non_null(out);
+        assert_int_equal(bead_session_plan(session, out, NULL), BEAD_OK);
+        fclose(out);
+        bead_session_close(session);
+        snprintf(path, sizeof path, "%s/film.gif", directory);
+        decode(path, &movie);
+        assert_int_equal(movie.count, gifs[i].kept);
+        decoded_free(&movie);
+        if (gifs[i].kept < gifs[i].frames)
+            snprintf(said, sizeof said, ": %zu frames (%zu of them in the file: gif has at most 50 a second) of", gifs[i].frames,
+                     gifs[i].kept);
+        else
+            snprintf(said, sizeof said, ": %zu frames of", gifs[i].frames);
+        if (!strstr(plan, said))
+            fail_msg("%s: not in the plan: %s", said, plan);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_are_counted),
         cmocka_unit_test(drafts_show_pictures_for_longer),
+        cmocka_unit_test(plans_count_what_is_in_a_gif),
     };
     return cmocka_run_group_tests_name("movie_times", tests, make_directory, remove_directory);
 }
