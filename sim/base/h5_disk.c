@@ -144,8 +144,10 @@ static herr_t disk_write(H5FD_t *public, H5FD_mem_t type, hid_t transfer, haddr_
         disk->end = address + size;
     if (renew(disk, type, address, size, bytes))
         return 0;
-    if (type == H5FD_MEM_SUPER || (type != H5FD_MEM_DRAW && address < disk->flushed))
-        return keep(disk, type, address, size, bytes);
+    const bool held = type == H5FD_MEM_SUPER || (type != H5FD_MEM_DRAW && address < disk->flushed);
+    if (held && keep(disk, type, address, size, bytes) == 0)
+        return 0;
+    /* What there is no memory to hold is written at once: rather that than a failure that HDF5 sees. */
     size_t left = put(disk, address, size, bytes);
     return left > 0 ? keep(disk, type, address + (size - left), left, (const unsigned char *)bytes + (size - left)) : 0;
 }
