@@ -131,6 +131,9 @@ struct bead_sink_type {
     const char *(*makers)(const struct bead_sink *sink);
     /* A second file, such as a movie's poster: where it goes (the sink's), and bytes written so far. NULL: none. May be NULL. */
     const char *(*beside)(const struct bead_sink *sink, uint64_t *bytes);
+    /* Does `create` look at arrays of the chains, such as the places of beads? Else they need not be built for a plan: until
+     * `begin` only functions may be asked that return no arrays. NULL: it does not. */
+    bool (*looks_at_beads)(const struct bead_output *output);
 };
 
 /* The sinks that need no graphics: trajectory, tables. NULL-terminated. */

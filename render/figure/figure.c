@@ -89,13 +89,19 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
     return err;
 }
 
+bool bead_figure_looks_at_beads(const struct bead_output *output)
+{
+    return !bead_views_all(output->views.kinds, output->views.count, BEAD_SHOWS_ALL_TIMES);
+}
+
 static enum bead_error make_cells(struct bead_figure *f, const enum bead_view_kind *views, struct bead_message *msg)
 {
     f->cells = calloc(f->context.chain_count, sizeof *f->cells);
     if (!f->cells)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
-    double magnify =
-        f->output->views.magnify > 0 ? f->output->views.magnify : bead_magnify_auto(f->context.chains, f->context.chain_count);
+    double magnify = f->output->views.magnify;
+    if (!(magnify > 0))
+        magnify = bead_figure_looks_at_beads(f->output) ? bead_magnify_auto(f->context.chains, f->context.chain_count) : 1;
     enum bead_error err = BEAD_OK;
     for (size_t c = 0; !err && c < f->context.chain_count; c++) {
         if (!is_shown(f, c, views, f->view_count))

@@ -25,6 +25,8 @@ struct bead_part_settings {
     bool no_across, no_upwards; /* no labels on the horizontal or vertical outer axis: a neighbouring panel has them */
 };
 
+/* Views of one moment are laid out by their beads: see struct bead_sink_type. */
+bool bead_figure_looks_at_beads(const struct bead_output *output);
 /* `settings`: of a panel; NULL: the figure has the page for itself. Errors: SCENE (with the output's place), MEMORY, IO and FORMAT
  * of colour maps. */
 BEAD_CHECK enum bead_error bead_figure_create(const struct bead_output *output, const struct bead_run_context *context,

@@ -123,6 +123,7 @@ static const char *figure_painter(const struct bead_still *still)
 const struct bead_still_kind bead_figure_still = {
     .wanted = figure_wanted,
     .create = figure_create,
+    .looks_at_beads = bead_figure_looks_at_beads,
     .needs = figure_needs,
     .feed = figure_feed,
     .write = figure_write,

@@ -180,9 +180,18 @@ static const char *panels_painter(const struct bead_still *s)
     return s->painter;
 }
 
+static bool panels_look_at_beads(const struct bead_output *output)
+{
+    bool any = output->still.panel_count == 0 && bead_figure_looks_at_beads(output);
+    for (size_t p = 0; p < output->still.panel_count; p++)
+        any = any || bead_figure_looks_at_beads(&output->still.panels[p]);
+    return any;
+}
+
 const struct bead_still_kind bead_panels = {
     .wanted = panels_wanted,
     .create = panels_create,
+    .looks_at_beads = panels_look_at_beads,
     .needs = panels_needs,
     .feed = panels_feed,
     .write = panels_write,

@@ -85,6 +85,7 @@ static enum bead_error plot_write(struct bead_still *s, const struct bead_outcom
 const struct bead_still_kind bead_drawing_still = {
     .wanted = drawing_wanted,
     .create = plot_create,
+    .looks_at_beads = drawing_wanted, /* to try it for room */
     .needs = drawing_needs,
     .feed = drawing_feed,
     .write = drawing_write,

@@ -37,6 +37,12 @@ static const struct bead_still_kind *still_kind_of(const struct bead_output *out
     return kinds[k];
 }
 
+static bool still_looks_at_beads(const struct bead_output *output)
+{
+    const struct bead_still_kind *kind = still_kind_of(output);
+    return kind->looks_at_beads && kind->looks_at_beads(output);
+}
+
 static enum bead_error still_create(const struct bead_output *output, const struct bead_run_context *context,
                                     struct bead_sink **sink, struct bead_message *msg)
 {
@@ -89,10 +95,11 @@ static void still_result(const struct bead_sink *sink, uint64_t *bytes, uint64_t
     *items = 1;
 }
 
-#define STILL(title, words, of)                                                                                            \
-    {                                                                                                                      \
-        .name = title, .help = words, .kind = of, .create = still_create, .needs = still_needs, .begin = still_begin,      \
-        .sample = still_sample, .end = still_end, .destroy = still_destroy, .result = still_result, .makers = still_makers \
+#define STILL(title, words, of)                                                                                             \
+    {                                                                                                                       \
+        .name = title, .help = words, .kind = of, .create = still_create, .needs = still_needs, .begin = still_begin,       \
+        .sample = still_sample, .end = still_end, .destroy = still_destroy, .result = still_result, .makers = still_makers, \
+        .looks_at_beads = still_looks_at_beads                                                                              \
     }
 
 const struct bead_sink_type bead_image_sink =

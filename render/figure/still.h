@@ -20,6 +20,8 @@ struct bead_still_kind {
                              struct bead_message *msg);
     /* What painted its beads, after `write`; "": nothing had to be painted. NULL: this kind paints nothing. */
     const char *(*painter)(const struct bead_still *still);
+    /* As in struct bead_sink_type. */
+    bool (*looks_at_beads)(const struct bead_output *output);
     void (*destroy)(struct bead_still *still);
 };
 

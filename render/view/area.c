@@ -64,6 +64,13 @@ static struct share area_share_of(const struct bead_area *a, size_t i)
     return (struct share){cell - next, next, row, next > 0 ? row + 1 : row};
 }
 
+/* With the first sample: pictures that are only planned write to no array of beads, and take no memory for them. */
+static void find_shares(struct bead_area *a)
+{
+    for (size_t i = 0; a->shares && i < a->beads; i++)
+        a->shares[i] = area_share_of(a, i);
+}
+
 /* A pixel narrower than a bead lies within one cell or across the border of two. Lengths are in units of 1/pixels of a bead. */
 static void find_levels(struct bead_area *a)
 {
@@ -111,8 +118,6 @@ enum bead_error bead_area_create(const struct bead_area_setup *setup, struct bea
         *area = NULL;
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image of %d x %d pixels", setup->columns, setup->places);
     }
-    for (size_t i = 0; a->shares && i < a->beads; i++)
-        a->shares[i] = area_share_of(a, i);
     if (a->level)
         find_levels(a);
     for (size_t r = 0; r < a->rows; r++) {
@@ -269,8 +274,10 @@ void bead_area_feed(struct bead_area *area, double time, const double *values, s
     size_t first = a->setup.beads.first, count = active > first ? active - first : 0;
     count = count < a->beads ? count : a->beads;
     values += first;
-    if (!a->started)
+    if (!a->started) {
+        find_shares(a);
         remember_rest(a, values, count);
+    }
     size_t touched = into_rows(a, values, count, a->now);
     size_t lit = larger(touched, a->lit_before);
     set_at_rest(a, a->now, touched, lit);

@@ -8,9 +8,6 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* Less is not worth asking for. */
-static const uint64_t small = 64u << 20;
-
 /* What can be had without ending other programs: free and cached memory, and free swap. */
 static uint64_t machine_left(void)
 {
@@ -54,7 +51,7 @@ uint64_t bead_memory_left(void)
 
 enum bead_error bead_memory_check(uint64_t bytes, const char *what, struct bead_message *msg)
 {
-    if (bytes <= small)
+    if (bytes <= BEAD_MEMORY_SMALL)
         return BEAD_OK;
     uint64_t left = bead_memory_left();
     if (bytes <= left)

@@ -1,4 +1,5 @@
-/* Makes a chain from its part of the scene: beads, spins, contacts and their static forces. Runs take it from here, unchanged. */
+/* Makes a chain from its part of the scene: first its outline, which plans need, then the arrays of its beads and contacts. Runs
+ * take it from here, unchanged. */
 #include "beadreel/chain.h"
 
 #include <inttypes.h>
@@ -10,6 +11,7 @@
 #include "sim/base/memory.h"
 #include "sim/base/wide.h"
 #include "sim/chain/chain_data.h"
+#include "sim/chain/contact_walk.h"
 #include "sim/chain/spins.h"
 #include "sim/chain/system.h"
 
@@ -44,23 +46,38 @@ static size_t count_spins(const struct bead_chain_spec *spec)
     return spins;
 }
 
+uint64_t bead_chain_bytes(const struct bead_chain *chain)
+{
+    return chain->beads * (sizeof *chain->material + 7 * sizeof(double));
+}
+
 /* Arrays of all beads are filled at once: rather refuse what does not fit than be ended by the system halfway. */
 static enum bead_error check_memory(const struct bead_chain *chain, struct bead_message *msg)
 {
     char what[128];
     struct bead_place place = chain->spec->place;
     snprintf(what, sizeof what, "%.64s:%zu:%zu: chain: %zu beads", chain->scene->file, place.line, place.column, chain->beads);
-    return bead_memory_check(chain->beads * (sizeof *chain->material + 7 * sizeof(double)), what, msg);
+    return bead_memory_check(bead_chain_bytes(chain), what, msg);
+}
+
+static void free_arrays(struct bead_chain *chain)
+{
+    double **array[] = {&chain->mass,         &chain->inverse_mass,      &chain->radius, &chain->position, &chain->stiffness,
+                        &chain->static_force, &chain->static_compression};
+    for (size_t i = 0; i < sizeof array / sizeof *array; i++) {
+        free(*array[i]);
+        *array[i] = NULL;
+    }
+    free(chain->material);
+    chain->material = NULL;
 }
 
 static enum bead_error allocate(struct bead_chain *chain, struct bead_message *msg)
 {
-    size_t n = chain->beads, spins = count_spins(chain->spec), sensors = 0;
+    size_t n = chain->beads;
     enum bead_error err = check_memory(chain, msg);
     if (err)
         return err;
-    for (size_t s = 0; s < chain->spec->segment_count; s++)
-        sensors += chain->spec->segments[s].sensor != NULL;
     chain->material = calloc(n, sizeof *chain->material);
     chain->mass = calloc(n, sizeof(double));
     chain->inverse_mass = calloc(n, sizeof(double));
@@ -69,11 +86,12 @@ static enum bead_error allocate(struct bead_chain *chain, struct bead_message *m
     chain->stiffness = calloc(n, sizeof(double));
     chain->static_force = calloc(n, sizeof(double));
     chain->static_compression = calloc(n, sizeof(double));
-    chain->spins = calloc(spins + 1, 1);
-    chain->sensors = calloc(sensors + 1, sizeof *chain->sensors);
     bool all = chain->material && chain->mass && chain->inverse_mass && chain->radius && chain->position && chain->stiffness &&
-               chain->static_force && chain->static_compression && chain->spins && chain->sensors;
-    return all ? BEAD_OK : out_of_memory(msg);
+               chain->static_force && chain->static_compression;
+    if (all)
+        return BEAD_OK;
+    free_arrays(chain);
+    return out_of_memory(msg);
 }
 
 /* Spins of one segment into `digits`. */
@@ -85,44 +103,6 @@ static void write_spins(const struct bead_segment *segment, char *digits)
         bead_spins_draw(digits, segment->count, segment->magnetism, segment->seed, 0);
     else
         memset(digits, segment->spins == BEAD_SPINS_UP ? '1' : '0', segment->count);
-}
-
-/* Place the beads of one segment from bead `at` on; returns the next free bead. */
-static size_t lay_segment(struct bead_chain *chain, const struct bead_segment *segment, size_t at, char *spins)
-{
-    size_t length = segment->cell_beads;
-    if (length > 1)
-        write_spins(segment, spins);
-    for (size_t cell = 0; cell < segment->count; cell++) {
-        bool reversed = length > 1 && spins[cell] == '0';
-        for (size_t i = 0; i < length; i++)
-            chain->material[at++] = segment->cell[reversed ? length - 1 - i : i];
-    }
-    return at;
-}
-
-static void lay_beads(struct bead_chain *chain)
-{
-    const struct bead_chain_spec *spec = chain->spec;
-    size_t at = 1, spins = 0;
-    chain->material[0] = spec->striker_material;
-    for (size_t s = 0; s < spec->segment_count; s++) {
-        const struct bead_segment *segment = &spec->segments[s];
-        if (segment->sensor)
-            chain->sensors[chain->sensor_count++] = (struct bead_sensor){segment->sensor, at};
-        at = lay_segment(chain, segment, at, chain->spins + spins);
-        spins += segment->cell_beads > 1 ? segment->count : 0;
-    }
-    for (size_t i = 0; i < chain->beads; i++) {
-        const struct bead_material *material = &chain->scene->materials[chain->material[i]];
-        chain->mass[i] = material->mass;
-        chain->inverse_mass[i] = 1 / material->mass;
-        chain->radius[i] = material->radius;
-    }
-    /* From bead 1 outwards, the striker at its left. */
-    chain->position[0] = -(chain->radius[0] + chain->radius[1]);
-    for (size_t i = 2; i < chain->beads; i++)
-        chain->position[i] = chain->position[i - 1] + chain->radius[i - 1] + chain->radius[i];
 }
 
 /* The magnetism is that of the cells whose spins the scene gives; fixed cells beside them do not count. */
@@ -141,81 +121,133 @@ static double find_magnetism(const struct bead_chain *chain)
     return all[given] > 0 ? fabs(2 * up[given] - all[given]) / all[given] : 1;
 }
 
-static double stiffness_of(const struct bead_chain *chain, size_t k)
+static enum bead_error draw_spins(struct bead_chain *chain, struct bead_message *msg)
 {
-    const struct bead_law_spec *law = &chain->spec->law;
-    const struct bead_material *materials = chain->scene->materials, *left = &materials[chain->material[k]];
-    bool at_wall = k + 1 == chain->beads;
-    if (at_wall && chain->spec->wall == BEAD_WALL_RIGID)
-        return law->row->coefficient(law, left, NULL, true);
-    const struct bead_material *right = &materials[at_wall ? chain->spec->wall_material : chain->material[k + 1]];
-    return law->row->coefficient(law, left, right, at_wall);
+    const struct bead_chain_spec *spec = chain->spec;
+    char *spin = chain->spins = calloc(count_spins(spec) + 1, 1);
+    if (!spin)
+        return out_of_memory(msg);
+    for (size_t s = 0; s < spec->segment_count; s++) {
+        if (spec->segments[s].cell_beads == 1)
+            continue;
+        write_spins(&spec->segments[s], spin);
+        spin += spec->segments[s].count;
+    }
+    chain->magnetism = find_magnetism(chain);
+    return BEAD_OK;
 }
 
-/* Static force: precompression, and on a tilt the weight of the beads above (the striker has not landed yet,
- * so its own weight stays out of balance). The stored force is that of the stored compression, to the bit,
- * so that a chain at rest feels exactly nothing. */
-static void compress(struct bead_chain *chain)
+static enum bead_error find_sensors(struct bead_chain *chain, struct bead_message *msg)
 {
-    double weight = 0, slope = gravity * bead_sin(chain->spec->tilt);
-    for (size_t k = 0; k < chain->contacts; k++) {
-        weight += k > 0 ? chain->mass[k] * slope : 0;
-        double force = chain->spec->precompression + weight, a = chain->stiffness[k];
-        if (!(force > 0)) /* zero already: pages that nobody writes to cost nothing */
-            continue;
-        double d = chain->law->compression(a, &chain->spec->law, force);
-        chain->static_compression[k] = d;
-        chain->static_force[k] = chain->law->force(a, &chain->spec->law, d);
+    const struct bead_chain_spec *spec = chain->spec;
+    size_t sensors = 0, at = 1;
+    for (size_t s = 0; s < spec->segment_count; s++)
+        sensors += spec->segments[s].sensor != NULL;
+    chain->sensors = calloc(sensors + 1, sizeof *chain->sensors);
+    if (!chain->sensors)
+        return out_of_memory(msg);
+    for (size_t s = 0; s < spec->segment_count; s++) {
+        if (spec->segments[s].sensor)
+            chain->sensors[chain->sensor_count++] = (struct bead_sensor){spec->segments[s].sensor, at};
+        at += spec->segments[s].cell_beads * spec->segments[s].count;
     }
-    chain->striker_force = chain->mass[0] * slope;
+    return BEAD_OK;
 }
 
 /* Masses have been checked with their materials. */
-static enum bead_error chain_check(const struct bead_chain *chain, struct bead_message *msg)
+static enum bead_error check_contacts(const struct bead_chain *chain, struct bead_message *msg)
 {
-    for (size_t k = 0; k < chain->contacts; k++) {
-        if (!(chain->stiffness[k] > 0) || !isfinite(chain->stiffness[k]) || !isfinite(chain->static_compression[k]))
+    struct bead_contact_walk w;
+    for (bead_contact_walk_start(&w, chain, true); bead_contact_walk_next(&w);) {
+        if (!(w.stiffness > 0) || !isfinite(w.stiffness) || !isfinite(w.static_compression))
             return wrong(chain, chain->spec->place, msg,
                          "chain: a contact's stiffness is not a positive finite number: check materials and law");
     }
     return BEAD_OK;
 }
 
-/* Points of an equation: masses of 1 where there are masses; the arrays of contacts stay zero. */
-static enum bead_error fill_points(struct bead_chain *chain, struct bead_message *msg)
+static enum bead_error outline(struct bead_chain *chain, struct bead_message *msg)
 {
-    const struct bead_equation_spec *spec = &chain->spec->equation;
-    double first = 0, spacing = 1;
-    chain->beads = chain->system->points(spec, chain->scene->simulate.accuracy);
-    enum bead_error err = allocate(chain, msg);
-    if (err)
+    const struct bead_chain_spec *spec = chain->spec;
+    if (!chain->system) {
+        chain->beads = count_beads(spec);
+        chain->contacts = chain->beads - (spec->wall == BEAD_WALL_NONE);
+        chain->slope = gravity * bead_sin(spec->tilt);
+        chain->striker_mass = chain->scene->materials[spec->striker_material].mass;
+        chain->striker_force = chain->striker_mass * chain->slope;
+    } else {
+        chain->beads = chain->system->points(&spec->equation, chain->scene->simulate.accuracy);
+        chain->striker_mass = 1;
+    }
+    enum bead_error err = draw_spins(chain, msg);
+    if (!err)
+        err = find_sensors(chain, msg);
+    if (!err)
+        err = check_contacts(chain, msg);
+    if (err || chain->system)
         return err;
-    chain->system->places(spec, chain->beads, &first, &spacing);
+    const double energy = bead_chain_energy(chain);
+    chain->energy = NAN; /* until omega is known */
+    chain->omega = bead_chain_omega(chain, energy);
+    chain->energy = energy;
+    return BEAD_OK;
+}
+
+/* Points of an equation: masses of 1 where there are masses; the arrays of contacts stay zero. */
+static void lay_points(struct bead_chain *chain)
+{
+    double first = 0, spacing = 1;
+    chain->system->places(&chain->spec->equation, chain->beads, &first, &spacing);
     for (size_t i = 0; i < chain->beads; i++) {
         chain->mass[i] = chain->inverse_mass[i] = 1;
         chain->radius[i] = radius_of_points * spacing;
         chain->position[i] = first + (double)i * spacing;
     }
-    chain->magnetism = 1;
-    return BEAD_OK;
 }
 
-static enum bead_error chain_fill(struct bead_chain *chain, struct bead_message *msg)
+static void lay_contacts(struct bead_chain *chain)
 {
-    const struct bead_chain_spec *spec = chain->spec;
-    if (chain->system)
-        return fill_points(chain, msg);
-    chain->beads = count_beads(spec);
-    chain->contacts = chain->beads - (spec->wall == BEAD_WALL_NONE);
+    struct bead_contact_walk w;
+    for (bead_contact_walk_start(&w, chain, false); bead_contact_walk_next(&w);) {
+        chain->material[w.k] = w.left;
+        if (w.k + 1 < chain->beads)
+            chain->material[w.k + 1] = w.right;
+        chain->stiffness[w.k] = w.stiffness;
+        if (!(w.static_force > 0)) /* zero already: pages that nobody writes to cost nothing */
+            continue;
+        chain->static_compression[w.k] = w.static_compression;
+        chain->static_force[w.k] = w.static_force;
+    }
+}
+
+static void lay_beads(struct bead_chain *chain)
+{
+    for (size_t i = 0; i < chain->beads; i++) {
+        const struct bead_material *material = &chain->scene->materials[chain->material[i]];
+        chain->mass[i] = material->mass;
+        chain->inverse_mass[i] = 1 / material->mass;
+        chain->radius[i] = material->radius;
+    }
+    /* From bead 1 outwards, the striker at its left. */
+    chain->position[0] = -(chain->radius[0] + chain->radius[1]);
+    for (size_t i = 2; i < chain->beads; i++)
+        chain->position[i] = chain->position[i - 1] + chain->radius[i - 1] + chain->radius[i];
+}
+
+enum bead_error bead_chain_lay(struct bead_chain *chain, struct bead_message *msg)
+{
+    if (chain->mass)
+        return BEAD_OK;
     enum bead_error err = allocate(chain, msg);
     if (err)
         return err;
-    lay_beads(chain);
-    chain->magnetism = find_magnetism(chain);
-    for (size_t k = 0; k < chain->contacts; k++)
-        chain->stiffness[k] = stiffness_of(chain, k);
-    compress(chain);
-    return chain_check(chain, msg);
+    if (chain->system) {
+        lay_points(chain);
+    } else {
+        lay_contacts(chain);
+        lay_beads(chain);
+    }
+    return BEAD_OK;
 }
 
 enum bead_error bead_chain_create(const struct bead_scene *scene, size_t index, struct bead_chain **chain, struct bead_message *msg)
@@ -226,8 +258,8 @@ enum bead_error bead_chain_create(const struct bead_scene *scene, size_t index, 
     return bead_chain_create_of(scene, &scene->chains[index], chain, msg);
 }
 
-enum bead_error bead_chain_create_of(const struct bead_scene *scene, const struct bead_chain_spec *spec, struct bead_chain **chain,
-                                     struct bead_message *msg)
+enum bead_error bead_chain_outline(const struct bead_scene *scene, const struct bead_chain_spec *spec, struct bead_chain **chain,
+                                   struct bead_message *msg)
 {
     *chain = NULL;
     struct bead_chain *made = calloc(1, sizeof *made);
@@ -237,7 +269,7 @@ enum bead_error bead_chain_create_of(const struct bead_scene *scene, const struc
     made->spec = spec;
     made->law = spec->law.row;
     made->system = made->spec->equation.system;
-    enum bead_error err = chain_fill(made, msg);
+    enum bead_error err = outline(made, msg);
     if (err)
         bead_chain_destroy(made);
     else
@@ -245,18 +277,24 @@ enum bead_error bead_chain_create_of(const struct bead_scene *scene, const struc
     return err;
 }
 
+enum bead_error bead_chain_create_of(const struct bead_scene *scene, const struct bead_chain_spec *spec, struct bead_chain **chain,
+                                     struct bead_message *msg)
+{
+    enum bead_error err = bead_chain_outline(scene, spec, chain, msg);
+    if (!err)
+        err = bead_chain_lay(*chain, msg);
+    if (err) {
+        bead_chain_destroy(*chain);
+        *chain = NULL;
+    }
+    return err;
+}
+
 void bead_chain_destroy(struct bead_chain *chain)
 {
     if (!chain)
         return;
-    free(chain->material);
-    free(chain->mass);
-    free(chain->inverse_mass);
-    free(chain->radius);
-    free(chain->position);
-    free(chain->stiffness);
-    free(chain->static_force);
-    free(chain->static_compression);
+    free_arrays(chain);
     free(chain->spins);
     free(chain->sensors);
     free(chain);

@@ -1,7 +1,7 @@
 /* What others ask a chain: its beads and contacts, its energy, and the bound on its frequencies from which the step follows. */
 #include <math.h>
 
-#include "sim/chain/chain_data.h"
+#include "sim/chain/contact_walk.h"
 
 const char *bead_chain_name(const struct bead_chain *chain)
 {
@@ -85,85 +85,87 @@ static const double tilt_reach = 1e-3;
 double bead_chain_energy(const struct bead_chain *chain)
 {
     double v = chain->spec->striker_velocity;
-    return 0.5 * chain->mass[0] * v * v + chain->striker_force * tilt_reach;
+    return 0.5 * chain->striker_mass * v * v + chain->striker_force * tilt_reach;
 }
 
-/* Energy of contact k above its static state at compression d. */
-static double excess(const struct bead_chain *chain, size_t k, double d)
+/* Energy of a contact above its static state at compression d. */
+static double excess(const struct bead_contact_walk *w, double d)
 {
-    const struct bead_law_spec *spec = &chain->spec->law;
-    double a = chain->stiffness[k], d0 = chain->static_compression[k];
-    return chain->law->energy(a, spec, d) - chain->law->energy(a, spec, d0) - chain->static_force[k] * (d - d0);
+    const struct bead_law_spec *law = &w->chain->spec->law;
+    return law->row->energy(w->stiffness, law, d) - law->row->energy(w->stiffness, law, w->static_compression) -
+           w->static_force * (d - w->static_compression);
 }
 
-/* Largest compression of contact k that `energy` allows: of the contact alone, or with a static part by bisection. */
-static double bound(const struct bead_chain *chain, size_t k, double energy)
+/* Largest compression of a contact that `energy` allows: of the contact alone, or with a static part by bisection. */
+static double bound(const struct bead_contact_walk *w, double energy)
 {
-    double d0 = chain->static_compression[k];
-    double high = d0 + chain->law->energy_compression(chain->stiffness[k], &chain->spec->law, energy);
+    const struct bead_law_spec *law = &w->chain->spec->law;
+    double d0 = w->static_compression, high = d0 + law->row->energy_compression(w->stiffness, law, energy);
     if (d0 == 0)
         return high;
-    while (excess(chain, k, high) < energy && high < 1e30)
+    while (excess(w, high) < energy && high < 1e30)
         high = d0 + 2 * (high - d0);
     double low = d0;
     for (int i = 0; i < 40; i++) {
         double middle = 0.5 * (low + high);
-        *(excess(chain, k, middle) < energy ? &low : &high) = middle;
+        *(excess(w, middle) < energy ? &low : &high) = middle;
     }
     return high;
 }
 
 /* Cells repeat, so the bounds of the last few different contacts are kept: cells of two beads in any order have three. */
-enum { BOUNDS_KEPT = 4 };
+enum { BOUNDS = 4 };
+struct hardest {
+    double stiffness, start; /* of the contact: what it is known by */
+    double pushed, either; /* N/m: the largest stiffness that the energy allows, of pushing contacts, and of those that pull, too */
+};
 struct bounds {
-    double stiffness[BOUNDS_KEPT], start[BOUNDS_KEPT], found[BOUNDS_KEPT];
-    int next;
+    struct hardest known[BOUNDS];
+    size_t next;
 };
 
-static double remembered_bound(struct bounds *known, const struct bead_chain *chain, size_t k, double energy)
+static const struct hardest *remembered_bound(struct bounds *bounds, const struct bead_contact_walk *w, double energy)
 {
-    double a = chain->stiffness[k], d0 = chain->static_compression[k];
-    for (int i = 0; i < BOUNDS_KEPT; i++) {
-        if (known->stiffness[i] == a && known->start[i] == d0)
-            return known->found[i];
+    const struct bead_law_spec *law = &w->chain->spec->law;
+    for (size_t i = 0; i < BOUNDS; i++) {
+        if (bounds->known[i].stiffness == w->stiffness && bounds->known[i].start == w->static_compression)
+            return &bounds->known[i];
     }
-    int i = known->next;
-    known->next = (i + 1) % BOUNDS_KEPT;
-    known->stiffness[i] = a;
-    known->start[i] = d0;
-    return known->found[i] = bound(chain, k, energy);
+    struct hardest *found = &bounds->known[bounds->next++ % BOUNDS];
+    const double d = bound(w, energy), pushed = law->row->stiffness(w->stiffness, law, d);
+    *found =
+        (struct hardest){w->stiffness, w->static_compression, pushed, fmax(pushed, law->row->stiffness(w->stiffness, law, -d))};
+    return found;
 }
 
 double bead_chain_omega(const struct bead_chain *chain, double energy)
 {
-    struct bounds known = {{0}, {0}, {0}, 0};
-    double worst = 0, before = 0, here = 0;
-    for (size_t k = 0; k < chain->contacts; k++) {
-        const struct bead_law_spec *spec = &chain->spec->law;
-        double a = chain->stiffness[k], d = remembered_bound(&known, chain, k, energy);
-        double after = fmax(chain->law->stiffness(a, spec, d), chain->law->stiffness(a, spec, -d));
-        /* Gershgorin row of contact k - 1, now that its right neighbour is known. */
-        if (k > 0) {
-            double left = chain->inverse_mass[k - 1], right = chain->inverse_mass[k];
+    if (energy == chain->energy)
+        return chain->omega;
+    struct bounds bounds = {0};
+    struct bead_contact_walk w;
+    double worst = 0, before = 0, here = 0, left = 0, right = 0;
+    for (bead_contact_walk_start(&w, chain, true); bead_contact_walk_next(&w);) {
+        const double after = remembered_bound(&bounds, &w, energy)->either;
+        /* Gershgorin row of the contact before, now that its right neighbour is known. */
+        if (w.k > 0)
             worst = fmax(worst, here * (left + right) + before * left + after * right);
-        }
         before = here;
         here = after;
+        left = 1 / w.left_mass;
+        right = 1 / w.right_mass;
     }
-    size_t last = chain->contacts - 1;
-    double right = last + 1 < chain->beads ? chain->inverse_mass[last + 1] : 0;
-    worst = fmax(worst, here * (chain->inverse_mass[last] + right) + before * chain->inverse_mass[last]);
-    return sqrt(worst);
+    return sqrt(fmax(worst, here * (left + right) + before * left));
 }
 
 double bead_chain_passage(const struct bead_chain *chain, double energy)
 {
-    struct bounds known = {{0}, {0}, {0}, 0};
+    struct bounds bounds = {0};
+    struct bead_contact_walk w;
     double time = 0;
-    for (size_t k = 0; k < chain->contacts; k++) {
-        double d = remembered_bound(&known, chain, k, energy);
-        double stiffness = chain->law->stiffness(chain->stiffness[k], &chain->spec->law, d);
-        double mass = k + 1 < chain->beads ? fmax(chain->mass[k], chain->mass[k + 1]) : chain->mass[k];
+    for (bead_contact_walk_start(&w, chain, false); bead_contact_walk_next(&w);) {
+        const double stiffness = remembered_bound(&bounds, &w, energy)->pushed;
+        const double mass = isfinite(w.right_mass) ? fmax(w.left_mass, w.right_mass) : w.left_mass;
         time += stiffness > 0 ? sqrt(mass / stiffness) : 0;
     }
     return time;

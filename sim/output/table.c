@@ -181,9 +181,17 @@ static enum bead_error sensors_sample(struct bead_sink *sink, const struct bead_
     return BEAD_OK;
 }
 
-static const struct table sensors = {"forces at the sensors", sensors_prepare, sensors_needs, sensors_header, sensors_sample, NULL},
-                          peaks = {"largest force of every contact", NULL, peaks_needs, peaks_header, NULL, peaks_end},
-                          bead_peaks = {"largest force of every bead", NULL, peaks_needs, peaks_header, NULL, peaks_end};
+static const struct table sensors = {.why = "forces at the sensors",
+                                     .prepare = sensors_prepare,
+                                     .needs = sensors_needs,
+                                     .header = sensors_header,
+                                     .sample = sensors_sample},
+                          peaks = {.why = "largest force of every contact",
+                                   .needs = peaks_needs,
+                                   .header = peaks_header,
+                                   .end = peaks_end},
+                          bead_peaks = {
+                              .why = "largest force of every bead", .needs = peaks_needs, .header = peaks_header, .end = peaks_end};
 
 static const struct table *const tables[] = {
     [BEAD_SHOW_SENSORS] = &sensors,        [BEAD_SHOW_PEAKS] = &peaks,
@@ -253,7 +261,9 @@ static void table_needs(const struct bead_sink *sink, struct bead_needs *needs)
 static enum bead_error table_begin(struct bead_sink *sink, struct bead_range range, struct bead_message *msg)
 {
     (void)range;
-    enum bead_error error = bead_file_create(sink->part, &sink->file, msg);
+    enum bead_error error = sink->table->begin ? sink->table->begin(sink, msg) : BEAD_OK;
+    if (!error)
+        error = bead_file_create(sink->part, &sink->file, msg);
     if (error)
         return error;
     sink->open = true;

@@ -40,6 +40,7 @@ struct table {
     void (*header)(struct bead_sink *sink);
     enum bead_error (*sample)(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg); /* may be NULL */
     void (*end)(struct bead_sink *sink, const struct bead_outcome *outcomes);                                      /* may be NULL */
+    enum bead_error (*begin)(struct bead_sink *sink, struct bead_message *msg); /* as the run begins; may be NULL */
 };
 
 /* A text, in quotes where it has a comma, a quote or a line break. */

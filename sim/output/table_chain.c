@@ -54,4 +54,5 @@ static void chain_end(struct bead_sink *sink, const struct bead_outcome *outcome
     }
 }
 
-const struct table bead_table_chain = {"beads and contacts as in the scene", NULL, chain_needs, chain_header, NULL, chain_end};
+const struct table bead_table_chain = {
+    .why = "beads and contacts as in the scene", .needs = chain_needs, .header = chain_header, .end = chain_end};

@@ -54,4 +54,5 @@ static enum bead_error energy_sample(struct bead_sink *sink, const struct bead_s
     return BEAD_OK;
 }
 
-const struct table bead_table_energy = {"the energy budget", energy_prepare, energy_needs, energy_header, energy_sample, NULL};
+const struct table bead_table_energy = {
+    .why = "the energy budget", .prepare = energy_prepare, .needs = energy_needs, .header = energy_header, .sample = energy_sample};

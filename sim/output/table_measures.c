@@ -24,23 +24,15 @@ static void end_with_run(struct bead_grid *grid)
 
 static enum bead_error measures_prepare(struct bead_sink *sink, struct bead_message *msg)
 {
-    size_t count = sink->context.chain_count, watched = 0;
+    size_t watched = 0;
     char every[32];
-    enum bead_error err = BEAD_OK;
-    sink->measures = calloc(count, sizeof *sink->measures);
-    if (!sink->measures)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
-    for (size_t c = 0; !err && c < count; c++) {
-        if (!of_beads(sink->context.chains[c])) /* an equation has measures of its own */
-            continue;
-        err = bead_measures_create(sink->context.chains[c], &sink->measures[c], msg);
-        watched++;
-    }
-    if (err || watched == 0)
-        return err;
+    for (size_t c = 0; c < sink->context.chain_count; c++)
+        watched += of_beads(sink->context.chains[c]);
+    if (watched == 0)
+        return BEAD_OK;
     struct bead_run_context context = sink->context;
     context.resolution *= coarser;
-    err = bead_sink_grid(sink->output, &context, &sink->grid, msg);
+    enum bead_error err = bead_sink_grid(sink->output, &context, &sink->grid, msg);
     if (!err && !(context.native.every > 0))
         end_with_run(&sink->grid);
     bead_time_text(sink->grid.every, bead_chain_time_unit(sink->context.chains[0]), every, sizeof every);
@@ -58,6 +50,21 @@ static void measures_needs(const struct bead_sink *sink, struct bead_needs *need
     needs->until = sink->grid.end;
     needs->beads = (struct bead_span){0, SIZE_MAX};
     needs->states = true;
+}
+
+/* They look along the chain, and simulate the clean wave. */
+static enum bead_error measures_begin(struct bead_sink *sink, struct bead_message *msg)
+{
+    size_t count = sink->context.chain_count;
+    enum bead_error err = BEAD_OK;
+    sink->measures = calloc(count, sizeof *sink->measures);
+    if (!sink->measures)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
+    for (size_t c = 0; !err && c < count; c++) {
+        if (of_beads(sink->context.chains[c])) /* an equation has measures of its own */
+            err = bead_measures_create(sink->context.chains[c], &sink->measures[c], msg);
+    }
+    return err;
 }
 
 static void measures_header(struct bead_sink *sink)
@@ -96,5 +103,10 @@ static void measures_end(struct bead_sink *sink, const struct bead_outcome *outc
     }
 }
 
-const struct table bead_table_measures = {"measures of the run", measures_prepare, measures_needs,
-                                          measures_header,       measures_sample,  measures_end};
+const struct table bead_table_measures = {.why = "measures of the run",
+                                          .prepare = measures_prepare,
+                                          .needs = measures_needs,
+                                          .header = measures_header,
+                                          .sample = measures_sample,
+                                          .end = measures_end,
+                                          .begin = measures_begin};

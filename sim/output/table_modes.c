@@ -52,4 +52,5 @@ static enum bead_error modes_sample(struct bead_sink *sink, const struct bead_sa
     return BEAD_OK;
 }
 
-const struct table bead_table_modes = {"energies of modes", modes_prepare, modes_needs, modes_header, modes_sample, NULL};
+const struct table bead_table_modes = {
+    .why = "energies of modes", .prepare = modes_prepare, .needs = modes_needs, .header = modes_header, .sample = modes_sample};

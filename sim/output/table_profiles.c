@@ -53,5 +53,9 @@ static void profiles_end(struct bead_sink *sink, const struct bead_outcome *outc
     }
 }
 
-const struct table bead_table_profiles = {"a field at some times", profiles_prepare, profiles_needs,
-                                          profiles_header,         profiles_sample,  profiles_end};
+const struct table bead_table_profiles = {.why = "a field at some times",
+                                          .prepare = profiles_prepare,
+                                          .needs = profiles_needs,
+                                          .header = profiles_header,
+                                          .sample = profiles_sample,
+                                          .end = profiles_end};

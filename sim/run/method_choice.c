@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "sim/base/wide.h"
-#include "sim/chain/chain_data.h"
+#include "sim/chain/contact_walk.h"
 #include "sim/integrate/stepper.h"
 
 /* The accuracy that the theta in a method's row stands for. */
@@ -28,20 +28,21 @@ static double share_of(const struct bead_chain *chain)
     return beads > usual_beads ? bead_pow(usual_beads / fmin(beads, most_beads), length_power) : 1;
 }
 
-/* Energy that would open contact k, J. */
-static double opening_energy(const struct bead_chain *chain, size_t k)
+/* Energy that would open a contact, J. */
+static double opening_energy(const struct bead_contact_walk *w)
 {
-    const double d0 = chain->static_compression[k];
-    return chain->static_force[k] * d0 - chain->law->energy(chain->stiffness[k], &chain->spec->law, d0);
+    const struct bead_law_spec *law = &w->chain->spec->law;
+    return w->static_force * w->static_compression - law->row->energy(w->stiffness, law, w->static_compression);
 }
 
 /* No contact can hold more energy above the static state than the striker brings. */
 static bool never_opens(const struct bead_chain *chain)
 {
-    const double v = chain->spec->striker_velocity, energy = 0.5 * chain->mass[0] * v * v;
+    const double v = chain->spec->striker_velocity, energy = 0.5 * chain->striker_mass * v * v;
     bool never = chain->law->one_sided;
-    for (size_t k = 0; never && k < chain->contacts; k++)
-        never = energy < far_from_opening * opening_energy(chain, k);
+    struct bead_contact_walk w;
+    for (bead_contact_walk_start(&w, chain, true); never && bead_contact_walk_next(&w);)
+        never = energy < far_from_opening * opening_energy(&w);
     return never;
 }
 

@@ -5,6 +5,7 @@
 
 #include "beadreel/sweep.h"
 #include "sim/base/settings.h"
+#include "sim/chain/chain_data.h"
 #include "sim/output/trajectory_data.h"
 #include "sim/session/session_data.h"
 
@@ -16,8 +17,16 @@ static enum bead_error create_chains(struct bead_session *s, struct bead_message
         return bead_session_out_of_memory(msg);
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < s->chain_count; i++)
-        err = bead_chain_create(s->scene, i, &s->own_chains[i], msg);
+        err = bead_chain_outline(s->scene, &s->scene->chains[i], &s->own_chains[i], msg);
     s->chains = (const struct bead_chain *const *)s->own_chains;
+    return err;
+}
+
+enum bead_error bead_session_lay(struct bead_session *s, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && s->own_chains && i < s->chain_count; i++)
+        err = bead_chain_lay(s->own_chains[i], msg);
     return err;
 }
 
@@ -34,10 +43,13 @@ static enum bead_error find_end(struct bead_session *s, struct bead_message *msg
         asked = asked || (s->made[i].asked && s->made[i].type && bead_output_needs_end(s->made[i].output));
     if (!asked)
         return BEAD_OK;
+    enum bead_error err = bead_session_lay(s, msg);
+    if (err)
+        return err;
     struct bead_driver driver = bead_session_driver(s, "scouting the end");
     driver.hash = false;
     struct bead_passed passed;
-    enum bead_error err = bead_drive_simulation(&driver, &s->counts, &passed, msg);
+    err = bead_drive_simulation(&driver, &s->counts, &passed, msg);
     double end = 0;
     for (size_t i = 0; !err && i < passed.count; i++)
         end = fmax(end, passed.outcomes[i].front_arrival);

@@ -73,6 +73,8 @@ void bead_session_release(struct bead_session *session);
 /* A driver with the session's chains and settings and no consumers yet. */
 struct bead_driver bead_session_driver(const struct bead_session *session, const char *what);
 BEAD_CHECK enum bead_error bead_session_out_of_memory(struct bead_message *msg);
+/* Chains begin as outlines, which are enough for most plans; this builds their arrays, where that has not been done. */
+BEAD_CHECK enum bead_error bead_session_lay(struct bead_session *session, struct bead_message *msg);
 /* Find the sample interval that shows every oscillation of the fastest chain. */
 BEAD_CHECK enum bead_error bead_session_find_resolution(struct bead_session *session, struct bead_message *msg);
 /* Make the sink of an output; find what it needs and where its file goes. */

@@ -2,6 +2,8 @@
 #include <math.h>
 
 #include "beadreel/trajectory.h"
+#include "sim/base/memory.h"
+#include "sim/chain/chain_data.h"
 #include "sim/run/run_kinds.h"
 #include "sim/scene/output_kinds.h"
 #include "sim/session/session_data.h"
@@ -40,6 +42,21 @@ static void plan_chain(const struct bead_session *s, size_t index, const struct 
     double end = fmin(s->end, s->needed);
     if (isfinite(end))
         fprintf(out, ", %s%.0f of them", pace->variable ? "at most about " : "", ceil(end / pace->step * (1 - 1e-9)));
+    fprintf(out, "\n");
+}
+
+/* Long chains: what their arrays take, at least, and whether a run would be refused for it. */
+static void plan_memory(const struct bead_session *s, FILE *out)
+{
+    uint64_t bytes = 0;
+    for (size_t i = 0; i < s->chain_count && !s->trajectory; i++)
+        bytes += bead_chain_bytes(s->chains[i]);
+    if (bytes <= BEAD_MEMORY_SMALL)
+        return;
+    const uint64_t left = bead_memory_left();
+    fprintf(out, "memory: %.3g GB at least, for the beads", 1e-9 * (double)bytes);
+    if (bytes > left)
+        fprintf(out, "; only %.3g GB are free: a run would be refused", 1e-9 * (double)left);
     fprintf(out, "\n");
 }
 
@@ -169,6 +186,7 @@ enum bead_error bead_session_plan(const struct bead_session *s, FILE *out, struc
             return err;
         plan_chain(s, i, &pace, out);
     }
+    plan_memory(s, out);
     plan_time(s, out);
     for (size_t i = 0; i < s->made_count; i++)
         plan_output(s, &s->made[i], out);

@@ -170,7 +170,9 @@ static enum bead_error session_end(struct bead_session *s, bool stopped, struct 
 
 static enum bead_error session_run(struct bead_session *s, struct bead_consumer *consumers, struct bead_message *msg)
 {
-    enum bead_error err = s->trajectory ? BEAD_OK : bead_file_make_directory(s->job.output, msg);
+    enum bead_error err = bead_session_lay(s, msg);
+    if (!err && !s->trajectory)
+        err = bead_file_make_directory(s->job.output, msg);
     if (!err)
         err = bead_session_claim(s, msg);
     if (!err && !s->trajectory)

@@ -1,33 +1,49 @@
 #!/bin/bash
-# How many beads there can be: stated limits are checked before memory is taken, and plans of long chains are cheap.
+# How many beads there can be: stated limits are checked before memory is taken, and plans build no beads.
 source "$(dirname "$0")/../shell.bash"
-scene() { # BEADS
-    echo "chain: {beads: [{bead: large-steel, count: $1}]}
-outputs: [{table: peaks.csv, show: peaks}]"
+scene() { # BEADS [OUTPUTS]
+    echo "chain: {beads: [{$1}]}
+simulate: {until: 1 ms}
+outputs: [{table: peaks.csv, show: peaks}${2:-}]"
 }
-scene 100000000 >"$T/longest.yaml"
-scene "50000000}, {bead: large-steel, count: 50000001" >"$T/longer.yaml"
-scene 2000000 >"$T/long.yaml"
-plan() { # KILOBYTES SCENE
-    (ulimit -v "$1" && exec "$beadsim" --plan "$T/$2.yaml") >"$T/out" 2>"$T/err"
+scene 'bead: large-steel, count: 100000000' >"$T/longest.yaml"
+scene 'bead: large-steel, count: 50000000}, {bead: large-steel, count: 50000001' >"$T/longer.yaml"
+scene 'cell: [large-steel, aluminium], count: 10000000, spins: random, seed: 7' >"$T/random.yaml"
+scene 'bead: large-steel, count: 100000000' ', {table: measures.csv, show: measures}, {trajectory: run.h5, every: 1 us},
+    {movie: film.mp4}, {image: image.png}, {image: bare.png, axes: false}, {plot: peaks.pdf, show: peaks}' >"$T/drawn.yaml"
+limited() { # KILOBYTES COMMAND...
+    (ulimit -v "$1" && shift && exec "$@") >"$T/out" 2>"$T/err"
     status=$?
 }
 ok "more than 1e8 beads behind the striker" fails 2 "$beadsim" --plan "$T/longer.yaml"
 ok "... the message has the limit" says "longer than 100000000 beads, the most that is allowed"
-plan 1000000 long
-if [ $status -ne 0 ] && ! grep -q beads "$T/err"; then
+limited 100000 "$beadsim" --list methods
+if [ $status -ne 0 ]; then
     skip "limits of memory (sanitizers need all there is)" "plans within limits of memory"
 else
-    ok "2e6 beads are planned in 1 GB" prints "chain 2000001 beads"
-    plan 1000000 longest
-    ok "1e8 beads are not: status 1" test $status -eq 1
+    limited 100000 "$beadsim" --plan "$T/longest.yaml"
+    ok "1e8 beads are planned in 100 MB" prints "chain 100000001 beads, 100000000 contacts; rkn8"
+    ok "... with the memory that a run needs" grep -qE '^memory: 6.4 GB at least, for the beads; only 0.0[0-9]* GB are free: a run would be refused$' "$T/out"
+    limited 100000 "$beadsim" --plan "$T/random.yaml"
+    ok "2e7 of random cells, too: a byte a cell" prints "chain 20000001 beads, 20000000 contacts, M = 0;"
+    limited 1000000 "$beadsim" "$T/longest.yaml" -o "$T/run"
+    ok "a run of 1e8 is refused in 1 GB: status 1" test $status -eq 1
     ok "... one line" test "$(wc -l <"$T/err")" -eq 1
     ok "... what, where, how much" grep -qE 'longest.yaml:1:8: chain: 100000001 beads need 6.4 GB of memory; [01]\.?[0-9]* GB are free$' "$T/err"
+    ok "... nothing is made" test ! -e "$T/run"
+    if [ -x /usr/bin/time ] && [ -n "$beadreel" ]; then
+        cheap() { /usr/bin/time -f %M -o "$T/kilobytes" "$beadreel" --plan "$T/drawn.yaml" && [ "$(tail -1 "$T/kilobytes")" -lt 200000 ]; }
+        ok "1e8 beads in every kind of output are planned in 200 MB" cheap
+    fi
 fi
-# Without precompression nothing is written to the arrays of static forces.
-if [ -x /usr/bin/time ]; then
-    cheap() { /usr/bin/time -f %M -o "$T/kilobytes" "$beadsim" --plan "$T/long.yaml" && [ "$(tail -1 "$T/kilobytes")" -lt $((20000 + 2000 * 56)) ]; }
-    plan 1000000 long
-    if [ $status -eq 0 ]; then ok "a planned bead takes less than 56 bytes" cheap; fi
-fi
+# Of many equal cells a plan looks at some only: it says of them what it says of cells whose spins are given one by one.
+cells() { # SPINS
+    echo "chain: {precompression: 2 N, beads: [{bead: brass, count: 3}, {cell: [large-steel, aluminium, ptfe], count: 24, spins: $1}, {bead: brass}]}
+outputs: [{table: peaks.csv, show: peaks}]" >"$T/cells.yaml"
+    "$beadsim" --plan "$T/cells.yaml"
+}
+for spins in up:1 down:0; do
+    digits=$(printf "${spins#*:}%.0s" {1..24})
+    ok "cells that are all ${spins%:*}" test "$(cells "${spins%:*}")" = "$(cells "\"$digits\"")"
+done
 finish
