@@ -42,16 +42,17 @@ machine() {
 }
 # Sums of runs.txt for each target: executions, seconds, faults. libFuzzer ends with 72 where a run is interrupted.
 executions() {
-    echo '| target | asked | run | of them with the address sanitizer | processor time, s | faults |'
-    echo '|---|--:|--:|--:|--:|--:|'
+    echo '| target | asked | run | of them with the address sanitizer | processor time, s | ended within libhdf5 | faults |'
+    echo '|---|--:|--:|--:|--:|--:|--:|'
     {
         sed 's/^/asked /' <<<"$targets"
         for file in "$build-fuzz/runs.txt" "$fast-fuzz/runs.txt"; do sed "s,^,$file ," "$file" 2>/dev/null; done
     } | awk -v slow="$build-fuzz/runs.txt" '
         $1 == "asked" { order[++count] = $2; asked[$2] = $3 + $4; next }
-        { run[$2] += $3; address[$2] += $1 == slow ? $3 : 0; time[$2] += $4; faults[$2] += $5 != 0 && $5 != 72 }
+        { run[$2] += $3; address[$2] += $1 == slow ? $3 : 0; time[$2] += $4
+            hdf5[$2] += $5 == "hdf5"; faults[$2] += $5 != "hdf5" && $5 != 0 && $5 != 72 }
         END { for (i = 1; i <= count; i++) { t = order[i]
-            printf "| %s | %d | %d | %d | %d | %d |\n", t, asked[t], run[t], address[t], time[t], faults[t] } }'
+            printf "| %s | %d | %d | %d | %d | %d | %d |\n", t, asked[t], run[t], address[t], time[t], hdf5[t], faults[t] } }'
 }
 # The tables of the torture, added up, as Markdown.
 torture() {

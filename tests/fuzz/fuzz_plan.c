@@ -9,10 +9,14 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned
     return fuzz_mutate_text(data, size, most, seed);
 }
 
-/* All spins of a sweep are drawn for its plan: seconds, and always the same, for the largest ones. */
+/* All spins are drawn for a plan: seconds, and always the same, for the largest ones. */
 static bool is_large(const struct bead_scene *scene)
 {
     size_t spins = 0;
+    for (size_t c = 0; c < scene->chain_count; c++) {
+        for (size_t s = 0; s < scene->chains[c].segment_count; s++)
+            spins += scene->chains[c].segments[s].spins == BEAD_SPINS_RANDOM ? scene->chains[c].segments[s].count : 0;
+    }
     for (size_t s = 0; s < scene->sweep_count; s++) {
         for (size_t g = 0; g < scene->sweeps[s].group_count; g++)
             spins += scene->sweeps[s].groups[g].configurations * scene->sweeps[s].cells;

@@ -2,7 +2,7 @@
 # Run the fuzz targets of a build and count: tests/fuzz/run.sh BUILD SECONDS RUNS [TARGET...]
 # Each target is run for SECONDS, or RUNS executions where that is shorter; -1: any number.
 # What is new in coverage stays in BUILD/corpus/TARGET; the input of a fault in BUILD/faults, and stands in the output; each run adds a
-# line to BUILD/runs.txt: target, executions, seconds of processor time, exit status.
+# line to BUILD/runs.txt: target, executions, seconds of processor time, exit status (or `hdf5`).
 # Ends with a line for each target, its executions, and `N passed, M failed`.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -51,6 +51,7 @@ for target; do
     elif within_hdf5 "$work/log"; then
         passed=$((passed + 1))
         verdict="ok, ended by a fault within libhdf5"
+        status=hdf5
     else
         failed=$((failed + 1))
         verdict="FAILED, status $status"
