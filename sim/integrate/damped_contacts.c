@@ -27,6 +27,13 @@ double bead_damped_contacts_force(const struct bead_stepper *s, size_t k, double
     return elastic + copysign(s->table.damping * pow(fabs(change), s->table.damping_exponent), change);
 }
 
+double bead_damped_contacts_within(const struct bead_stepper *s, size_t k, double d, double change)
+{
+    if (!s->was_closed) /* two-sided: never open */
+        return bead_damped_contacts_force(s, k, d, change);
+    return s->was_closed[k] ? fmax(bead_damped_contacts_force(s, k, d, change), 0) : 0;
+}
+
 void bead_damped_contacts_update(struct bead_stepper *s)
 {
     size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;

@@ -18,6 +18,8 @@ struct bead_damped_contact {
 struct bead_damped_contact bead_damped_contacts_first(const struct bead_stepper *stepper);
 /* Force of a closed contact with damping at compression d that grows by `change` m/s, N; negative where it would have to stick. */
 double bead_damped_contacts_force(const struct bead_stepper *stepper, size_t contact, double d, double change);
+/* The same of any contact within the step just made: 0 where it is open, or would have to stick. */
+double bead_damped_contacts_within(const struct bead_stepper *stepper, size_t contact, double d, double change);
 /* States of all contacts at the end of the last step, the start of the next, into stepper->closed. */
 void bead_damped_contacts_update(struct bead_stepper *stepper);
 

@@ -11,7 +11,7 @@ static const double same_time = 1e-9;
 enum bead_error bead_dense_create(const struct bead_stepper *s, struct bead_dense *dense, struct bead_message *msg)
 {
     const size_t padding = 16;
-    *dense = (struct bead_dense){.septic = !(s->chain->spec->damping_coefficient > 0)};
+    *dense = (struct bead_dense){.septic = !bead_stepper_damped(s)};
     if (!dense->septic)
         return BEAD_OK;
     dense->memory = calloc(2 * (s->beads + padding), sizeof *dense->memory);
@@ -83,7 +83,8 @@ static void septic(double x, double h, double value[WEIGHTS], double rate[WEIGHT
 static void combine_state(const struct bead_dense *dense, const struct bead_stepper *s, const double weight[WEIGHTS],
                           const double *base, double *y)
 {
-    const double *all[WEIGHTS] = {s->start.u, s->start.v, s->start.a, dense->jerk[0], s->end.u, s->end.v, s->end.a, dense->jerk[1]};
+    const double *all[WEIGHTS] = {s->start.u, s->start.v, s->start.a, dense->jerk[0],
+                                  s->end.u,   s->end.v,   s->last_a,  dense->jerk[1]};
     const double *term[WEIGHTS];
     double coefficient[WEIGHTS];
     size_t count = 0;
@@ -185,11 +186,12 @@ static double jerk(const struct bead_stepper *s, const struct bead_state *state,
     return (before - bead_dense_force_rate(s, state, j)) * s->chain->inverse_mass[j];
 }
 
-static void derivatives(const struct bead_stepper *s, const struct bead_state *state, size_t k, double h, double out[4])
+static void derivatives(const struct bead_stepper *s, const struct bead_state *state, const double *a, size_t k, double out[4])
 {
+    const double h = s->h;
     out[0] = compression(s, state, k);
     out[1] = h * (state->v[k] - state->v[k + 1]);
-    out[2] = h * h * (state->a[k] - state->a[k + 1]);
+    out[2] = h * h * (a[k] - a[k + 1]);
     out[3] = h * h * h * (jerk(s, state, k) - jerk(s, state, k + 1));
 }
 
@@ -204,8 +206,8 @@ static struct bead_polynomial quintic_hermite(const double at0[4], const double 
 
 struct bead_polynomial bead_dense_compression(const struct bead_stepper *s, size_t k)
 {
-    double h = s->h, at0[4], at1[4];
-    derivatives(s, &s->start, k, h, at0);
-    derivatives(s, &s->end, k, h, at1);
-    return s->closed ? quintic_hermite(at0, at1) : bead_polynomial_hermite(at0, at1);
+    double at0[4], at1[4];
+    derivatives(s, &s->start, s->start.a, k, at0);
+    derivatives(s, &s->end, s->last_a, k, at1);
+    return bead_stepper_damped(s) ? quintic_hermite(at0, at1) : bead_polynomial_hermite(at0, at1);
 }

@@ -33,7 +33,7 @@ static double *take(double **at, size_t beads)
 
 static enum bead_error allocate(struct bead_stepper *s, struct bead_message *msg)
 {
-    size_t stages = stage_count(s->method), arrays = 2 * 4 + 2 * stages + 4 + 2;
+    size_t stages = stage_count(s->method), arrays = 2 * 4 + 2 * stages + 5 + 2;
     size_t bytes;
     /* calloc gets untouched zero pages from the system; those of beads that the wave never reaches cost nothing. */
     if (__builtin_mul_overflow(padded(s->beads) * sizeof(double), arrays, &bytes) || !(s->memory = calloc(1, bytes + ALIGN)))
@@ -53,6 +53,7 @@ static enum bead_error allocate(struct bead_stepper *s, struct bead_message *msg
         s->stage_f[i][-1] = s->chain->striker_force;
     }
     s->y = take(&at, s->beads);
+    s->before_a = take(&at, s->beads);
     for (int i = 0; i < 3; i++)
         s->w[i] = take(&at, s->beads);
     double *stiffness = take(&at, s->beads), *inverse_mass = take(&at, s->beads);
@@ -132,6 +133,7 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
         bead_stepper_destroy(s);
         return err;
     }
+    s->last_a = s->end.a;
     s->end.v[0] = chain->spec->striker_velocity;
     s->active = 1;
     open_window(s, &s->end);
@@ -215,8 +217,11 @@ static void end_at_closing(struct bead_stepper *s)
     bead_damped_contacts_update(s);
     if (first.at < 1)
         s->closed[first.contact] = other;
-    if (memcmp(s->was_closed, s->closed, s->active) != 0) /* else the method's last forces are these */
-        bead_stepper_evaluate(s, s->end.u, s->end.v, s->end.f, s->end.a);
+    if (memcmp(s->was_closed, s->closed, s->active) == 0)
+        return; /* the method's last forces are these */
+    memcpy(s->before_a, s->end.a, s->active * sizeof *s->before_a);
+    s->last_a = s->before_a;
+    bead_stepper_evaluate(s, s->end.u, s->end.v, s->end.f, s->end.a);
 }
 
 void bead_stepper_advance_by(struct bead_stepper *s, double h, double t1)
@@ -232,6 +237,7 @@ void bead_stepper_advance_by(struct bead_stepper *s, double h, double t1)
      * subnormal numbers. The caller's flags are restored afterwards. */
     const uint64_t flags = flush_subnormals();
     s->method->step(s, h);
+    s->last_a = s->end.a;
     if (s->closed)
         end_at_closing(s);
     if (s->events)

@@ -45,9 +45,13 @@ struct bead_stepper {
     bool full;        /* no window */
     double t0, t1, h; /* s: times of start and end, and the length of the step: t1 - t0 but for the rounding of times */
     struct bead_state start, end;
+    /* Accelerations as the step comes to its end. Where a damped contact changes just there, forces and accelerations jump: end's
+     * are those that the next step begins with. */
+    const double *last_a;
     /* Stages of the step just made: accelerations and contact forces; [0] is start's. Valid up to `stages` for Nystrom methods. */
     double *stage_a[BEAD_STAGES_MAX + 1], *stage_f[BEAD_STAGES_MAX + 1];
     double *y, *w[3];            /* work */
+    double *before_a;            /* what last_a points to where it is not end.a */
     uint64_t steps, evaluations; /* evaluations: contact forces computed */
     /* With damping, NULL without: contacts [beads] that are closed for the whole of the next step, and of the step just made. */
     unsigned char *closed, *was_closed;
@@ -68,6 +72,12 @@ struct bead_method {
 };
 
 const struct bead_method *bead_method_row(const char *name);
+
+/* Whether forces depend on velocities. */
+static inline bool bead_stepper_damped(const struct bead_stepper *stepper)
+{
+    return stepper->table.damping > 0;
+}
 
 /* Chain at rest, striker moving, at time 0. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct bead_method *method,

@@ -25,11 +25,7 @@ static double compression(const struct bead_stepper *s, const struct bead_state 
 
 static double power(const struct bead_stepper *s, size_t k, double d, double rate)
 {
-    const bool one_sided = s->chain->law->one_sided, closed = !s->was_closed || s->was_closed[k];
-    const double elastic = s->chain->law->force(s->table.stiffness[k], s->table.law, d);
-    double force = closed ? bead_damped_contacts_force(s, k, d, rate) : 0;
-    force = one_sided ? fmax(force, 0) : force;
-    return (force - elastic) * rate;
+    return (bead_damped_contacts_within(s, k, d, rate) - s->chain->law->force(s->table.stiffness[k], s->table.law, d)) * rate;
 }
 
 /* Nothing moves here, or nothing touches. */
@@ -44,7 +40,7 @@ double bead_dissipation(const struct bead_stepper *s)
 {
     const size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
     double sum = 0;
-    for (size_t k = 0; k < n && s->table.damping > 0; k++) {
+    for (size_t k = 0; k < n && bead_stepper_damped(s); k++) {
         if (idle(s, k))
             continue;
         const struct bead_polynomial d = bead_dense_compression(s, k);

@@ -3,41 +3,37 @@
 
 #include <math.h>
 
-#include "sim/integrate/dense.h"
+#include "sim/run/force_curve.h"
 
 static const double part = 1e-4;
 /* The front grows doubly exponentially, which no polynomial over a whole step follows: the step in which it arrives is repeated in
  * SUBSTEPS parts, then the part in which it arrives in turn, REFINEMENTS times. */
 enum { SUBSTEPS = 8, REFINEMENTS = 3 };
 
-struct threshold {
-    struct bead_polynomial compression;
-    double level; /* compression at which the front counts as arrived, m */
-};
-
 /* A force at the end of a step below this part of the largest so far was no new record within the step either. */
 static const double near_record = 0.5;
 
-static double slope(const void *context, double x)
+static double rate(const void *curve, double x)
 {
-    return bead_polynomial_slope(context, x);
+    return bead_force_curve_rate(curve, x);
 }
 
 /* The maximum of contact k's force within the step just made, less the static part; 0 where it has none. */
 static double peak_within(const struct bead_stepper *s, size_t k)
 {
-    struct bead_polynomial d = bead_dense_compression(s, k);
-    double at0 = bead_polynomial_slope(&d, 0), at1 = bead_polynomial_slope(&d, 1);
+    const struct bead_force_curve curve = bead_force_curve_of(s, k, false);
+    const double at0 = bead_force_curve_rate(&curve, 0), at1 = bead_force_curve_rate(&curve, 1);
     if (!(at0 > 0 && at1 <= 0))
         return 0;
-    double most = bead_polynomial_value(&d, bead_find_root(slope, &d, at0, at1));
-    return s->chain->law->force(s->chain->stiffness[k], s->table.law, most) - s->chain->static_force[k];
+    return bead_force_curve_value(&curve, bead_find_root(rate, &curve, at0, at1)) - s->chain->static_force[k];
 }
 
 /* Only the contact that was strongest at one end of the step can set a new record. */
 static void update_record(struct bead_front *front, const struct bead_stepper *s, size_t n)
 {
     double force = s->kernels->largest(n, s->end.f);
+    if (s->steps == 1) /* with damping the striker's impact is a jump, and often never surpassed */
+        front->largest_force = s->kernels->largest(n, s->start.f);
     if (!(force > near_record * front->largest_force))
         return;
     size_t strongest = 0;
@@ -48,19 +44,28 @@ static void update_record(struct bead_front *front, const struct bead_stepper *s
     front->strongest = strongest;
 }
 
+/* Where the last contact's force exceeds `force`: without damping, where its compression exceeds that of this force. */
+struct threshold {
+    struct bead_force_curve curve;
+    double force, compression; /* N, m */
+};
+
 static double above(const void *context, double x)
 {
     const struct threshold *t = context;
-    return bead_polynomial_value(&t->compression, x) - t->level;
+    if (bead_stepper_damped(t->curve.stepper))
+        return bead_force_curve_value(&t->curve, x) - t->force;
+    return bead_polynomial_value(&t->curve.compression[0], x) - t->compression;
 }
 
 /* Time within the step just made, after which the last contact's force exceeds `level`. */
 static double crossing(const struct bead_stepper *s, double level)
 {
     const struct bead_chain *c = s->chain;
-    size_t last = c->contacts - 1;
-    struct threshold t = {bead_dense_compression(s, last),
-                          c->law->compression(c->stiffness[last], &c->spec->law, level + c->static_force[last])};
+    const size_t last = c->contacts - 1;
+    const double force = level + c->static_force[last];
+    struct threshold t = {bead_force_curve_of(s, last, false), force,
+                          c->law->compression(c->stiffness[last], &c->spec->law, force)};
     double at0 = above(&t, 0), at1 = above(&t, 1);
     double x = at0 >= 0 ? 0 : at1 <= 0 ? 1 : bead_find_root(above, &t, at0, at1);
     return s->t0 + x * s->h;

@@ -93,11 +93,13 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
     *choice = (struct bead_method_choice){method, method->info.theta, method->info.theta_order, method->info.theta_cap, 1, why};
     if (method->events && chain->law->one_sided)
         choice->share = share;
-    if (any && method->tableau && never_opens(chain)) {
+    if (!any || !method->tableau)
+        return BEAD_OK;
+    if (never_opens(chain)) {
         choice->theta = smooth_theta;
         choice->order = smooth_order;
         choice->cap = smooth_cap;
-    } else if (any && !chain->law->one_sided) {
+    } else if (!chain->law->one_sided) {
         /* Steps of the corrected method, whose errors are those of smooth forces as well. */
         const struct bead_method_info *corrected = &bead_method_row("rkn8")->info;
         choice->theta = corrected->theta;

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/integrate/damped_contacts.h"
 #include "sim/integrate/dense.h"
 #include "sim/integrate/events.h"
+#include "sim/run/force_curve.h"
 
 /* Maxima this close to the best so far, relatively, are refined. */
 static const double close_call = 1e-3;
@@ -92,106 +92,37 @@ const struct bead_peak *bead_peaks_found(const struct bead_peaks *peaks)
     return peaks->best;
 }
 
-/* Force over the step: of one contact, or the mean of a bead's two. */
-struct force_curve {
-    const struct bead_stepper *stepper;
-    const struct bead_chain *chain;
-    size_t count;
-    size_t contact[2];
-    struct bead_polynomial compression[2];
-};
-
-static struct force_curve curve_of(const struct bead_peaks *p, const struct bead_stepper *s, size_t index)
-{
-    struct force_curve curve = {s, s->chain, 0, {0, 0}, {{{0}}}};
-    size_t first = p->of_beads && index > 0 ? index - 1 : index;
-    for (size_t k = first; k <= index && k < s->chain->contacts; k++) {
-        curve.contact[curve.count] = k;
-        curve.compression[curve.count++] = bead_dense_compression(s, k);
-    }
-    return curve;
-}
-
-/* With damping the force is what the contact's state in this step makes of it. */
-static double damped_force(const struct force_curve *curve, size_t i, double x)
-{
-    const struct bead_stepper *s = curve->stepper;
-    double d = bead_polynomial_value(&curve->compression[i], x), change = bead_polynomial_slope(&curve->compression[i], x) / s->h;
-    return s->was_closed[curve->contact[i]] ? fmax(bead_damped_contacts_force(s, curve->contact[i], d, change), 0) : 0;
-}
-
-static double elastic_force(const struct force_curve *curve, size_t i, double x)
-{
-    double d = bead_polynomial_value(&curve->compression[i], x);
-    return curve->chain->law->force(curve->chain->stiffness[curve->contact[i]], &curve->chain->spec->law, d);
-}
-
-static double curve_force(const struct bead_peaks *p, const struct force_curve *curve, double x)
-{
-    double force = 0;
-    for (size_t i = 0; i < curve->count; i++)
-        force += curve->stepper->closed ? damped_force(curve, i, x) : elastic_force(curve, i, x);
-    return p->of_beads ? 0.5 * force : force;
-}
-
-/* By differences: the rate of the damping has no closed form that is better. */
-static double damped_rate(const struct force_curve *curve, double x)
-{
-    const double near = 1e-4, from = fmax(x - near, 0), to = fmin(x + near, 1);
-    double change = 0;
-    for (size_t i = 0; i < curve->count; i++)
-        change += damped_force(curve, i, to) - damped_force(curve, i, from);
-    return change;
-}
-
-static double curve_rate(const void *context, double x)
-{
-    const struct force_curve *curve = context;
-    double rate = 0;
-    if (curve->stepper->closed)
-        return damped_rate(curve, x);
-    /* For a single contact the sign is that of d', even where its force vanishes. */
-    if (curve->count == 1)
-        return bead_polynomial_slope(&curve->compression[0], x);
-    for (size_t i = 0; i < curve->count; i++) {
-        double d = bead_polynomial_value(&curve->compression[i], x);
-        double stiffness = curve->chain->law->stiffness(curve->chain->stiffness[curve->contact[i]], &curve->chain->spec->law, d);
-        rate += stiffness * bead_polynomial_slope(&curve->compression[i], x);
-    }
-    return rate;
-}
-
 /* Where contacts open or close nearby within the step, d'' has kinks that the septic smooths over: compressions and their rates at
  * x from the forces themselves, then the vertex of the parabola through them. */
-static void sharpen(const struct bead_peaks *p, const struct bead_stepper *s, const struct force_curve *curve, double *x,
-                    double *value)
+static void sharpen(const struct bead_stepper *s, const struct bead_force_curve *curve, double *x, double *value)
 {
-    const double near = 1e-3, bend = (curve_rate(curve, *x + near) - curve_rate(curve, *x - near)) / (2 * near);
+    const double near = 1e-3,
+                 bend = (bead_force_curve_rate(curve, *x + near) - bead_force_curve_rate(curve, *x - near)) / (2 * near);
     double force = 0, rate = 0, d[2];
     bool exact = false;
     if (!(bend < 0))
         return;
     for (size_t i = 0; i < curve->count; i++) {
         const size_t k = curve->contact[i];
-        const double a = curve->chain->stiffness[k];
-        const struct bead_law_spec *spec = &curve->chain->spec->law;
+        const double a = s->chain->stiffness[k];
+        const struct bead_law_spec *spec = &s->chain->spec->law;
         if (bead_events_compression(s->events, s, k, *x, d)) {
             exact = true;
         } else {
             d[0] = bead_polynomial_value(&curve->compression[i], *x);
             d[1] = bead_polynomial_slope(&curve->compression[i], *x);
         }
-        double stiffness = curve->chain->law->stiffness(a, spec, d[0]);
+        double stiffness = s->chain->law->stiffness(a, spec, d[0]);
         if (curve->count == 1)
             d[0] -= 0.5 * d[1] * d[1] / bend;
         rate += (curve->count > 1 ? stiffness : 1) * d[1];
-        force += curve->chain->law->force(a, spec, d[0]);
+        force += s->chain->law->force(a, spec, d[0]);
     }
     if (curve->count > 1)
         force -= 0.5 * rate * rate / bend;
     if (!exact)
         return;
-    *value = p->of_beads ? 0.5 * force : force;
+    *value = curve->part * force;
     *x = fmin(fmax(*x - rate / bend, 0), 1);
 }
 
@@ -211,23 +142,24 @@ static double force_bound(const struct bead_peaks *p, const struct bead_stepper 
 
 /* Part of the step, from x = from on. */
 struct curve_part {
-    const struct force_curve *curve;
+    const struct bead_force_curve *curve;
     double from, length;
 };
 
 static double part_rate(const void *context, double x)
 {
     const struct curve_part *part = context;
-    return curve_rate(part->curve, part->from + x * part->length);
+    return bead_force_curve_rate(part->curve, part->from + x * part->length);
 }
 
 /* The maximum within a part of the step that the force rises into and falls out of. */
 static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct curve_part *part,
                          double rate0, double rate1, double limit)
 {
-    double x = part->from + part->length * bead_find_root(part_rate, part, rate0, rate1), value = curve_force(p, part->curve, x);
+    double x = part->from + part->length * bead_find_root(part_rate, part, rate0, rate1),
+           value = bead_force_curve_value(part->curve, x);
     if (s->events && x > 0 && value > p->best[index].value * (1 - close_call))
-        sharpen(p, s, part->curve, &x, &value);
+        sharpen(s, part->curve, &x, &value);
     double time = s->t0 + x * s->h;
     if (!(time <= limit && value > p->best[index].value))
         return;
@@ -237,11 +169,11 @@ static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, siz
 }
 
 /* With damping the force may be largest as the contact closes. */
-static void find_jump(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct force_curve *curve,
+static void find_jump(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct bead_force_curve *curve,
                       double limit)
 {
-    double value = curve_force(p, curve, 0);
-    if (s->t0 <= limit && value > p->best[index].value && curve_rate(curve, 0) <= 0)
+    double value = bead_force_curve_value(curve, 0);
+    if (s->t0 <= limit && value > p->best[index].value && bead_force_curve_rate(curve, 0) <= 0)
         p->best[index] = (struct bead_peak){value, s->t0, false};
 }
 
@@ -251,12 +183,12 @@ enum { PARTS = 8 };
 
 static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
-    if (!s->closed && force_bound(p, s, index) < p->best[index].value)
+    if (!bead_stepper_damped(s) && force_bound(p, s, index) < p->best[index].value)
         return;
-    struct force_curve curve = curve_of(p, s, index);
-    if (s->closed)
+    struct bead_force_curve curve = bead_force_curve_of(s, index, p->of_beads);
+    if (bead_stepper_damped(s))
         find_jump(p, s, index, &curve, limit);
-    double rate0 = curve_rate(&curve, 0), end = curve_rate(&curve, 1);
+    double rate0 = bead_force_curve_rate(&curve, 0), end = bead_force_curve_rate(&curve, 1);
     const int parts = rate0 > 0 && end <= 0 && !p->of_beads ? 1 : PARTS;
     for (int i = 1; i <= parts; i++) {
         struct curve_part part = {&curve, (i - 1) / (double)parts, 1.0 / parts};
@@ -271,10 +203,10 @@ static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t
  * as open. */
 static void find_open(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
-    struct force_curve curve = curve_of(p, s, index);
+    struct bead_force_curve curve = bead_force_curve_of(s, index, p->of_beads);
     struct bead_peak *best = &p->best[index];
-    double x = (limit - s->t0) / s->h, value = curve_force(p, &curve, x);
-    if (curve_rate(&curve, x) > 0 && value > best->value)
+    double x = (limit - s->t0) / s->h, value = bead_force_curve_value(&curve, x);
+    if (bead_force_curve_rate(&curve, x) > 0 && value > best->value)
         *best = (struct bead_peak){value, limit, true};
 }
 
@@ -359,11 +291,11 @@ void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double 
     size_t n = s->active < p->count ? s->active : p->count;
     if (s->t0 > limit || n <= p->first)
         return;
-    if (s->closed) {
+    if (bead_stepper_damped(s)) {
         for (size_t i = p->first; i < n; i++)
             find_peak(p, s, i, limit);
     }
-    bool any = s->closed ? false : p->of_beads ? mark_beads(p, s, n) : mark_contacts(p, s, n);
+    bool any = bead_stepper_damped(s) ? false : p->of_beads ? mark_beads(p, s, n) : mark_contacts(p, s, n);
     for (size_t i = p->first; any && i < n; i++) {
         if (p->mark[i])
             find_peak(p, s, i, limit);

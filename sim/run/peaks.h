@@ -1,7 +1,8 @@
 /* Peaks: the largest maximum of every contact's or bead's force, found between the steps.
  *
  * A maximum lies where the rate of the force changes its sign within a step; its place and height come from the
- * septic Hermite interpolant of the compressions, whose error is far below that of the step. */
+ * septic Hermite interpolant of the compressions, whose error is far below that of the step. Where a contact with damping closes
+ * its force jumps: the peak is the largest value on either side. */
 #ifndef BEADREEL_SIM_RUN_PEAKS_H
 #define BEADREEL_SIM_RUN_PEAKS_H
 

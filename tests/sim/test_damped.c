@@ -1,0 +1,145 @@
+/* Damped contacts: their force jumps as they close, to gamma |D|^a at D m/s. Peaks are the larger of both sides of a jump, and
+ * nothing that is found between steps looks across it. */
+#include "support.h"
+
+#include "sim/integrate/damped_contacts.h"
+#include "sim/integrate/dense.h"
+#include "sim/run/peaks.h"
+
+#define BALLS "materials: {ball: {mass: 2 g, modulus: 100 GPa, poisson: 0.3, radius: 5 mm}}\n"
+
+static struct bead_outcome finish(struct bead_run *run, double end)
+{
+    struct bead_outcome outcome;
+    run_until(run, end);
+    bead_run_finish(run, end, &outcome);
+    return outcome;
+}
+
+/* The largest of k d + c d' for two beads of mass m that meet at v: a damped oscillator of the mass m/2, until the force is 0. */
+static double oscillator_peak(double k, double c, double m, double v)
+{
+    const double decay = c / m, fast = sqrt(2 * k / m - decay * decay), part = (k - c * decay) / fast;
+    const double turn = atan2(part * fast - c * decay, c * fast + part * decay) / fast;
+    return turn <= 0 ? c * v : v * exp(-decay * turn) * (part * sin(fast * turn) + c * cos(fast * turn));
+}
+
+/* Weak damping: the peak is within the contact; strong: it is the jump, whatever the steps. One- and two-sided. */
+static void linear_contacts_have_their_closed_form(void **state)
+{
+    (void)state;
+    static const char *const laws[] = {"power: 1, coefficient: 1e6", "fpu-alpha: 1e-9, stiffness: 1e6"};
+    static const double damping[] = {1, 10, 31, 32, 40};
+    for (size_t i = 0; i < 2 * sizeof damping / sizeof *damping; i++) {
+        char chain[512];
+        const double c = damping[i / 2];
+        snprintf(chain, sizeof chain,
+                 BALLS "chain: {striker: {bead: ball, velocity: 1}, beads: [{bead: ball}], law: {%s}, damping: "
+                       "{coefficient: %g, exponent: 1}}\n",
+                 laws[i % 2], c);
+        struct built built = build(chain, "until: 60 us, accuracy: 1e-7");
+        struct bead_run *run =
+            start_run(&built, (struct bead_run_settings){.end = 6e-5, .contact_peaks = true, .bead_peaks = true});
+        struct bead_outcome outcome = finish(run, 6e-5);
+        const double exact = oscillator_peak(1e6, c, 2e-3, 1);
+        assert_near(outcome.contact_peaks[0].value / exact, 1, c > 31.7 ? 1e-15 : 1e-7);
+        assert_near(outcome.bead_peaks[1].value / exact, 0.5, c > 31.7 ? 1e-15 : 1e-7);
+        assert_true((outcome.contact_peaks[0].time > 0) == (c < 31.7));
+        bead_run_destroy(run);
+        release(&built);
+    }
+}
+
+/* The striker a gap away from two beads that approach each other, and its contact open. */
+static struct bead_stepper *start_apart(const struct built *built, double gap)
+{
+    struct bead_message msg = {""};
+    struct bead_stepper *s = NULL;
+    if (bead_stepper_create(built->chain, bead_method_row("rk4"), bead_kernels_find(NULL), true, &s, &msg))
+        fail_msg("%s", msg.text);
+    s->end.u[0] = -gap;
+    s->end.u[1] = 2e-7;
+    s->end.v[1] = 0.05;
+    s->closed[0] = 0;
+    bead_stepper_evaluate(s, s->end.u, s->end.v, s->end.f, s->end.a);
+    return s;
+}
+
+/* A step ends where a contact closes: its peak is that of the other side of the jump, and the compression of the next contact is
+ * known within the step, though its rate jumps at the end. */
+static void a_contact_closes_within_a_step(void **state)
+{
+    (void)state;
+    static const char *const chain = BALLS "chain: {striker: {bead: ball, velocity: 2}, beads: [{bead: ball, count: 2}], "
+                                           "damping: {coefficient: 100, exponent: 1.8}}\n";
+    const double gap = 1e-6, step = 8e-7;
+    double middle[2], closed_at[2];
+    for (int fine = 0; fine < 2; fine++) {
+        struct built built = build(chain, "accuracy: 1e-6");
+        struct bead_stepper *s = start_apart(&built, gap);
+        struct bead_message msg = {""};
+        struct bead_peaks *peaks = NULL;
+        if (bead_peaks_create(s, false, (struct bead_span){0, 1}, &peaks, &msg))
+            fail_msg("%s", msg.text);
+        middle[fine] = NAN;
+        for (double t = 0, h = fine ? step / 64 : step; s->was_closed[0] == 0 && t < 2e-6; t = s->t1) {
+            bead_stepper_advance(s, s->t1 + h);
+            const double from = s->t0, to = s->t1, at = 0.3e-6;
+            const struct bead_polynomial d = bead_dense_compression(s, 1);
+            if (from <= at && at <= to)
+                middle[fine] = bead_polynomial_value(&d, (at - from) / (to - from));
+            closed_at[fine] = s->was_closed[0] ? closed_at[fine] : s->t1;
+            bead_peaks_step(peaks, s, INFINITY);
+        }
+        const struct bead_peak *peak = bead_peaks_found(peaks);
+        const double speed = s->start.v[0] - s->start.v[1];
+        assert_near(s->start.u[0], s->start.u[1], 1e-14);
+        assert_true(speed > 1.9);
+        assert_near(peak[0].value / (100 * pow(speed, 1.8)), 1, 1e-12);
+        assert_near(peak[0].time, s->t0, 1e-20);
+        bead_peaks_destroy(peaks);
+        bead_stepper_destroy(s);
+        release(&built);
+    }
+    assert_near(closed_at[0] / closed_at[1], 1, 1e-7);
+    assert_near(middle[0] / middle[1], 1, 1e-8);
+}
+
+/* The front arrives at 1e-4 of the largest force, which is that of the striker's impact, at time 0. */
+static void the_front_counts_the_impact(void **state)
+{
+    (void)state;
+    static const double asked[] = {1e-3, 1e-5, 1e-7};
+    double arrival[3];
+    for (int i = 0; i < 3; i++) {
+        char simulate[64];
+        snprintf(simulate, sizeof simulate, "accuracy: %g", asked[i]);
+        struct built built = build(BALLS "chain: {striker: {bead: ball, velocity: 1}, beads: [{bead: ball, count: 12}], "
+                                         "damping: {coefficient: 700, exponent: 1.8}}\n",
+                                   simulate);
+        struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = INFINITY, .passage = true});
+        struct bead_message msg = {""};
+        while (isnan(bead_run_arrival(run))) {
+            if (bead_run_step(run, &msg))
+                fail_msg("%s", msg.text);
+        }
+        arrival[i] = bead_run_arrival(run);
+        const struct bead_sample sample = sample_at(run, arrival[i]);
+        assert_near(sample.field[BEAD_FIELD_CONTACT_FORCE][11] / 700, 1e-4, 1e-4 * 20 * asked[i]);
+        bead_run_destroy(run);
+        release(&built);
+    }
+    assert_near(arrival[0] / arrival[2], 1, asked[0]);
+    assert_near(arrival[1] / arrival[2], 1, asked[1]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(linear_contacts_have_their_closed_form),
+        cmocka_unit_test(a_contact_closes_within_a_step),
+        cmocka_unit_test(the_front_counts_the_impact),
+
+    };
+    return cmocka_run_group_tests_name("damped", tests, NULL, NULL);
+}
