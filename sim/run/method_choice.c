@@ -17,6 +17,9 @@ static const double low_accuracy = 1.5e-4;
  * is reached. */
 static const double smooth_theta = 1, smooth_order = 8, smooth_cap = 2.2, far_from_opening = 0.1;
 
+/* With damping steps follow the state, which takes shorter ones than a bound for the whole run. */
+static const double damped_part = 0.7;
+
 /* Errors add up on the way along a chain, and grow behind the front where it is disordered: with contacts that open, chains of more
  * than `usual_beads` are stepped for an accuracy smaller by this power of their length, up to about as many beads as the longest
  * have that peaks were compared for (tests/stress/stress_accuracy.c). */
@@ -91,6 +94,8 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
                          "%s: simulate.method: `%s` corrects contact events, which law `%s` does not allow; use rkn8-plain or auto",
                          file, name, chain->law->name);
     *choice = (struct bead_method_choice){method, method->info.theta, method->info.theta_order, method->info.theta_cap, 1, why};
+    if (chain->spec->damping_coefficient > 0)
+        choice->theta *= damped_part;
     if (method->events && chain->law->one_sided)
         choice->share = share;
     if (!any || !method->tableau)

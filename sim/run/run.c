@@ -29,6 +29,8 @@ static const double energy_limit = 1e-2;
 static const double drift_part = 2;
 /* A step that would miss the end of the run by no more than this part of itself ends there. */
 static const double last_sliver = 1e-6;
+/* Where damping asks for steps below this part of the usual ones, a run would not end in reasonable time. */
+static const double shortest = 1e-3;
 
 struct bead_run {
     struct bead_run_settings settings;
@@ -86,7 +88,7 @@ enum bead_error bead_run_comparison_stepping(const struct bead_chain *chain, con
                                        .omega = omega,
                                        .theta = theta,
                                        .accuracy = choice.share * tolerance_factor * asked->accuracy,
-                                       .variable = !(step > 0) && method->variable,
+                                       .variable = !(step > 0) && (method->variable || chain->spec->damping_coefficient > 0),
                                        .why = choice.why};
     /* The bound is generous: a step is hopeless only when it exceeds the limit twice over. */
     if (step * omega > 2 * method->theta_max)
@@ -293,17 +295,30 @@ static enum bead_error note_errors(struct bead_run *run, struct bead_message *ms
     return check_energy(run, error, msg);
 }
 
-/* One step of the length chosen, or a shorter one that ends where the run does. */
-static void advance(struct bead_run *run)
+/* Length of the next step, s. */
+static double next_step(struct bead_run *run)
 {
     struct bead_stepper *s = run->stepper;
-    double h = run->stepping.step, t = (double)(s->steps + 1) * h;
-    if (run->stepping.variable) {
-        h = bead_step_control_next(&run->control, s);
-        if (s->steps % WEIGH_EVERY == 0)
-            bead_events_weigh(s->events, s);
-    }
-    if (run->stepping.variable || s->closed) /* with damping steps end where contacts close */
+    if (!run->stepping.variable)
+        return run->stepping.step;
+    const double h = bead_step_control_next(&run->control, s);
+    if (s->steps % WEIGH_EVERY == 0)
+        bead_events_weigh(s->events, s);
+    return bead_stepper_damped(s) ? bead_step_control_damped(s, run->stepping.accuracy, h) : h;
+}
+
+/* One step of the length chosen, or a shorter one that ends where the run does. */
+static enum bead_error advance(struct bead_run *run, struct bead_message *msg)
+{
+    struct bead_stepper *s = run->stepper;
+    const double h = next_step(run);
+    if (bead_stepper_damped(s) && h < shortest * run->stepping.step)
+        return bead_fail(msg, BEAD_ERROR_NUMBERS,
+                         "chain%s%s: at %.6g s velocities decay so fast that steps of %.2g s would be needed: the damping is too "
+                         "strong for these masses; give a smaller chain.damping.coefficient",
+                         *bead_chain_name(s->chain) ? " " : "", bead_chain_name(s->chain), s->t1, h);
+    double t = (double)(s->steps + 1) * h;
+    if (run->stepping.variable || bead_stepper_damped(s)) /* with damping steps end where contacts close */
         t = s->t1 + h;
     /* Where the front's arrival ends the run the steps keep their length: they must not depend on whether it was known before. */
     double end = run->settings.passage ? INFINITY : run->settings.end;
@@ -313,6 +328,7 @@ static void advance(struct bead_run *run)
         bead_stepper_advance_by(s, h, end); /* the same but for rounding */
     else
         bead_stepper_advance_by(s, h, t);
+    return BEAD_OK;
 }
 
 /* Displacements, then velocities, at time t of the step just made. */
@@ -327,12 +343,14 @@ static void keep_state(struct bead_run *run, double t, double *kept)
 enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
 {
     struct bead_stepper *s = run->stepper;
-    advance(run);
+    enum bead_error err = advance(run, msg);
+    if (err)
+        return err;
     if (bead_events_failed(s->events))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contacts that open or close");
     run->event_error = fmax(run->event_error, s->event_change);
     const bool coming = isnan(run->front.arrival);
-    enum bead_error err = bead_front_watch(&run->front, s, msg);
+    err = bead_front_watch(&run->front, s, msg);
     if (err)
         return err;
     if (run->arrived && coming && !isnan(run->front.arrival))

@@ -21,5 +21,8 @@ struct bead_step_control bead_step_control_start(const struct bead_stepper *step
 void bead_step_control_shorten(struct bead_step_control *control);
 /* Length of the next step, s. */
 double bead_step_control_next(struct bead_step_control *control, const struct bead_stepper *stepper);
+/* Length of the next step of a chain with damping, s: h, or less where damping is so strong that velocities decay faster than beads
+ * vibrate. */
+double bead_step_control_damped(const struct bead_stepper *stepper, double accuracy, double h);
 
 #endif

@@ -133,13 +133,66 @@ static void the_front_counts_the_impact(void **state)
     assert_near(arrival[1] / arrival[2], 1, asked[1]);
 }
 
+/* Light beads that strong damping slows faster than they vibrate: steps follow the damping. */
+static void strong_damping_is_as_accurate_as_asked(void **state)
+{
+    (void)state;
+    static const double asked[] = {1e-9, 1e-4, 1e-6, 1e-8};
+    static const char *const damping[] = {"{coefficient: 20, exponent: 1}", "{coefficient: 20, exponent: 1.5}"};
+    for (size_t c = 0; c < 2; c++) {
+        char chain[512], simulate[64];
+        struct bead_peak exact[8];
+        snprintf(chain, sizeof chain,
+                 "materials: {light: {mass: 10 mg, modulus: 1 GPa, poisson: 0.3, radius: 2 mm}}\n"
+                 "chain: {striker: {bead: light, velocity: 0.3}, beads: [{bead: light, count: 7}], damping: %s}\n",
+                 damping[c]);
+        for (int i = 0; i < 4; i++) {
+            snprintf(simulate, sizeof simulate, "until: 1 ms, accuracy: %g", asked[i]);
+            struct built built = build(chain, simulate);
+            struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = 1e-3, .contact_peaks = true});
+            struct bead_outcome outcome = finish(run, 1e-3);
+            for (size_t k = 0; k < 7; k++) {
+                if (i > 0 && !outcome.contact_peaks[k].open)
+                    assert_near(outcome.contact_peaks[k].value / exact[k].value, 1, asked[i]);
+            }
+            if (i == 0)
+                memcpy(exact, outcome.contact_peaks, 7 * sizeof *exact);
+            bead_run_destroy(run);
+            release(&built);
+        }
+    }
+}
+
+/* Steps follow the state, but only as far as beads have moved. */
+static void the_window_changes_no_bit(void **state)
+{
+    (void)state;
+    static const char *const exponents[] = {"1", "1.8"};
+    for (int e = 0; e < 2; e++) {
+        uint64_t hash[2];
+        for (int full = 0; full < 2; full++) {
+            char chain[256];
+            snprintf(chain, sizeof chain, "chain: {beads: [{bead: ptfe, count: 60}], damping: {coefficient: 5, exponent: %s}}\n",
+                     exponents[e]);
+            struct built built = build(chain, "accuracy: 1e-5");
+            struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = 0.2e-3, .full_window = full, .hash = true});
+            run_until(run, 0.2e-3);
+            hash[full] = bead_run_hash(run);
+            bead_run_destroy(run);
+            release(&built);
+        }
+        assert_true(hash[0] == hash[1]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(linear_contacts_have_their_closed_form),
         cmocka_unit_test(a_contact_closes_within_a_step),
         cmocka_unit_test(the_front_counts_the_impact),
-
+        cmocka_unit_test(strong_damping_is_as_accurate_as_asked),
+        cmocka_unit_test(the_window_changes_no_bit),
     };
     return cmocka_run_group_tests_name("damped", tests, NULL, NULL);
 }
