@@ -5,10 +5,10 @@
 
 #include "sim/integrate/dense.h"
 
-/* A contact this near to closing, in units of its motion in a step, counts as closed: a step that ends at a closing meets it up to
- * the error of the root. */
-static const double touching = 1e-3;
-/* A change within this part of a step counts as one at its start. */
+/* A contact this near to closing, in units of its motion in a step, counts as closed. */
+static const double touching = 1e-6;
+/* A change of the force's sign within this part of a step counts as one at its start; a contact that closes within it does so then.
+ */
 static const double at_once = 1e-6;
 
 static double compression(const struct bead_stepper *s, const struct bead_state *state, size_t k)
@@ -70,7 +70,7 @@ static double change_of(const struct bead_stepper *s, size_t k)
     double r0 = s->h * rate(&s->start, k), r1 = s->h * rate(&s->end, k);
     struct contact_curve curve = {s, k, {{d0, r0, 3 * (d1 - d0) - 2 * r0 - r1, 2 * (d0 - d1) + r0 + r1, 0, 0, 0, 0}}};
     if (!s->closed[k] && d0 < 0)
-        return d1 > 0 ? bead_find_root(closing, &curve, d0, d1) : 1;
+        return d1 > 0 ? fmax(bead_find_root(closing, &curve, d0, d1), 2 * at_once) : 1;
     /* Closed, or open though compressed: its force changes sign. */
     double f0 = pushing(&curve, 0), f1 = pushing(&curve, 1);
     return (f0 > 0) != (f1 > 0) && (f0 > 0) == (s->closed[k] != 0) ? bead_find_root(pushing, &curve, f0, f1) : 1;

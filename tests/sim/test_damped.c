@@ -105,6 +105,41 @@ static void a_contact_closes_within_a_step(void **state)
     assert_near(middle[0] / middle[1], 1, 1e-8);
 }
 
+/* Bead 1 closes the contacts on both of its sides, the second `later` s after the first. Returns its velocity after the step. */
+static double squeezed(double later, double h)
+{
+    struct bead_message msg = {""};
+    struct bead_stepper *s = NULL;
+    struct built built = build(BALLS "chain: {striker: {bead: ball, velocity: 2}, beads: [{bead: ball, count: 2}], "
+                                     "damping: {coefficient: 100, exponent: 1.8}}\n",
+                               "accuracy: 1e-6");
+    if (bead_stepper_create(built.chain, bead_method_row("rk4"), bead_kernels_find(NULL), true, &s, &msg))
+        fail_msg("%s", msg.text);
+    s->end.u[0] = -2 * 0.6e-6;
+    s->end.u[2] = 1.5 * (0.6e-6 + later);
+    s->end.v[2] = -1.5;
+    s->closed[0] = s->closed[1] = 0;
+    bead_stepper_evaluate(s, s->end.u, s->end.v, s->end.f, s->end.a);
+    while (s->t1 < 1.6e-6)
+        bead_stepper_advance(s, fmin(s->t1 + h, 1.6e-6));
+    const double v = s->end.v[1];
+    bead_stepper_destroy(s);
+    release(&built);
+    return v;
+}
+
+/* However soon the second closes, it does so at its own time. */
+static void contacts_close_one_after_the_other(void **state)
+{
+    (void)state;
+    static const double later[] = {1e-15, 1e-13, 1e-11, 0.9e-10, 3e-10, 7e-10, 1e-8, -1e-13, -3e-10};
+    for (size_t i = 0; i < sizeof later / sizeof *later; i++) {
+        const double exact = squeezed(later[i], 0.8e-6 / 64);
+        assert_near(squeezed(later[i], 0.8e-6) / exact, 1, 1e-4);
+        assert_near(squeezed(later[i], 0.4e-6) / exact, 1, 1e-5);
+    }
+}
+
 /* The front arrives at 1e-4 of the largest force, which is that of the striker's impact, at time 0. */
 static void the_front_counts_the_impact(void **state)
 {
@@ -188,11 +223,9 @@ static void the_window_changes_no_bit(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(linear_contacts_have_their_closed_form),
-        cmocka_unit_test(a_contact_closes_within_a_step),
-        cmocka_unit_test(the_front_counts_the_impact),
-        cmocka_unit_test(strong_damping_is_as_accurate_as_asked),
-        cmocka_unit_test(the_window_changes_no_bit),
+        cmocka_unit_test(linear_contacts_have_their_closed_form), cmocka_unit_test(a_contact_closes_within_a_step),
+        cmocka_unit_test(contacts_close_one_after_the_other),     cmocka_unit_test(the_front_counts_the_impact),
+        cmocka_unit_test(strong_damping_is_as_accurate_as_asked), cmocka_unit_test(the_window_changes_no_bit),
     };
     return cmocka_run_group_tests_name("damped", tests, NULL, NULL);
 }
