@@ -208,12 +208,13 @@ struct bead_shown {
     bool trust;             /* say from when on two runs of different accuracy differ: image, movie, plot */
 };
 
-/* Which way space-time images lie. Automatic: time to the right alone; down where beads stand above it; bare pixels as a matrix. */
+/* Which way space-time images lie. Automatic: in images time to the right, but down below views of a moment, and bare pixels as a
+ * matrix; in movies and sheets time down. */
 enum bead_orientation {
     BEAD_ORIENTATION_AUTO,
     BEAD_TIME_RIGHT, /* time to the right, bead 0 at the bottom */
     BEAD_TIME_DOWN,  /* time down, bead 0 at the left */
-    BEAD_MATRIX      /* time to the right, bead 0 on top, as in Octave's imagesc; of bare pixels only */
+    BEAD_MATRIX      /* time to the right, bead 0 on top, as in Octave's imagesc; of pictures without axes only */
 };
 
 /* What is drawn, from top to bottom: image, movie. */

@@ -42,14 +42,14 @@ struct bead_view_setup {
     int beyond[2];    /* px: panels along the chain reach so far left and right of the plot, for what is beside the beads there */
     bool own_colour;  /* profile: in the colour of the chain's number; others are on the same axis */
     bool bead_labels; /* label the bead axis; false where a view below shares it */
-    bool time_down;   /* spacetime: time runs down and beads to the right (movies); else beads up, time to the right (papers) */
-    bool time_shared; /* spacetime, sensors: no labels on the time axis; a view below has them */
-    bool fill;        /* spacetime: show only what has passed, with a cursor at the present (movies) */
-    enum bead_sampling sampling;      /* spacetime */
-    double magnify;                   /* beads: factor on displacements, > 0 */
-    const struct bead_camera *camera; /* beads, profile: show its window; spacetime: mark it at the present. NULL: all beads */
-    size_t modes;                     /* modes: how many */
-    bool marked;                      /* spacetime in stills: a thin line at the time `mark`, s */
+    enum bead_orientation orientation; /* spacetime; AUTO: as TIME_RIGHT */
+    bool time_shared;                  /* spacetime, sensors: no labels on the time axis; a view below has them */
+    bool fill;                         /* spacetime: show only what has passed, with a cursor at the present (movies) */
+    enum bead_sampling sampling;       /* spacetime */
+    double magnify;                    /* beads: factor on displacements, > 0 */
+    const struct bead_camera *camera;  /* beads, profile: show its window; spacetime: mark it at the present. NULL: all beads */
+    size_t modes;                      /* modes: how many */
+    bool marked;                       /* spacetime in stills: a thin line at the time `mark`, s */
     double mark;
     bool trust; /* spacetime, sensors: samples have a comparison run's values; mark where the two differ */
 };

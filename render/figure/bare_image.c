@@ -13,6 +13,7 @@
 #include "render/draw/page.h"
 #include "render/draw/picture_times.h"
 #include "render/view/area_colours.h"
+#include "render/view/orientation.h"
 #include "sim/base/large.h"
 
 struct bead_still {
@@ -52,7 +53,7 @@ static enum bead_error scene_error(const struct bead_still *b, const char *text,
 
 static bool time_down(const struct bead_still *b)
 {
-    return b->output->views.orientation == BEAD_TIME_DOWN;
+    return bead_orientation_of(b->output) == BEAD_TIME_DOWN;
 }
 
 static size_t count_of(const struct bead_still *b, size_t chain)
@@ -125,12 +126,8 @@ static struct bead_colour_range bare_find_range(const struct bead_still *b)
 /* Where the pixels of a chain go. */
 static struct bead_area_image image_of(const struct bead_still *b, size_t chain, uint8_t *indices)
 {
-    const ptrdiff_t width = b->page.width;
-    if (time_down(b))
-        return (struct bead_area_image){indices + b->tops[chain], width, 1};
-    if (b->output->views.orientation == BEAD_TIME_RIGHT)
-        return (struct bead_area_image){indices + (b->tops[chain + 1] - 1) * width, 1, -width};
-    return (struct bead_area_image){indices + b->tops[chain] * width, 1, width};
+    const ptrdiff_t width = b->page.width, begin = b->tops[chain] * (time_down(b) ? 1 : width);
+    return bead_orientation_image(bead_orientation_of(b->output), b->tops[chain + 1] - b->tops[chain], indices + begin, width);
 }
 
 static enum bead_error fill_indices(const struct bead_still *b, uint8_t *indices, struct bead_message *msg)

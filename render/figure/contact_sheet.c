@@ -6,11 +6,12 @@
 #include <stdlib.h>
 
 #include "beadreel/render.h"
+#include "render/view/orientation.h"
 
-/* Samples per row of pixels; values are linear in time between samples. */
+/* Samples per column of pixels along time; values are linear in time between samples. */
 enum { SAMPLES_A_PIXEL = 4 };
 
-static void sheet_destroy(struct contact_sheet *s)
+void contact_sheet_clear(struct contact_sheet *s)
 {
     for (size_t i = 0; s->images && i < s->image_count; i++) {
         bead_area_destroy(s->images[i].area);
@@ -19,7 +20,6 @@ static void sheet_destroy(struct contact_sheet *s)
     free(s->images);
     free(s->watches);
     free(s->rows);
-    free(s->means);
 }
 
 /* Finds which beads belong to cells that are up or reversed, and where the part of the chain shown begins. */
@@ -46,8 +46,12 @@ static enum bead_error sheet_read_chain(struct contact_sheet *s, struct contact_
         }
     }
     const size_t values = s->of_contacts ? bead_chain_contacts(chain) : image->beads;
-    const struct bead_area_setup setup = {
-        {0, values - 1}, {0, s->end}, image->picture.width, image->picture.height, BEAD_SAMPLING_AREA};
+    bool down = s->orientation == BEAD_TIME_DOWN;
+    const struct bead_area_setup setup = {{0, values - 1},
+                                          {0, s->end},
+                                          down ? image->picture.width : image->picture.height,
+                                          down ? image->picture.height : image->picture.width,
+                                          BEAD_SAMPLING_AREA};
     err =
         image->spin ? bead_area_create(&setup, &image->area, msg) : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
     bead_sweep_chain_destroy(made);
@@ -90,13 +94,14 @@ static enum bead_error take_pictures(struct contact_sheet *s, const struct bead_
     enum bead_error err = taking ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
     for (size_t i = 0; i < s->image_count && !err; i++) {
         struct contact_image *image = &s->images[i];
+        int columns = s->orientation == BEAD_TIME_DOWN ? image->picture.height : image->picture.width;
         taking[i] = (struct taking){image, s->output->shown.field};
         err = sheet_read_chain(s, image, msg);
         s->watches[i] = (struct bead_sweep_watch){.panel = image->panel,
                                                   .index = image->index,
                                                   .end = s->end,
                                                   .fields = BEAD_FIELD_BIT(s->output->shown.field),
-                                                  .every = s->end / (SAMPLES_A_PIXEL * (double)image->picture.height),
+                                                  .every = s->end / (SAMPLES_A_PIXEL * (double)columns),
                                                   .take = take,
                                                   .context = &taking[i]};
     }
@@ -141,6 +146,7 @@ static enum bead_error sheet_prepare(struct contact_sheet *s, struct bead_messag
         return err;
     bead_page_look(&s->page, &s->output->paper, &s->look);
     s->small = smaller * s->look.tick;
+    s->orientation = bead_orientation_of(s->output);
     s->of_contacts = bead_field_info(s->output->shown.field)->of_contacts;
     s->behind = bead_sweep_panel(s->sweep, 0)->spec->measures.sensor_count == 0;
     err = bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark ? "inferno" : "viridis", &s->map, msg);
@@ -148,26 +154,28 @@ static enum bead_error sheet_prepare(struct contact_sheet *s, struct bead_messag
     return err;
 }
 
+enum bead_error contact_sheet_make(struct contact_sheet *s, const struct bead_sweep_settings *settings, struct bead_message *msg)
+{
+    enum bead_error err = sheet_prepare(s, msg);
+    if (!err)
+        err = contact_sheet_arrange(s, msg);
+    if (!err)
+        err = sheet_measure(s, settings, msg);
+    if (!err)
+        err = take_pictures(s, settings, msg);
+    return err ? err : find_colours(s, msg);
+}
+
 static enum bead_error sheet_run(const struct bead_output *output, const struct bead_sweep *sweep,
                                  const struct bead_sweep_settings *settings, const char *path, uint64_t *bytes,
                                  struct bead_message *msg)
 {
     struct contact_sheet s = {.output = output, .sweep = sweep};
-    enum bead_error err = sheet_prepare(&s, msg);
-    if (!err)
-        err = contact_sheet_arrange(&s, msg);
-    if (!err) {
-        s.means = calloc((size_t)s.page.width, sizeof *s.means);
-        err = s.means ? sheet_measure(&s, settings, msg) : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
-    }
-    if (!err)
-        err = take_pictures(&s, settings, msg);
-    if (!err)
-        err = find_colours(&s, msg);
+    enum bead_error err = contact_sheet_make(&s, settings, msg);
     if (!err)
         err = bead_page_write(&s.page, output, bead_sweep_scene(sweep), &(struct bead_drawing){contact_sheet_draw, NULL, &s}, path,
                               bytes, msg);
-    sheet_destroy(&s);
+    contact_sheet_clear(&s);
     return err;
 }
 

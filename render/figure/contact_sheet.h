@@ -21,7 +21,7 @@ struct contact_row {
 struct contact_image {
     size_t panel, index, row;
     double magnetism;
-    struct bead_rect picture, spins; /* px */
+    struct bead_rect picture, spins; /* px; spins stand along the chain: above, or left of pictures with time to the right */
     struct bead_rect words;          /* below: numbers, and the bar of the index */
     signed char *spin;               /* [beads]: 1 up, 0 reversed, -1: no cell */
     size_t beads;
@@ -34,6 +34,7 @@ struct contact_sheet {
     struct bead_page page;
     struct bead_look look;
     double small; /* px: type of the numbers */
+    enum bead_orientation orientation;
     struct contact_row *rows;
     size_t row_count, columns;
     struct contact_image *images;
@@ -44,12 +45,16 @@ struct contact_sheet {
     bool several;                /* sweeps */
     double end;                  /* s */
     bool of_contacts, behind;    /* values belong to contacts; forces are measured behind the random cells */
-    double *means;               /* [page.width]: a row of pixels */
     struct bead_colormap map;
     struct bead_colours colours;
     struct bead_colour_range range;
 };
 
+/* Runs what the sheet of `output` and `sweep` shows, until it can be drawn; to be cleared also after an error. Errors: SCENE,
+ * MEMORY, those of the runs. */
+BEAD_CHECK enum bead_error contact_sheet_make(struct contact_sheet *sheet, const struct bead_sweep_settings *settings,
+                                              struct bead_message *msg);
+void contact_sheet_clear(struct contact_sheet *sheet);
 /* Rows, images and their places. Errors: SCENE (no room), MEMORY. */
 BEAD_CHECK enum bead_error contact_sheet_arrange(struct contact_sheet *sheet, struct bead_message *msg);
 /* A bead_draw. */

@@ -1,10 +1,12 @@
 /* Draws a contact sheet: pictures, spins, numbers, and the bar of colours. */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "render/draw/markup.h"
 #include "render/figure/contact_sheet.h"
+#include "render/view/orientation.h"
 
 /* ---- words ---- */
 
@@ -70,38 +72,66 @@ static void sheet_draw_words(const struct contact_sheet *s, cairo_t *cr, size_t 
 
 /* ---- pictures ---- */
 
+/* Beads from..to - 1 of the row of spins, which stands along the chain. */
+static void fill_spins(const struct contact_sheet *s, cairo_t *cr, const struct contact_image *image, size_t from, size_t to)
+{
+    const struct bead_rect *box = &image->spins;
+    const struct bead_rgb colour = contact_sheet_spin_colour(s, image->spin[from]);
+    const bool down = s->orientation == BEAD_TIME_DOWN;
+    const double step = (double)(down ? box->width : box->height) / (double)image->beads;
+    const double begin = (double)from * step, length = (double)(to - from) * step;
+    if (down)
+        contact_sheet_fill(cr, colour, box->x + begin, box->y, length, box->height);
+    else
+        contact_sheet_fill(cr, colour, box->x, box->y + (s->orientation == BEAD_MATRIX ? begin : box->height - begin - length),
+                           box->width, length);
+}
+
 static void draw_spins(const struct contact_sheet *s, cairo_t *cr, const struct contact_image *image)
 {
     const struct bead_rect *box = &image->spins;
-    const double step = (double)box->width / (double)image->beads;
     contact_sheet_fill(cr, contact_sheet_spin_colour(s, -1), box->x, box->y, box->width, box->height);
     for (size_t j = 0; j < image->beads;) {
         size_t next = j + 1;
         while (next < image->beads && image->spin[next] == image->spin[j])
             next++;
         if (image->spin[j] >= 0)
-            contact_sheet_fill(cr, contact_sheet_spin_colour(s, image->spin[j]), box->x + (double)j * step, box->y,
-                               (double)(next - j) * step, box->height);
+            fill_spins(s, cr, image, j, next);
         j = next;
     }
 }
 
-static enum bead_error draw_picture(const struct contact_sheet *s, cairo_t *cr, const struct contact_image *image, double *means,
+/* Indices of colours, [height][width]; those that no sample has touched are 0. */
+static enum bead_error find_indices(const struct contact_sheet *s, const struct contact_image *image, uint8_t *indices,
+                                    struct bead_message *msg)
+{
+    const bool down = s->orientation == BEAD_TIME_DOWN;
+    const int width = image->picture.width, height = image->picture.height, columns = down ? height : width;
+    const struct bead_area_image to = bead_orientation_image(s->orientation, down ? width : height, indices, width);
+    struct bead_colour_table table;
+    enum bead_error err = BEAD_OK;
+    bead_colour_table_make(&s->colours, &table);
+    for (int c = 0, done; !err && c < columns; c = done + 1)
+        err = bead_area_colour(image->area, &table, c, columns, &to, &done, msg);
+    return err;
+}
+
+static enum bead_error draw_picture(const struct contact_sheet *s, cairo_t *cr, const struct contact_image *image,
                                     struct bead_message *msg)
 {
     const struct bead_rect *box = &image->picture;
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, box->width, box->height);
     unsigned char *data = cairo_image_surface_get_data(surface);
-    size_t stride = (size_t)cairo_image_surface_get_stride(surface);
-    for (int y = 0; data && y < box->height; y++) {
-        bool there = bead_area_column(image->area, y, means);
-        for (int x = 0; x < box->width; x++) {
-            const uint8_t *rgb = s->map.rgb[there ? bead_colours_index(&s->colours, means[x]) : 0];
-            unsigned char *pixel = data + (size_t)y * stride + 4 * (size_t)x;
-            pixel[0] = rgb[2];
-            pixel[1] = rgb[1];
-            pixel[2] = rgb[0];
-        }
+    size_t stride = (size_t)cairo_image_surface_get_stride(surface), width = (size_t)box->width;
+    uint8_t *indices = calloc(width, (size_t)box->height);
+    enum bead_error err =
+        indices ? find_indices(s, image, indices, msg) : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
+    for (size_t i = 0; data && !err && i < width * (size_t)box->height; i++) {
+        const uint8_t *rgb = s->map.rgb[indices[i]];
+        unsigned char *pixel = data + i / width * stride + 4 * (i % width);
+        pixel[0] = rgb[2];
+        pixel[1] = rgb[1];
+        pixel[2] = rgb[0];
     }
     cairo_surface_mark_dirty(surface);
     cairo_set_source_surface(cr, surface, box->x, box->y);
@@ -109,7 +139,10 @@ static enum bead_error draw_picture(const struct contact_sheet *s, cairo_t *cr, 
     cairo_paint(cr);
     cairo_status_t status = cairo_surface_status(surface);
     cairo_surface_destroy(surface);
-    return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "sheet: %s", cairo_status_to_string(status)) : BEAD_OK;
+    free(indices);
+    if (err || !status)
+        return err;
+    return bead_fail(msg, BEAD_ERROR_GRAPHICS, "sheet: %s", cairo_status_to_string(status));
 }
 
 enum bead_error contact_sheet_draw(void *context, cairo_t *cr, struct bead_message *msg)
@@ -122,7 +155,7 @@ enum bead_error contact_sheet_draw(void *context, cairo_t *cr, struct bead_messa
     contact_sheet_intro(s, cr, s->intro.width);
     draw_row_names(s, cr);
     for (size_t i = 0; i < s->image_count && !err; i++) {
-        err = draw_picture(s, cr, &s->images[i], s->means, msg);
+        err = draw_picture(s, cr, &s->images[i], msg);
         draw_spins(s, cr, &s->images[i]);
         sheet_draw_words(s, cr, i);
     }

@@ -142,8 +142,10 @@ static void place_image(struct contact_sheet *s, struct contact_image *image, do
 {
     int x = (int)round(left), w = (int)round(left + width) - x, y = (int)round(top);
     int bar = (int)fmax(2, round(spins_height * s->small)), gap = (int)fmax(1, round(spins_gap * s->small));
-    image->spins = (struct bead_rect){x, y, w, bar};
-    image->picture = (struct bead_rect){x, y + bar + gap, w, (int)round(height) - bar - gap};
+    int h = (int)round(height), before = bar + gap;
+    bool down = s->orientation == BEAD_TIME_DOWN;
+    image->spins = (struct bead_rect){x, y, down ? w : bar, down ? bar : h};
+    image->picture = down ? (struct bead_rect){x, y + before, w, h - before} : (struct bead_rect){x + before, y, w - before, h};
     image->words = (struct bead_rect){x, image->picture.y + image->picture.height, w, (int)round(words_height * s->small)};
 }
 

@@ -75,25 +75,17 @@ double contact_sheet_intro(const struct contact_sheet *s, cairo_t *cr, double wi
     }
     bead_quantity(s->end > 0 ? s->end : 1.234e-3, "s", 3, end, sizeof end);
     y += draw_key(s, cr, s->intro.x, y) + 0.5 * look->gap;
+    const bool down = s->orientation == BEAD_TIME_DOWN;
     snprintf(
         text, sizeof text,
-        "Pictures: %s from left to right, time from 0 to %s downwards. Numbers: configuration; " BEAD_SYMBOL(
-            "F") ", peak force%s; " BEAD_SYMBOL("P") ", beads that share the energy as the front arrives; " BEAD_SYMBOL("C") " and "
-                                                                                                                             "the "
-                                                                                                                             "line "
-                                                                                                                             "under"
-                                                                                                                             " the "
-                                                                                                                             "pictu"
-                                                                                                                             "re, "
-                                                                                                                             "clean"
-                                                                                                                             " inde"
-                                                                                                                             "x: 1 "
-                                                                                                                             "clean"
-                                                                                                                             ", 0 "
-                                                                                                                             "deloc"
-                                                                                                                             "alise"
-                                                                                                                             "d.",
-        s->of_contacts ? "contacts" : "beads", end, s->behind ? " behind the random cells" : "");
+        "Pictures: %s from %s, time from 0 to %s %s. Numbers: configuration; " BEAD_SYMBOL("F") ", peak force%s; " BEAD_SYMBOL(
+            "P") ", beads that share the energy as the front arrives; " BEAD_SYMBOL("C") " and the line under the picture, "
+                                                                                         "clean index: 1 clean, 0 delocalised.",
+        s->of_contacts ? "contacts" : "beads",
+        down                            ? "left to right"
+        : s->orientation == BEAD_MATRIX ? "top to bottom"
+                                        : "bottom to top",
+        end, down ? "downwards" : "to the right", s->behind ? " behind the random cells" : "");
     y += draw_lines(cr, &line, width, s->intro.x, y, text);
     return y - start;
 }

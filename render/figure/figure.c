@@ -8,6 +8,7 @@
 #include "render/draw/picture_times.h"
 #include "render/figure/figure_private.h"
 #include "render/view/magnify.h"
+#include "render/view/orientation.h"
 
 bool bead_tile_collects(const struct bead_tile *panel)
 {
@@ -60,7 +61,6 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
                                  struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
-    const enum bead_orientation asked = f->output->views.orientation;
     bool moments = !bead_views_all(views, f->view_count, BEAD_SHOWS_ALL_TIMES);
     for (size_t v = 0; !err && v < f->view_count; v++) {
         struct bead_tile *panel = &cell->panel[v];
@@ -75,7 +75,7 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
                                                 .look = &f->look,
                                                 .axes = f->output->views.axes,
                                                 .bead_labels = true,
-                                                .time_down = asked == BEAD_ORIENTATION_AUTO ? moments : asked == BEAD_TIME_DOWN,
+                                                .orientation = bead_orientation_of(f->output),
                                                 .sampling = f->output->image.sampling,
                                                 .marked = moments,
                                                 .mark = f->at,
@@ -140,7 +140,7 @@ static double time_pixels(const struct bead_figure *f)
     for (size_t v = 0; v < f->view_count; v++) {
         const struct bead_tile *panel = &f->cells[0].panel[v];
         if (bead_view_has(panel->type, BEAD_SHOWS_IMAGE))
-            return panel->setup.time_down ? panel->plot.height : panel->plot.width;
+            return panel->setup.orientation == BEAD_TIME_DOWN ? panel->plot.height : panel->plot.width;
     }
     return 2000;
 }

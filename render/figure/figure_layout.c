@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "render/figure/figure_private.h"
+#include "render/view/orientation.h"
 
 /* Lengths in units of the label's font size. */
 static const double between_columns = 1.3, between_rows = 0.9, between_views = 0.55;
@@ -360,8 +361,7 @@ static bool same_beads(const struct bead_figure *f)
 /* What a panel's horizontal axis counts. */
 static enum bead_view_across across(const struct bead_tile *panel)
 {
-    bool time = bead_view_has(panel->type, BEAD_SHOWS_IMAGE) && !panel->setup.time_down;
-    return time ? BEAD_ACROSS_TIME : panel->type->info->across;
+    return bead_orientation_across(panel->setup.orientation, panel->type->info);
 }
 
 /* An axis is labelled unless the plot below, or to the left, labels the same axis. */
@@ -381,6 +381,8 @@ static void share_axes(struct bead_figure *f)
                 *(beads ? &panel->setup.bead_labels : &panel->setup.time_shared) = !beads;
             if (f->set.no_upwards && bead_view_has(panel->type, BEAD_SHOWS_IMAGE))
                 *(beads ? &panel->setup.time_shared : &panel->setup.bead_labels) = beads;
+            if (!beads && bead_view_has(panel->type, BEAD_SHOWS_IMAGE))
+                panel->setup.ticks_only = !panel->setup.bead_labels;
         }
     }
 }

@@ -63,8 +63,8 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t cha
 {
     const struct bead_output *output = c->setup.output;
     const struct bead_movie_chain *place = &c->layout.chains[chain];
-    bool time = c->wants.views[view]->info->across == BEAD_ACROSS_TIME, labels = place->labels[view];
-    bool along = c->wants.views[view]->info->across == BEAD_ACROSS_CHAIN;
+    enum bead_view_across across = bead_movie_across(&c->wants, view);
+    bool time = across == BEAD_ACROSS_TIME, labels = place->labels[view], along = across == BEAD_ACROSS_CHAIN;
     return (struct bead_view_setup){.chain = c->setup.chains[chain],
                                     .chain_index = chain,
                                     .field = output->shown.field,
@@ -79,7 +79,7 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t cha
                                     .beyond = {along ? c->layout.beyond[0] : 0, along ? c->layout.beyond[1] : 0},
                                     .own_colour = c->layout.layout == BEAD_LAYOUT_OVERLAY,
                                     .bead_labels = labels && !time,
-                                    .time_down = true,
+                                    .orientation = c->wants.orientation,
                                     .time_shared = time && !labels,
                                     .fill = true,
                                     .magnify = c->magnify,

@@ -5,7 +5,7 @@
 
 /* In units of the label's font size. */
 static const double title_line = 1.35, between_titled = 0.3, between_labelled = 1.1, between_ticks = 0.5;
-static const double between_columns = 1.2, between_rows = 0.9;
+static const double between_columns = 1.2, between_numbers = 0.5, between_rows = 0.9;
 /* Heights that plots need to be read, in the same units: with all labels, with few. */
 static const double least_beads[] = {1.5, 0.9}, least_image[] = {3, 1.6}, least_other[] = {3.2, 1.8};
 /* An overlaid profile's part of the height of all, and the least. */
@@ -44,7 +44,7 @@ static bool moves(const struct bead_cells *c, size_t view)
 
 static bool along_chain(const struct bead_cells *c, size_t view)
 {
-    return c->wants->views[view]->info->across == BEAD_ACROSS_CHAIN;
+    return bead_movie_across(c->wants, view) == BEAD_ACROSS_CHAIN;
 }
 
 size_t bead_cells_overlay(const struct bead_cells *c)
@@ -103,13 +103,39 @@ static void choose_beyond(struct bead_cells *c, double width)
     c->beyond[1] = whole(w->wall ? fmax(right, fmax(4, w->look->gap)) : right);
 }
 
+/* How far the numbers of an axis of time reach beyond the sides of a plot. */
+static double time_ends(const struct bead_cells *c, size_t plot)
+{
+    struct column column = column_of(c, plot % halves(c));
+    for (size_t i = 0; c->axes && i < column.count; i++) {
+        if (bead_movie_across(c->wants, column.view[i]) == BEAD_ACROSS_TIME)
+            return c->wants->time_end;
+    }
+    return 0;
+}
+
+/* Left of a plot, for labels; the first has the frame's margin besides. */
+static int room_left(const struct bead_cells *c, size_t plot)
+{
+    double ends = time_ends(c, plot) - (plot == 0 ? c->wants->look->gap : 0);
+    return whole(fmax(labelled_column(c, plot) ? c->wants->left : 0, ends));
+}
+
+/* Right of a plot, before the room of the next; the last has the margin, which may be too small for its numbers. */
+static int room_right(const struct bead_cells *c, size_t plot)
+{
+    double ends = time_ends(c, plot), em = c->wants->look->tick;
+    if (plot + 1 == c->columns * halves(c))
+        return whole(fmax(0, ends - c->wants->look->gap));
+    return c->level == BEAD_LEVEL_VIEWS_ONLY ? 0 : whole(fmax(between_columns * em, ends > 0 ? ends + between_numbers * em : 0));
+}
+
 /* px that are not plots: labels, gaps, what is beyond. */
 static int across_fixed(const struct bead_cells *c)
 {
     int plots = (int)(c->columns * halves(c)), fixed = plots * (c->beyond[0] + c->beyond[1]);
-    fixed += (plots - 1) * (c->level == BEAD_LEVEL_VIEWS_ONLY ? 0 : whole(between_columns * c->wants->look->tick));
     for (int p = 0; p < plots; p++)
-        fixed += labelled_column(c, (size_t)p) ? whole(c->wants->left) : 0;
+        fixed += room_left(c, (size_t)p) + room_right(c, (size_t)p);
     return fixed;
 }
 
@@ -129,11 +155,10 @@ static int left_of(const struct bead_cells *c, size_t plot)
 {
     int x = c->area.x;
     for (size_t p = 0;; p++) {
-        x += (labelled_column(c, p) ? whole(c->wants->left) : 0) + c->beyond[0];
+        x += room_left(c, p) + c->beyond[0];
         if (p == plot)
             return x;
-        x += c->width[p % halves(c)] + c->beyond[1];
-        x += c->level == BEAD_LEVEL_VIEWS_ONLY ? 0 : whole(between_columns * c->wants->look->tick);
+        x += c->width[p % halves(c)] + c->beyond[1] + room_right(c, p);
     }
 }
 
@@ -169,13 +194,22 @@ static bool labels_beads(const struct bead_cells *c, const struct column *column
     return view == (axis < c->wants->view_count ? axis : row);
 }
 
+/* The lowest of the views with time across; any view of modes. */
+static bool labels_time(const struct bead_cells *c, const struct column *column, size_t view)
+{
+    size_t last = view;
+    for (size_t i = 0; bead_movie_across(c->wants, view) == BEAD_ACROSS_TIME && i < column->count; i++)
+        last = bead_movie_across(c->wants, column->view[i]) == BEAD_ACROSS_TIME ? column->view[i] : last;
+    return view == last;
+}
+
 static bool labelled(const struct bead_cells *c, const struct column *column, size_t chain, size_t view)
 {
     bool lowest = lowest_of_column(c, chain);
     if (!c->axes)
         return false;
     if (!along_chain(c, view))
-        return lowest;
+        return lowest && labels_time(c, column, view);
     if (moves(c, view))
         return labels_window(c, column, view) && !few(c);
     bool wanted = c->wants->same_beads ? lowest : !few(c);
@@ -188,8 +222,10 @@ static int below(const struct bead_cells *c, const struct column *column, size_t
     if (chain >= w->chain_count || !labelled(c, column, chain, view) || has(c, view, BEAD_SHOWS_BEADS))
         return 0;
     if (moves(c, view))
-        return whole(w->below_moving);
-    return whole(w->views[view]->info->across == BEAD_ACROSS_TIME ? w->below_time : w->below_beads);
+        return whole(w->below_numbers);
+    if (bead_movie_across(w, view) == BEAD_ACROSS_TIME)
+        return whole(bead_level_titles(c->level) ? w->below_time : w->below_numbers);
+    return whole(w->below_beads);
 }
 
 /* ---- down ---- */

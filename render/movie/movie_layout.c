@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "render/movie/movie_cells.h"
+#include "render/view/orientation.h"
 
 /* Frames less wide than this, in heights, have the bar beside the clock. */
 static const double wide_frame = 1.5;
@@ -89,16 +90,17 @@ static struct bead_cells make_cells(const struct bead_movie_wants *w, const stru
     return cells;
 }
 
-static bool along(const struct bead_movie_wants *w, size_t view)
+enum bead_view_across bead_movie_across(const struct bead_movie_wants *w, size_t view)
 {
-    return w->views[view]->info->across == BEAD_ACROSS_CHAIN;
+    return bead_orientation_across(w->orientation, w->views[view]->info);
 }
 
 static void place_words(const struct bead_movie_wants *w, const struct frame *f, enum bead_level level,
                         struct bead_movie_layout *layout)
 {
     const struct bead_rect *first = &layout->chains[0].plot[0];
-    int left = first->x - (along(w, 0) ? layout->beyond[0] : 0), right = w->width - f->margin - f->right;
+    int left = first->x - (bead_movie_across(w, 0) == BEAD_ACROSS_CHAIN ? layout->beyond[0] : 0),
+        right = w->width - f->margin - f->right;
     int gap = whole(w->look->gap);
     int time = whole(w->time_width) < right - left ? whole(w->time_width) : right - left;
     int y = f->margin + f->header - f->lines * f->line_height;

@@ -26,6 +26,7 @@ struct bead_movie_wants {
     int width, height;
     const struct bead_look *look;
     enum bead_layout layout;
+    enum bead_orientation orientation; /* of images */
     size_t chain_count;
     const struct bead_view_type *views[BEAD_STACK_VIEWS];
     size_t view_count;
@@ -46,8 +47,9 @@ struct bead_movie_wants {
     double time_width;   /* of the widest time that is shown */
     double title_width;  /* of the title; 0: none */
     double left;         /* how far ticks and labels of vertical axes reach out of plots */
-    double below_beads, below_moving, below_time; /* axes below plots, with their titles */
-    double bar, bar_below, bar_title;             /* ticks and labels beside the bar, below it; the width of its title */
+    double below_beads, below_time, below_numbers; /* axes below plots: with their titles, without */
+    double time_end;                               /* how far numbers at the ends of an axis of time reach beyond it */
+    double bar, bar_below, bar_title;              /* ticks and labels beside the bar, below it; the width of its title */
 };
 
 struct bead_movie_chain {
@@ -71,6 +73,8 @@ struct bead_movie_layout {
     size_t chain_count;
 };
 
+/* What the horizontal axis of a view counts. */
+enum bead_view_across bead_movie_across(const struct bead_movie_wants *wants, size_t view);
 /* Errors: SCENE (frame too small for so many views), MEMORY. */
 BEAD_CHECK enum bead_error bead_movie_arrange(const struct bead_movie_wants *wants, struct bead_movie_layout *layout,
                                               struct bead_message *msg);

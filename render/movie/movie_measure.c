@@ -6,6 +6,7 @@
 #include "render/movie/captions.h"
 #include "render/movie/composer_private.h"
 #include "render/view/camera.h"
+#include "render/view/orientation.h"
 #include "render/view/panel.h"
 
 /* The margin of vertical axes becomes so much wider at most for a title below them, in units of the font size. */
@@ -39,28 +40,45 @@ static double reach_along(struct bead_composer *c, size_t chain, double length)
     return bead_axis_draw(NULL, &c->look, &axis, plot, BEAD_SIDE_BOTTOM, false, true, c->name_left ? NULL : title);
 }
 
+/* The vertical axis of an image: time, or the chains. */
+static double reach_left_of_image(const struct bead_composer *c, double length)
+{
+    double most = 0;
+    struct bead_rect plot = {0, 0, (int)length, (int)length};
+    if (c->wants.orientation == BEAD_TIME_DOWN)
+        return reach(&c->look, c->setup.time, bead_chain_time_unit(c->setup.chains[0]), BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT,
+                     NULL);
+    for (size_t i = 0; i < c->wants.chain_count; i++) {
+        struct bead_axis axis;
+        struct bead_span span = bead_composer_span(c, i);
+        (void)bead_axis_along_chain(&axis, c->setup.chains[i], false, span.first, span.last, length, c->look.tick, false);
+        most = fmax(most, bead_axis_draw(NULL, &c->look, &axis, plot, BEAD_SIDE_LEFT, false, true, NULL));
+    }
+    return most;
+}
+
+/* The vertical axis of a view in a plot of this height. */
+static double reach_left_of(const struct bead_composer *c, const struct bead_view_info *view, double length)
+{
+    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->shown.field);
+    enum bead_scale scale = c->colours.scale == BEAD_SCALE_LOG ? BEAD_SCALE_LOG : BEAD_SCALE_LINEAR;
+    if (view->traits & BEAD_SHOWS_BEADS)
+        return 0;
+    if (view->traits & BEAD_SHOWS_IMAGE)
+        return reach_left_of_image(c, length);
+    if (view->across == BEAD_ACROSS_MODES)
+        return reach(&c->look, (const double[]){0, 1}, "", BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, NULL);
+    return reach(&c->look, c->setup.range, field->unit, scale, length, BEAD_SIDE_LEFT, NULL);
+}
+
 /* Vertical axes of plots of several heights; the title stands above them. */
 static double reach_left(const struct bead_composer *c)
 {
     static const double parts[] = {0.08, 0.16, 0.3, 0.6};
-    const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->shown.field);
-    const char *unit = bead_chain_time_unit(c->setup.chains[0]);
-    enum bead_scale scale = c->colours.scale == BEAD_SCALE_LOG ? BEAD_SCALE_LOG : BEAD_SCALE_LINEAR;
     double most = 0;
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
-        double length = fmax(24, parts[i] * c->wants.height);
-        for (size_t v = 0; v < c->wants.view_count; v++) {
-            const struct bead_view_info *info = c->wants.views[v]->info;
-            bool image = info->traits & BEAD_SHOWS_IMAGE, modes = info->across == BEAD_ACROSS_MODES;
-            if (info->traits & BEAD_SHOWS_BEADS)
-                continue;
-            const double *range = image ? c->setup.time : modes ? (const double[]){0, 1} : c->setup.range;
-            most = fmax(most, reach(&c->look, range,
-                                    image   ? unit
-                                    : modes ? ""
-                                            : field->unit,
-                                    image || modes ? BEAD_SCALE_LINEAR : scale, length, BEAD_SIDE_LEFT, NULL));
-        }
+        for (size_t v = 0; v < c->wants.view_count; v++)
+            most = fmax(most, reach_left_of(c, c->wants.views[v]->info, fmax(24, parts[i] * c->wants.height)));
     }
     return most;
 }
@@ -119,6 +137,24 @@ static void measure_beads(struct bead_composer *c)
     }
 }
 
+/* Half of the longest number at an axis of time, in plots of several widths. */
+static double measure_time_end(const struct bead_composer *c)
+{
+    static const double parts[] = {0.9, 0.4, 0.2};
+    struct bead_axis axis;
+    struct bead_text_style style = {.family = c->look.family, .size = c->look.tick};
+    double most = 0, width, height;
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+        bead_axis_make(&axis, c->setup.time[0], c->setup.time[1], bead_chain_time_unit(c->setup.chains[0]), BEAD_SCALE_LINEAR,
+                       parts[i] * c->wants.width, c->look.tick, true);
+        for (size_t k = 0; k < axis.count; k++) {
+            bead_text_size(NULL, &style, axis.ticks[k].label, &width, &height);
+            most = fmax(most, width);
+        }
+    }
+    return 0.5 * most;
+}
+
 static void measure_axes(struct bead_composer *c)
 {
     struct bead_movie_wants *w = &c->wants;
@@ -132,7 +168,8 @@ static void measure_axes(struct bead_composer *c)
         w->below_beads = fmax(w->below_beads, reach_along(c, i, length));
         numbers[1] = fmax(numbers[1], (double)bead_composer_span(c, i).last);
     }
-    w->below_moving = reach(&c->look, numbers, "1", BEAD_SCALE_LINEAR, length, BEAD_SIDE_BOTTOM, NULL);
+    w->below_numbers = reach(&c->look, numbers, "1", BEAD_SCALE_LINEAR, length, BEAD_SIDE_BOTTOM, NULL);
+    w->time_end = measure_time_end(c);
     w->below_time = reach(&c->look, c->setup.time, unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_BOTTOM, "time");
 }
 
@@ -160,6 +197,7 @@ enum bead_error bead_composer_measure(struct bead_composer *c, struct bead_messa
                                    .height = c->setup.height,
                                    .look = &c->look,
                                    .layout = output->movie.layout,
+                                   .orientation = bead_orientation_of(output),
                                    .chain_count = c->setup.chain_count,
                                    .axes = output->views.axes,
                                    .trust = output->shown.trust,

@@ -137,11 +137,12 @@ struct point {
     double place, column;
 };
 
-static void horizon_add_point(cairo_t *cr, struct bead_rect plot, bool time_down, int columns, struct point p, bool begin)
+static void horizon_add_point(cairo_t *cr, struct bead_rect plot, enum bead_orientation lies, int columns, struct point p,
+                              bool begin)
 {
     double time = p.column / columns;
-    double x = plot.x + plot.width * (time_down ? p.place : time);
-    double y = plot.y + plot.height * (time_down ? time : 1 - p.place);
+    double x = plot.x + plot.width * (lies == BEAD_TIME_DOWN ? p.place : time);
+    double y = plot.y + plot.height * (lies == BEAD_TIME_DOWN ? time : lies == BEAD_MATRIX ? p.place : 1 - p.place);
     if (begin)
         cairo_move_to(cr, x, y);
     else
@@ -149,7 +150,7 @@ static void horizon_add_point(cairo_t *cr, struct bead_rect plot, bool time_down
 }
 
 void bead_horizon_draw(const struct bead_horizon *h, cairo_t *cr, const struct bead_look *look, struct bead_rect plot,
-                       bool time_down, bool closed)
+                       enum bead_orientation orientation, bool closed)
 {
     int places = h->setup.places, columns = h->setup.columns;
     bool drawing = false;
@@ -162,16 +163,16 @@ void bead_horizon_draw(const struct bead_horizon *h, cairo_t *cr, const struct b
     for (int p = 0; p < places; p++) {
         int column = line_at(h, p);
         double reach = 2 * bead_horizon_reach(look); /* beyond the end: out of sight */
-        double end = column < INT_MAX ? column : columns * (1 + reach / (time_down ? plot.height : plot.width));
+        double end = column < INT_MAX ? column : columns * (1 + reach / (orientation == BEAD_TIME_DOWN ? plot.height : plot.width));
         if (column == INT_MAX && !closed) {
             drawing = false;
             continue;
         }
         if (p == 0 || !drawing) /* from the edge of the chain, or of the bead */
-            horizon_add_point(cr, plot, time_down, columns, (struct point){(double)p / places, end}, true);
-        horizon_add_point(cr, plot, time_down, columns, (struct point){(p + 0.5) / places, end}, false);
+            horizon_add_point(cr, plot, orientation, columns, (struct point){(double)p / places, end}, true);
+        horizon_add_point(cr, plot, orientation, columns, (struct point){(p + 0.5) / places, end}, false);
         if (p + 1 == places)
-            horizon_add_point(cr, plot, time_down, columns, (struct point){1, end}, false);
+            horizon_add_point(cr, plot, orientation, columns, (struct point){1, end}, false);
         drawing = true;
     }
     bead_horizon_stroke(cr, look);

@@ -1,6 +1,6 @@
 /* Horizon: up to when a picture can be trusted.
  *
- * * * Two runs of the same chain with different accuracy agree at first. Where the motion is chaotic their difference grows
+ * Two runs of the same chain with different accuracy agree at first. Where the motion is chaotic their difference grows
  * until the details of both are arbitrary. The horizon of a bead is the first time at which the two pictures' pixels differ by
  * more than a threshold there. The line drawn passes through the horizons of all beads, each the earliest of its own and those
  * of its neighbours (about 2 % of the chain on both sides): before the line no pixel differs by more. */
@@ -31,10 +31,10 @@ void bead_horizon_feed(struct bead_horizon *horizon, double time, const double *
 int bead_horizon_find(struct bead_horizon *horizon, double threshold, int to);
 /* The earliest of all beads found so far, s: the beginning of its pixel. INFINITY: none. */
 double bead_horizon_time(const struct bead_horizon *horizon);
-/* The line over the image in `plot`; time runs down and beads to the right, or time to the right and beads up. `closed`: the line
- * runs along the end of time for beads without a horizon. */
+/* The line over the image in `plot`, which lies as `orientation` says. `closed`: the line runs along the end of time for beads
+ * without a horizon. */
 void bead_horizon_draw(const struct bead_horizon *horizon, cairo_t *cr, const struct bead_look *look, struct bead_rect plot,
-                       bool time_down, bool closed);
+                       enum bead_orientation orientation, bool closed);
 /* How far the line reaches to both sides of its path, px. */
 double bead_horizon_reach(const struct bead_look *look);
 /* Strokes the current path in the style of a horizon, visible on every colour of a map. */

@@ -68,3 +68,9 @@ void bead_panel_chain_axis(cairo_t *cr, const struct bead_view_setup *setup, con
     if (title && setup->name_left)
         bead_panel_name(cr, setup, plot, title);
 }
+
+void bead_panel_time_axis(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot)
+{
+    bead_axis_draw(cr, setup->look, axis, plot, BEAD_SIDE_BOTTOM, false, !setup->time_shared,
+                   setup->titles == BEAD_TITLES_NONE ? NULL : "time");
+}

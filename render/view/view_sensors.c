@@ -247,7 +247,7 @@ static enum bead_error sensors_decorate(struct bead_view *v, cairo_t *cr, struct
     if (!v->look.dark)
         bead_box_draw(cr, &v->look, v->plot);
     bead_panel_axis(cr, &v->setup, &v->force, v->plot, false, bead_field_info(shown_field(&v->setup))->title);
-    bead_axis_draw(cr, &v->look, &time, v->plot, BEAD_SIDE_BOTTOM, false, !v->setup.time_shared, "time");
+    bead_panel_time_axis(cr, &v->setup, &time, v->plot);
     return BEAD_OK;
 }
 

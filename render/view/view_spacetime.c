@@ -1,7 +1,5 @@
-/* Space-time image: every pixel the exact mean of the field over its stretch of chain and time.
- *
- * Which way it lies: in papers and stills time runs to the right and beads go up; in movies (time_down) time runs down and beads
- * go to the right, below the beads themselves. With `fill` only what has passed is shown, with a line at the present. */
+/* Space-time image: every pixel the exact mean of the field over its stretch of chain and time, lying as the setup's orientation
+ * says. With `fill` only what has passed is shown, with a line at the present. */
 #include "render/draw/chain_axis.h"
 
 #include <limits.h>
@@ -13,6 +11,7 @@
 #include "render/view/area_colours.h"
 #include "render/view/camera.h"
 #include "render/view/horizon.h"
+#include "render/view/orientation.h"
 #include "render/view/panel.h"
 #include "render/view/views.h"
 #include "sim/base/large.h"
@@ -62,6 +61,11 @@ static enum bead_error spacetime_create(const struct bead_view_setup *setup, str
     return BEAD_OK;
 }
 
+static bool down(const struct bead_view *v)
+{
+    return v->setup.orientation == BEAD_TIME_DOWN;
+}
+
 static enum bead_error spacetime_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas,
                                        struct bead_message *msg)
 {
@@ -69,8 +73,8 @@ static enum bead_error spacetime_place(struct bead_view *v, struct bead_rect plo
     if (plot.width < 1 || plot.height < 1)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "there is no room for a space-time image: make the picture larger");
     v->plot = plot;
-    v->columns = v->setup.time_down ? plot.height : plot.width;
-    v->places = v->setup.time_down ? plot.width : plot.height;
+    v->columns = down(v) ? plot.height : plot.width;
+    v->places = down(v) ? plot.width : plot.height;
     return BEAD_OK;
 }
 
@@ -99,17 +103,17 @@ static enum bead_error spacetime_decorate(struct bead_view *v, cairo_t *cr, stru
         return BEAD_OK;
     struct bead_axis time, beads;
     const char *unit = bead_chain_time_unit(s->chain);
-    bead_axis_make(&time, s->time[0], s->time[1], unit, BEAD_SCALE_LINEAR, v->columns, v->look.tick, !s->time_down);
+    bead_axis_make(&time, s->time[0], s->time[1], unit, BEAD_SCALE_LINEAR, v->columns, v->look.tick, !down(v));
     const char *name = bead_axis_along_chain(&beads, s->chain, bead_field_info(s->field)->of_contacts, s->beads.first,
-                                             s->beads.last, v->places, v->look.tick, s->time_down);
+                                             s->beads.last, v->places, v->look.tick, down(v));
     if (!v->look.dark)
         bead_box_draw(cr, &v->look, bead_panel_rect(s, v->plot));
-    if (s->time_down) {
+    if (down(v)) {
         bead_panel_axis(cr, s, &time, v->plot, true, "time");
         bead_panel_chain_axis(cr, s, &beads, v->plot, s->bead_labels ? name : NULL);
     } else {
-        bead_axis_draw(cr, &v->look, &time, v->plot, BEAD_SIDE_BOTTOM, true, !s->time_shared, "time");
-        bead_axis_draw(cr, &v->look, &beads, v->plot, BEAD_SIDE_LEFT, false, s->bead_labels, name);
+        bead_panel_time_axis(cr, s, &time, v->plot);
+        bead_panel_axis(cr, s, &beads, v->plot, false, name);
     }
     return BEAD_OK;
 }
@@ -130,16 +134,14 @@ static enum bead_error spacetime_feed(struct bead_view *v, const struct bead_sam
     return err;
 }
 
-/* Colours of columns from v->done to `to`: beads up, or to the right with time down. Columns without samples occur only at the ends
- * and are skipped. */
+/* Colours of columns from v->done to `to`. Columns without samples occur only at the ends and are skipped. */
 static enum bead_error colour_columns(struct bead_view *v, int to, struct bead_message *msg)
 {
-    const ptrdiff_t width = v->plot.width;
-    const struct bead_area_image up = {v->indices + (v->places - 1) * width, 1, -width}, down = {v->indices, width, 1};
+    const struct bead_area_image image = bead_orientation_image(v->setup.orientation, v->places, v->indices, v->plot.width);
     enum bead_error err = BEAD_OK;
     bool before = true; /* the first sample */
     while (!err && before && v->done < to) {
-        err = bead_area_colour(v->area, &v->table, v->done, to, v->setup.time_down ? &down : &up, &v->done, msg);
+        err = bead_area_colour(v->area, &v->table, v->done, to, &image, &v->done, msg);
         before = v->done == v->first && v->done < to;
         if (before)
             v->first = ++v->done;
@@ -150,8 +152,8 @@ static enum bead_error colour_columns(struct bead_view *v, int to, struct bead_m
 /* Pixels of columns from..to into the frame. */
 static void show_columns(const struct bead_view *v, int from, int to, struct bead_frame *frame)
 {
-    struct bead_rect part = v->setup.time_down ? (struct bead_rect){0, from, v->plot.width, to - from}
-                                               : (struct bead_rect){from, 0, to - from, v->plot.height};
+    struct bead_rect part =
+        down(v) ? (struct bead_rect){0, from, v->plot.width, to - from} : (struct bead_rect){from, 0, to - from, v->plot.height};
     for (int y = part.y; y < part.y + part.height; y++) {
         const uint8_t *index = v->indices + (size_t)y * (size_t)v->plot.width + (size_t)part.x;
         uint8_t *row = frame->pixels + (size_t)(v->plot.y + y) * frame->stride + 4 * (size_t)(v->plot.x + part.x);
@@ -205,11 +207,12 @@ static bool find_mark(struct bead_view *v)
 static void draw_cursor(const struct bead_view *v, int at, int thickness, struct bead_frame *frame)
 {
     uint32_t ink = pixel_of(v->look.ink), accent = pixel_of(v->look.accent);
-    int width = v->setup.time_down ? v->plot.width : thickness, height = v->setup.time_down ? thickness : v->plot.height;
-    int left = v->plot.x + (v->setup.time_down ? 0 : at), top = v->plot.y + (v->setup.time_down ? at : 0);
+    int width = down(v) ? v->plot.width : thickness, height = down(v) ? thickness : v->plot.height;
+    int left = v->plot.x + (down(v) ? 0 : at), top = v->plot.y + (down(v) ? at : 0);
     for (int y = top; y < top + height; y++) {
         for (int x = left; x < left + width; x++) {
-            int place = v->setup.time_down ? x - v->plot.x : v->plot.y + v->plot.height - 1 - y;
+            int along = down(v) ? x - v->plot.x : y - v->plot.y, last = v->places - 1;
+            int place = down(v) || v->setup.orientation == BEAD_MATRIX ? along : last - along;
             bool marked = place >= v->mark[0] && place < v->mark[1];
             memcpy(frame->pixels + (size_t)y * frame->stride + 4 * (size_t)x, marked ? &accent : &ink, 4);
         }
@@ -237,12 +240,12 @@ static void stroke_mark(const struct bead_view *v, cairo_t *cr)
     double place = (v->setup.mark - v->setup.time[0]) / (v->setup.time[1] - v->setup.time[0]), line = v->look.line;
     if (!v->setup.marked || v->setup.fill || !(place > 0 && place < 1))
         return;
-    bool down = v->setup.time_down;
-    double at = round((down ? v->plot.y + place * v->plot.height : v->plot.x + place * v->plot.width) - line / 2) + line / 2;
+    bool across = down(v);
+    double at = round((across ? v->plot.y + place * v->plot.height : v->plot.x + place * v->plot.width) - line / 2) + line / 2;
     for (int pass = 0; pass < 2; pass++) {
         cairo_new_path(cr);
-        cairo_move_to(cr, down ? v->plot.x : at, down ? at : v->plot.y);
-        cairo_rel_line_to(cr, down ? v->plot.width : 0, down ? 0 : v->plot.height);
+        cairo_move_to(cr, across ? v->plot.x : at, across ? at : v->plot.y);
+        cairo_rel_line_to(cr, across ? v->plot.width : 0, across ? 0 : v->plot.height);
         cairo_set_source_rgba(cr, pass, pass, pass, pass ? 1 : 0.6);
         cairo_set_line_width(cr, pass ? line : 3 * line);
         cairo_stroke(cr);
@@ -259,7 +262,7 @@ static enum bead_error spacetime_draw_lines(const struct bead_view *v, struct be
     cairo_rectangle(cr, part.x, part.y, part.width, part.height);
     cairo_clip(cr);
     if (v->horizon)
-        bead_horizon_draw(v->horizon, cr, &v->look, v->plot, v->setup.time_down, !v->setup.fill);
+        bead_horizon_draw(v->horizon, cr, &v->look, v->plot, v->setup.orientation, !v->setup.fill);
     stroke_mark(v, cr);
     return bead_raster_end(cr, "horizon", msg);
 }
@@ -281,8 +284,8 @@ static int smaller(int a, int b)
 /* Columns as a rectangle of the frame. */
 static struct bead_rect columns_rect(const struct bead_view *v, int from, int to)
 {
-    return v->setup.time_down ? (struct bead_rect){v->plot.x, v->plot.y + from, v->plot.width, to - from}
-                              : (struct bead_rect){v->plot.x + from, v->plot.y, to - from, v->plot.height};
+    return down(v) ? (struct bead_rect){v->plot.x, v->plot.y + from, v->plot.width, to - from}
+                   : (struct bead_rect){v->plot.x + from, v->plot.y, to - from, v->plot.height};
 }
 
 static enum bead_error spacetime_draw(struct bead_view *v, double time, struct bead_frame *frame,
@@ -341,9 +344,8 @@ static enum bead_error spacetime_vector(struct bead_view *v, double time, cairo_
     int to = smaller(v->done, until), count = to - v->first;
     if (err || !v->area || count < 1)
         return err;
-    bool down = v->setup.time_down;
-    int width = down ? v->plot.width : count, height = down ? count : v->plot.height;
-    int left = down ? 0 : v->first, top = down ? v->first : 0;
+    int width = down(v) ? v->plot.width : count, height = down(v) ? count : v->plot.height;
+    int left = down(v) ? 0 : v->first, top = down(v) ? v->first : 0;
     cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
     cairo_status_t status = cairo_surface_status(image);
     if (!status) {
@@ -363,7 +365,7 @@ static enum bead_error spacetime_vector(struct bead_view *v, double time, cairo_
     cairo_surface_destroy(image);
     find_horizon(v, until);
     if (v->horizon && !status) {
-        bead_horizon_draw(v->horizon, cr, &v->look, v->plot, down, !v->setup.fill);
+        bead_horizon_draw(v->horizon, cr, &v->look, v->plot, v->setup.orientation, !v->setup.fill);
         status = cairo_status(cr);
     }
     stroke_mark(v, cr);

@@ -146,17 +146,11 @@ static const struct bead_option span_rows[] = {
      .example = "1.5 ms",
      .read = bead_output_read_until},
 };
-static const struct bead_option_rows movie_shared[] = {{BEAD_OPTIONS(bead_field_row)},
-                                                       {BEAD_OPTIONS(bead_time_row)},
-                                                       {BEAD_OPTIONS(span_rows)},
-                                                       {BEAD_OPTIONS(bead_beads_row)},
-                                                       {BEAD_OPTIONS(bead_square_root_row)},
-                                                       {BEAD_OPTIONS(bead_range_row)},
-                                                       {BEAD_OPTIONS(bead_magnify_row)},
-                                                       {BEAD_OPTIONS(bead_trust_row)},
-                                                       {BEAD_OPTIONS(bead_theme_row)},
-                                                       {BEAD_OPTIONS(bead_axes_row)},
-                                                       {NULL, 0}};
+static const struct bead_option_rows movie_shared[] = {
+    {BEAD_OPTIONS(bead_field_row)},   {BEAD_OPTIONS(bead_time_row)},        {BEAD_OPTIONS(span_rows)},
+    {BEAD_OPTIONS(bead_beads_row)},   {BEAD_OPTIONS(bead_square_root_row)}, {BEAD_OPTIONS(bead_range_row)},
+    {BEAD_OPTIONS(bead_magnify_row)}, {BEAD_OPTIONS(bead_trust_row)},       {BEAD_OPTIONS(bead_theme_row)},
+    {BEAD_OPTIONS(bead_axes_row)},    {BEAD_OPTIONS(bead_orientation_row)}, {NULL, 0}};
 static const struct bead_options movie_options = {"movie", "a movie; .png is an animated PNG", BEAD_OPTIONS(movie_rows),
                                                   movie_shared, &bead_output_family};
 const struct bead_output_type bead_movie_output = {.options = &movie_options,

@@ -167,7 +167,8 @@ const struct bead_option bead_axes_row[1] = {
      .type = BEAD_OPTION_FLAG,
      .offset = BEAD_OF_OUTPUT(views.axes),
      .initial = "true",
-     .help = "axes, labels and colour bar around the picture; false: bare pixels, bead 0 in the top row (see orientation)"},
+     .help = "axes, labels and colour bar around the picture; false: nothing but the views, and in an image of "
+             "spacetime alone bead 0 in the top row (see orientation)"},
 };
 /* Of pictures with panels, and of the panels. */
 static const struct bead_option panels_rows[] = {
@@ -444,13 +445,10 @@ static const struct bead_option sheet_rows[] = {
      .example = "[1, 0.9, 0.5, 0]",
      .read = bead_output_read_magnetism},
 };
-static const struct bead_option_rows sheet_shared[] = {{BEAD_OPTIONS(bead_field_row)},
-                                                       {BEAD_OPTIONS(bead_colormap_row)},
-                                                       {BEAD_OPTIONS(bead_square_root_row)},
-                                                       {BEAD_OPTIONS(bead_range_row)},
-                                                       {BEAD_OPTIONS(bead_page_rows)},
-                                                       {BEAD_OPTIONS(bead_theme_row)},
-                                                       {NULL, 0}};
+static const struct bead_option_rows sheet_shared[] = {{BEAD_OPTIONS(bead_field_row)},       {BEAD_OPTIONS(bead_colormap_row)},
+                                                       {BEAD_OPTIONS(bead_square_root_row)}, {BEAD_OPTIONS(bead_range_row)},
+                                                       {BEAD_OPTIONS(bead_orientation_row)}, {BEAD_OPTIONS(bead_page_rows)},
+                                                       {BEAD_OPTIONS(bead_theme_row)},       {NULL, 0}};
 static const struct bead_options sheet_options = {
     "sheet", "contact sheet of a sweep: small space-time images of many configurations, in rows by magnetism; only these run",
     BEAD_OPTIONS(sheet_rows), sheet_shared, &bead_output_family};

@@ -157,6 +157,16 @@ enum bead_error bead_output_need_modes(const struct bead_reader *reader, const s
                             reader->scene->chain_count > 1 ? "not all chains here have some" : "this chain has none");
 }
 
+static enum bead_error check_orientation(const struct bead_reader *reader, const struct bead_at *at,
+                                         const struct bead_output *output)
+{
+    struct bead_at where = bead_at_key(at, "orientation");
+    if (output->views.orientation != BEAD_MATRIX || !output->views.axes)
+        return BEAD_OK;
+    return bead_wrong(reader, &where,
+                      "is matrix, which is how pictures without axes lie: needs `axes: false`; must be time-right or time-down");
+}
+
 /* Views of what the chains do not have. */
 BEAD_OUTPUT_CHECK(bead_output_check_views)
 {
@@ -165,7 +175,8 @@ BEAD_OUTPUT_CHECK(bead_output_check_views)
     bool modes = bead_views_any(views->kinds, views->count, BEAD_SHOWS_MODES);
     if (bead_views_any(views->kinds, views->count, BEAD_SHOWS_BEADS) && !has_beads(reader->scene))
         return bead_wrong(reader, &where, "the equation has no beads to show; must be profile or spacetime");
-    return modes ? bead_output_need_modes(reader, &where) : BEAD_OK;
+    enum bead_error err = modes ? bead_output_need_modes(reader, &where) : BEAD_OK;
+    return err ? err : check_orientation(reader, at, output);
 }
 
 BEAD_OUTPUT_CHECK(bead_output_check_still_views)
@@ -173,10 +184,6 @@ BEAD_OUTPUT_CHECK(bead_output_check_still_views)
     struct bead_at where = bead_at_key(at, "views");
     if (bead_views_any(output->views.kinds, output->views.count, BEAD_SHOWS_MODES))
         return bead_wrong(reader, &where, "modes are a view of movies; {plot: FILE, show: modes} has their energies over time");
-    where = bead_at_key(at, "orientation");
-    if (output->views.orientation == BEAD_MATRIX && output->views.axes)
-        return bead_wrong(reader, &where,
-                          "is matrix, which is how bare pixels lie: needs `axes: false`; must be time-right or time-down");
     return bead_output_check_views(reader, at, output);
 }
 

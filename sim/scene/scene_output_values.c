@@ -11,9 +11,9 @@ const struct bead_option bead_orientation_row[1] = {
      .offset = BEAD_OF_OUTPUT(views.orientation),
      .initial = "auto",
      .choices = orientations,
-     .help = "how space-time images lie; time-right: bead 0 at the bottom; time-down: bead 0 at the left; matrix: time to the "
-             "right, bead 0 "
-             "on top, of bare pixels only; auto: time-right, below views of a moment time-down, for bare pixels matrix"},
+     .help = "how space-time images lie. time-right: time to the right, bead 0 at the bottom; time-down: time down, bead 0 at the "
+             "left; matrix: time to the right, bead 0 on top, only without axes; auto: in images time-right, but below beads or "
+             "profile time-down, and with `axes: false` a spacetime alone as matrix; in movies and sheets always time-down"},
 };
 
 BEAD_OUTPUT_READER(bead_output_read_path)

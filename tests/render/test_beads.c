@@ -119,7 +119,7 @@ static void make_pair(struct pair *p, const struct world *w, const struct bead_v
                                     .look = &p->look,
                                     .axes = true,
                                     .bead_labels = place.window > 0,
-                                    .time_down = true,
+                                    .orientation = BEAD_TIME_DOWN,
                                     .fill = true,
                                     .magnify = 200};
     if (place.window > 0)

@@ -66,7 +66,7 @@ struct wish {
     int size[2];
     size_t chains;
     unsigned layout;
-    bool light, large, caption, follow;
+    bool light, large, caption, follow, right; /* right: where time runs */
 };
 
 static void describe(const struct wish *w, char *text, size_t size)
@@ -82,10 +82,10 @@ static void describe(const struct wish *w, char *text, size_t size)
     for (size_t i = 0; i < w->chains; i++)
         used += snprintf(text + used, size - (size_t)used, "%s", chains[i]);
     snprintf(text + used, size - (size_t)used,
-             "outputs: [{movie: m.mp4, size: [%d, %d], layout: %s, theme: %s, type: %s, range: [0, 45 N]%s%s}]\n", w->size[0],
+             "outputs: [{movie: m.mp4, size: [%d, %d], layout: %s, theme: %s, type: %s, range: [0, 45 N]%s%s%s}]\n", w->size[0],
              w->size[1], layouts[w->layout], w->light ? "light" : "dark", w->large ? "large" : "normal",
              w->caption ? ", captions: [{at: 0, text: The striker squeezes the first contacts}]" : "",
-             w->follow ? ", follow: front" : "");
+             w->follow ? ", follow: front" : "", w->right ? ", orientation: time-right" : "");
 }
 
 struct stage {
@@ -137,7 +137,7 @@ static void close_stage(struct stage *s)
 
 static void show(const struct stage *s, const char *what)
 {
-    const struct bead_picture_notes notes = {.title = what};
+    const struct bead_picture_notes notes = {.size = sizeof notes, .title = what};
     char path[300];
     uint64_t bytes;
     if (!getenv("SHOW"))
@@ -163,8 +163,9 @@ static void check(const struct wish *w)
 {
     static struct stage s;
     char text[4096], what[120];
-    snprintf(what, sizeof what, "%dx%d-%s-%zu%s%s%s%s", w->size[0], w->size[1], layouts[w->layout], w->chains,
-             w->light ? "-light" : "", w->large ? "-large" : "", w->caption ? "-caption" : "", w->follow ? "-follow" : "");
+    snprintf(what, sizeof what, "%dx%d-%s-%zu%s%s%s%s%s", w->size[0], w->size[1], layouts[w->layout], w->chains,
+             w->light ? "-light" : "", w->large ? "-large" : "", w->caption ? "-caption" : "", w->follow ? "-follow" : "",
+             w->right ? "-right" : "");
     describe(w, text, sizeof text);
     open_stage(&s, text, w->size);
     show(&s, what);
@@ -182,6 +183,7 @@ static void test_every_frame(void **state)
     static const int shapes[4][2] = {{1280, 720}, {960, 720}, {720, 720}, {720, 1280}};
     for (unsigned i = 0; i < 4 * 6 * 4 * 2 * 2; i++) {
         struct wish w = {.chains = 1 + i / 24 % 4, .layout = i / 4 % 6, .light = i / 96 % 2, .caption = i / 192 % 2};
+        w.right = (i + i / 96 + i / 192) % 2; /* every layout, shape and number of chains has both */
         w.size[0] = shapes[i % 4][0];
         w.size[1] = shapes[i % 4][1];
         check(&w);
@@ -196,6 +198,8 @@ static void test_windows_that_move(void **state)
     static const int shapes[4][2] = {{1280, 720}, {960, 720}, {720, 720}, {720, 1280}};
     for (unsigned i = 0; i < 4 * 4; i++) {
         struct wish w = {.chains = 1 + i / 4, .follow = true, .size = {shapes[i % 4][0], shapes[i % 4][1]}};
+        check(&w);
+        w.right = true;
         check(&w);
     }
 }

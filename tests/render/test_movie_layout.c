@@ -38,7 +38,7 @@ static void check(const struct bead_movie_wants *w, const struct bead_movie_layo
     for (size_t c = 0; c < layout->chain_count; c++) {
         count = add(all, count, layout->chains[c].heading, "heading");
         for (size_t v = 0; v < w->view_count; v++) {
-            bool along = w->views[v]->info->across == BEAD_ACROSS_CHAIN;
+            bool along = bead_movie_across(w, v) == BEAD_ACROSS_CHAIN;
             struct bead_rect panel = layout->chains[c].plot[v];
             assert_true(panel.height > 0);
             if (v == layout->overlay && c > 0) { /* the one of the first chain */
@@ -69,6 +69,7 @@ static struct bead_movie_wants wants_of(const struct bead_look *look, int width,
     return (struct bead_movie_wants){.width = width,
                                      .height = height,
                                      .look = look,
+                                     .orientation = BEAD_TIME_DOWN,
                                      .axes = true,
                                      .title_width = 9 * look->label,
                                      .headings = true,
@@ -80,6 +81,7 @@ static struct bead_movie_wants wants_of(const struct bead_look *look, int width,
                                      .left = 2.4 * look->tick,
                                      .below_beads = 1.4 * look->tick,
                                      .below_time = 2.9 * look->tick,
+                                     .time_end = 0.9 * look->tick,
                                      .bar = 2.6 * look->tick,
                                      .bar_below = 1.4 * look->tick,
                                      .bar_title = 4 * look->label};
@@ -129,6 +131,9 @@ static void test_rectangles(void **state)
                 w.layout = (enum bead_layout)layout;
                 vary(&w, variant);
                 arrange(&w);
+                w.orientation = BEAD_TIME_RIGHT;
+                if (variant % 3 == s % 3)
+                    arrange(&w);
             }
         }
     }
@@ -153,14 +158,15 @@ static struct bead_movie_wants story(const struct bead_look *look, const int siz
 static void test_images_have_their_share(void **state)
 {
     (void)state;
-    for (unsigned i = 0; i < SHAPES * 6 * 4 * 2 * 2; i++) {
+    for (unsigned i = 0; i < SHAPES * 6 * 4 * 2 * 2 * 2; i++) {
         const int *size = shapes[i % SHAPES];
         unsigned layout = i / SHAPES % 6, chains = 1 + i / SHAPES / 6 % 4;
         struct bead_look look;
         struct bead_movie_layout found;
-        bead_look_film(&look, size[0], size[1], true, i / SHAPES / 48);
+        bead_look_film(&look, size[0], size[1], true, i / SHAPES / 48 % 2);
         struct bead_movie_wants w = story(&look, size, chains);
         w.layout = (enum bead_layout)layout;
+        w.orientation = i / SHAPES / 96 ? BEAD_TIME_RIGHT : BEAD_TIME_DOWN;
         w.caption_lines = i / SHAPES / 24 % 2 ? 1 : 0;
         w.caption_line = 1.4 * look.title;
         assert_int_equal(bead_movie_arrange(&w, &found, NULL), BEAD_OK);

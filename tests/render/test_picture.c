@@ -189,8 +189,12 @@ static uint64_t play(const struct built *built, bool down, bool dirty, double un
     const struct bead_view_type *type = bead_view_find(BEAD_VIEW_SPACETIME);
     assert_int_equal(bead_colormap_load("inferno", &map, NULL), BEAD_OK);
     bead_look_screen(&look, 300, 200, true);
-    struct bead_view_setup setup = {
-        .chain = built->chain, .beads = {0, 9}, .time = {0, 1e-3}, .look = &look, .time_down = down, .fill = true};
+    struct bead_view_setup setup = {.chain = built->chain,
+                                    .beads = {0, 9},
+                                    .time = {0, 1e-3},
+                                    .look = &look,
+                                    .orientation = down ? BEAD_TIME_DOWN : BEAD_TIME_RIGHT,
+                                    .fill = true};
     setup.colours = (struct bead_colours){&map, BEAD_SCALE_SQRT, 0, 30};
     assert_int_equal(type->create(&setup, &view, NULL), BEAD_OK);
     assert_int_equal(type->place(view, (struct bead_rect){40, 20, 201, 111}, NULL, NULL), BEAD_OK);

@@ -208,7 +208,7 @@ static struct bead_frame draw_view(const struct bead_chain *chain, bool trust, b
                                     .time = {0, 1e-3},
                                     .colours = {&map, BEAD_SCALE_LINEAR, -1, 1},
                                     .look = &look,
-                                    .time_down = fill,
+                                    .orientation = fill ? BEAD_TIME_DOWN : BEAD_TIME_RIGHT,
                                     .fill = fill,
                                     .trust = trust};
     assert_int_equal(bead_frame_create(WIDTH + 2 * LEFT, HEIGHT + 2 * TOP, &frame, &msg), BEAD_OK);
