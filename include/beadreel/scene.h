@@ -149,7 +149,7 @@ struct bead_sweep_spec {
 };
 
 struct bead_simulate {
-    double until;    /* s; NaN: until the front reaches the end of the chain */
+    double until;    /* s; NaN: until the first pulse has passed the end of the chain */
     double accuracy; /* relative error wanted in first-passage peak forces */
     char *method;    /* "auto" or a name from methods.h */
     double step;     /* s; 0: chosen from accuracy */

@@ -113,7 +113,7 @@ static enum bead_error participation_measure(const struct bead_chain *chain, dou
     asked.step = 0;
     asked.accuracy = accuracy;
     const struct bead_run_settings settings = {
-        .chain = chain, .simulate = &asked, .kernels = bead_kernels_find(NULL), .end = INFINITY, .passage = true};
+        .chain = chain, .simulate = &asked, .kernels = bead_kernels_find(NULL), .end = INFINITY, .passage = BEAD_PASSAGE_OF_FRONT};
     const unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY);
     struct bead_run *run = NULL;
     struct bead_sample sample = {0};

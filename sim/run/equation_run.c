@@ -107,7 +107,7 @@ static double time_of(const struct bead_run *run)
     return run->equation->time(run->motion);
 }
 
-static double arrival(const struct bead_run *run)
+static double never_over(const struct bead_run *run)
 {
     (void)run;
     return NAN;
@@ -199,7 +199,7 @@ const struct bead_run_kind bead_run_of_equation = {
     .create = equation_run_create,
     .destroy = equation_run_destroy,
     .time = time_of,
-    .arrival = arrival,
+    .over = never_over,
     .step = equation_run_step,
     .sample = equation_run_sample,
     .finish = equation_run_finish,

@@ -22,6 +22,7 @@ struct bead_peaks {
     size_t first, count; /* first..count-1 are looked at */
     struct bead_peak *best;
     unsigned char *mark;     /* [beads]: has a maximum in this step */
+    bool *late;              /* [beads]: was still rising at the limit */
     double *least;           /* [beads]: compressions beyond the static one, m, that a higher maximum takes */
     double *rate0, *rate1;   /* [beads]: of the bead forces at the ends of the step, N/s */
     double *swing0, *swing1; /* [beads]: the same of both contact forces' magnitudes */
@@ -55,13 +56,14 @@ enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_be
         p->count = span.last < p->count ? span.last + 1 : p->count;
         p->best = calloc(beads, sizeof *p->best);
         p->mark = calloc(beads + PADDING, 1);
+        p->late = calloc(beads, sizeof *p->late);
         p->least = calloc(beads + PADDING, sizeof(double));
         p->rate0 = calloc(beads, sizeof(double));
         p->rate1 = calloc(beads, sizeof(double));
         p->swing0 = calloc(beads, sizeof(double));
         p->swing1 = calloc(beads, sizeof(double));
     }
-    if (!p || !p->best || !p->mark || !p->least || !p->rate0 || !p->rate1 || !p->swing0 || !p->swing1) {
+    if (!p || !p->best || !p->mark || !p->late || !p->least || !p->rate0 || !p->rate1 || !p->swing0 || !p->swing1) {
         bead_peaks_destroy(p);
         *peaks = NULL;
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu beads", beads);
@@ -79,6 +81,7 @@ void bead_peaks_destroy(struct bead_peaks *peaks)
         return;
     free(peaks->best);
     free(peaks->mark);
+    free(peaks->late);
     free(peaks->least);
     free(peaks->rate0);
     free(peaks->rate1);
@@ -286,11 +289,27 @@ static bool mark_beads(struct bead_peaks *p, const struct bead_stepper *s, size_
     return any;
 }
 
-void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double limit)
+/* The forces that were still rising at the limit: their first pulse is theirs to the end. */
+static void follow_late(struct bead_peaks *p, const struct bead_stepper *s, size_t n, double over)
+{
+    for (size_t i = p->first; s->t0 <= over && i < n; i++) {
+        if (!p->late[i])
+            continue;
+        find_peak(p, s, i, over);
+        if (p->best[i].open && over <= s->t1)
+            find_open(p, s, i, over);
+    }
+}
+
+void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double limit, double over)
 {
     size_t n = s->active < p->count ? s->active : p->count;
-    if (s->t0 > limit || n <= p->first)
+    if (n <= p->first)
         return;
+    if (s->t0 > limit) {
+        follow_late(p, s, n, over);
+        return;
+    }
     if (bead_stepper_damped(s)) {
         for (size_t i = p->first; i < n; i++)
             find_peak(p, s, i, limit);
@@ -300,6 +319,10 @@ void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double 
         if (p->mark[i])
             find_peak(p, s, i, limit);
     }
-    for (size_t i = p->first; limit <= s->t1 && i < n; i++)
+    for (size_t i = p->first; limit <= s->t1 && i < n; i++) {
         find_open(p, s, i, limit);
+        p->late[i] = p->best[i].open;
+    }
+    if (limit < over)
+        follow_late(p, s, n, over);
 }

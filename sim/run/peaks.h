@@ -20,8 +20,8 @@ BEAD_CHECK enum bead_error bead_peaks_create(const struct bead_stepper *stepper,
                                              struct bead_peaks **peaks, struct bead_message *msg);
 void bead_peaks_destroy(struct bead_peaks *peaks);
 /* Look at the step just made; maxima behind time `limit` do not count. Once `limit` lies within the step, the forces
- * still rising then are noted as open. */
-void bead_peaks_step(struct bead_peaks *peaks, const struct bead_stepper *stepper, double limit);
+ * still rising then are noted as open; these are followed until `over`, and open no more once they have had a maximum. */
+void bead_peaks_step(struct bead_peaks *peaks, const struct bead_stepper *stepper, double limit, double over);
 /* [contacts] or [beads]. */
 const struct bead_peak *bead_peaks_found(const struct bead_peaks *peaks);
 

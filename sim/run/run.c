@@ -13,6 +13,7 @@
 #include "sim/run/estimate.h"
 #include "sim/run/front.h"
 #include "sim/run/method_choice.h"
+#include "sim/run/passing.h"
 #include "sim/run/peaks.h"
 #include "sim/run/step_control.h"
 
@@ -39,6 +40,7 @@ struct bead_run {
     struct bead_step_control control;
     struct bead_dense dense;
     struct bead_front front;
+    struct bead_passing passing;
     double energy_start, momentum_start, energy_error, embedded_error, event_error, input; /* input: energy that counts as 1 */
     struct bead_peaks *contact_peaks, *bead_peaks;
     double *state_memory, *u, *v, *f; /* samples: state between steps */
@@ -148,6 +150,7 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a run");
     r->settings = *settings;
     r->front.arrival = NAN;
+    bead_passing_begin(&r->passing, settings->chain);
     const double tolerance_factor = settings->tolerance_factor > 0 ? settings->tolerance_factor : 1;
     const struct bead_span span = settings->peak_span ? *settings->peak_span : (struct bead_span){0, SIZE_MAX};
     enum bead_error err = bead_run_comparison_stepping(settings->chain, settings->simulate, tolerance_factor, &r->stepping, msg);
@@ -203,6 +206,11 @@ const struct bead_peak *bead_run_bead_peaks(const struct bead_run *run)
 double bead_run_arrival(const struct bead_run *run)
 {
     return run->front.arrival;
+}
+
+double bead_run_over(const struct bead_run *run)
+{
+    return run->settings.passage == BEAD_PASSAGE_OF_FRONT ? run->front.arrival : run->passing.time;
 }
 
 uint64_t bead_run_evaluations(const struct bead_run *run)
@@ -320,7 +328,7 @@ static enum bead_error advance(struct bead_run *run, struct bead_message *msg)
     double t = (double)(s->steps + 1) * h;
     if (run->stepping.variable || bead_stepper_damped(s)) /* with damping steps end where contacts close */
         t = s->t1 + h;
-    /* Where the front's arrival ends the run the steps keep their length: they must not depend on whether it was known before. */
+    /* Where the passage ends the run the steps keep their length: they must not depend on whether it was known before. */
     double end = run->settings.passage ? INFINITY : run->settings.end;
     if (t > end + last_sliver * h && s->t1 < end)
         bead_stepper_advance(s, end);
@@ -338,6 +346,23 @@ static void keep_state(struct bead_run *run, double t, double *kept)
     bead_dense_state(&run->dense, run->stepper, t, run->u, run->v);
     memcpy(kept, run->u, beads * sizeof *kept);
     memcpy(kept + beads, run->v, beads * sizeof *kept);
+}
+
+/* Where a passage ends the run, peaks count until the front's arrival; those of forces that still rise then, until it is over. */
+static void look_for_peaks(struct bead_run *run)
+{
+    const struct bead_stepper *s = run->stepper;
+    double limit = run->settings.end, over = limit;
+    if (run->settings.passage == BEAD_PASSAGE_OF_PULSE)
+        bead_passing_watch(&run->passing, &run->front, s);
+    if (run->settings.passage && !isnan(run->front.arrival)) {
+        limit = run->front.arrival;
+        over = isnan(bead_run_over(run)) ? INFINITY : bead_run_over(run);
+    }
+    if (run->contact_peaks)
+        bead_peaks_step(run->contact_peaks, s, limit, over);
+    if (run->bead_peaks)
+        bead_peaks_step(run->bead_peaks, s, limit, over);
 }
 
 enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
@@ -358,11 +383,7 @@ enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
     run->lost[0] = run->lost[1];
     if (run->settings.budget)
         run->lost[1] += bead_dissipation(s);
-    double limit = run->settings.passage && !isnan(run->front.arrival) ? run->front.arrival : run->settings.end;
-    if (run->contact_peaks)
-        bead_peaks_step(run->contact_peaks, s, limit);
-    if (run->bead_peaks)
-        bead_peaks_step(run->bead_peaks, s, limit);
+    look_for_peaks(run);
     if (run->settings.hash)
         hash_state(run);
     if (s->steps % CHECK_EVERY == 0 || s->t1 >= run->settings.end)

@@ -22,12 +22,17 @@
 
 struct bead_run;
 
+/* What ends a run whose end the scene does not give: a time that is not known before; the front's arrival at the end of the chain;
+ * the first pulse being over there (passing.h). */
+enum bead_passage { BEAD_PASSAGE_NONE, BEAD_PASSAGE_OF_FRONT, BEAD_PASSAGE_OF_PULSE };
+
 struct bead_run_settings {
     const struct bead_chain *chain;
     const struct bead_simulate *simulate; /* accuracy, method and step asked for; mostly those of the chain's scene */
     const struct bead_kernels *kernels;
-    double end;   /* s: the last step ends here; INFINITY: not known, steps keep their length */
-    bool passage; /* peaks count until the front has arrived only, and not knowing end, the run is over then */
+    double end;                /* s: the last step ends here; INFINITY: not known, steps keep their length */
+    enum bead_passage passage; /* not knowing end, the run is over then; peaks count until the front's
+                                  arrival only, those still rising then until it is over */
     bool contact_peaks, bead_peaks;
     const struct bead_span *peak_span; /* of these contacts and beads only; NULL: all */
     bool budget;                       /* samples have the energy budget */
@@ -71,6 +76,8 @@ void bead_run_destroy(struct bead_run *run);
 double bead_run_time(const struct bead_run *run); /* s: end of the last step */
 /* When the front reached the end of the chain; NaN: not yet. */
 double bead_run_arrival(const struct bead_run *run);
+/* When the passage of the settings was over, s; NaN: it is not yet. */
+double bead_run_over(const struct bead_run *run);
 /* [beads], so far; NULL: not asked for. */
 const struct bead_peak *bead_run_bead_peaks(const struct bead_run *run);
 /* Errors: NUMBERS where energy or a number ran away. */

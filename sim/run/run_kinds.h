@@ -10,7 +10,7 @@ struct bead_run_kind {
     enum bead_error (*create)(const struct bead_run_settings *settings, struct bead_run **run, struct bead_message *msg);
     void (*destroy)(struct bead_run *run);
     double (*time)(const struct bead_run *run);
-    double (*arrival)(const struct bead_run *run); /* of the front; NaN: not yet, or there is none */
+    double (*over)(const struct bead_run *run); /* the passage, s; NaN: not yet, or there is none */
     enum bead_error (*step)(struct bead_run *run, struct bead_message *msg);
     enum bead_error (*sample)(struct bead_run *run, double t, unsigned fields, struct bead_span span, struct bead_sample *sample,
                               struct bead_message *msg);

@@ -77,6 +77,9 @@ BEAD_OUTPUT_CHECK(bead_output_check_times)
     if (output->shown.time[0] >= until)
         return bead_wrong(reader, &where, "begins at %g%s; must begin before the run ends at %g%s", output->shown.time[0], unit,
                           until, unit);
+    if (output->shown.time[1] > until * (1 + 1e-9))
+        return bead_wrong(reader, &where, "goes to %g%s; must not go beyond the end of the run at %g%s", output->shown.time[1],
+                          unit, until, unit);
     where = bead_at_key(at, "at");
     if (output->image.at > until)
         return bead_wrong(reader, &where, "is %g%s; must not be later than the end of the run at %g%s", output->image.at, unit,

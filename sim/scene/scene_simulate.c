@@ -48,7 +48,9 @@ static const struct bead_option rows[] = {
      .word = "auto",
      .word_value = NAN,
      .of_motion = true,
-     .help = "end of the run; auto: when the front reaches the end of the chain",
+     .help =
+         "end of the run; auto: when the first pulse has passed the last contact and the last sensor, or later if an output asks "
+         "for a later time; in sweeps when the front reaches the end of the chain",
      .example = "2.8 ms"},
     {.key = "accuracy",
      .offset = SIMULATE(accuracy),

@@ -33,7 +33,7 @@ struct bead_driver {
     const struct bead_simulate *simulate; /* the settings of the runs */
     struct bead_consumer *consumers;
     size_t consumer_count;
-    double end;    /* s; INFINITY: until every front has arrived */
+    double end;    /* s; INFINITY: until the first pulse has passed every chain */
     double needed; /* s: no consumer needs later times */
     bool passage;  /* the scene's `until` is the default */
     bool full_window, hash;

@@ -63,7 +63,7 @@ static enum bead_error create_runs(struct pass *pass, struct bead_message *msg)
     struct bead_run_settings settings = {.simulate = p->simulate,
                                          .kernels = p->kernels,
                                          .end = p->end,
-                                         .passage = p->passage,
+                                         .passage = p->passage ? BEAD_PASSAGE_OF_PULSE : BEAD_PASSAGE_NONE,
                                          .full_window = p->full_window,
                                          .hash = p->hash,
                                          .tolerance_factor = p->refinement};
@@ -113,7 +113,7 @@ static enum bead_error create_comparison_runs(struct pass *pass, struct bead_mes
     struct bead_run_settings settings = {.simulate = p->simulate,
                                          .kernels = p->kernels,
                                          .end = p->end,
-                                         .passage = p->passage,
+                                         .passage = p->passage ? BEAD_PASSAGE_OF_PULSE : BEAD_PASSAGE_NONE,
                                          .full_window = p->full_window,
                                          .tolerance_factor = comparison_factor(p)};
     for (size_t i = 0; i < p->consumer_count; i++) {
@@ -156,8 +156,8 @@ static enum bead_error advance(struct pass *pass, const struct bead_runner *runn
     return err;
 }
 
-/* Without a known end: until the front arrives. */
-static enum bead_error advance_to_arrival(struct pass *pass, const struct bead_runner *runner, size_t chain,
+/* Without a known end: until the first pulse has passed. */
+static enum bead_error advance_past_pulse(struct pass *pass, const struct bead_runner *runner, size_t chain,
                                           struct bead_message *msg)
 {
     struct bead_run *run = runner->run;
@@ -165,7 +165,7 @@ static enum bead_error advance_to_arrival(struct pass *pass, const struct bead_r
     const struct bead_chain *c = pass->driver->chains[chain];
     double give_up = patience * bead_chain_passage(c, bead_chain_energy(c));
     enum bead_error err = BEAD_OK;
-    while (!err && isnan(kind->arrival(run))) {
+    while (!err && isnan(kind->over(run))) {
         err = kind->step(run, msg);
         if (!err)
             err = look_up(pass, kind->time(run), msg);
@@ -230,7 +230,7 @@ static enum bead_error complete(void *context, size_t job, bool calling, struct 
     const size_t chains = pass->driver->chain_count, chain = job % chains;
     const struct bead_runner *runner = job < chains ? &pass->passed->runs[chain] : &pass->passed->comparison_runs[chain];
     double rest = fmin(pass->driver->end, pass->driver->needed);
-    enum bead_error err = isfinite(rest) ? advance(mine, runner, rest, msg) : advance_to_arrival(mine, runner, chain, msg);
+    enum bead_error err = isfinite(rest) ? advance(mine, runner, rest, msg) : advance_past_pulse(mine, runner, chain, msg);
     if (!err)
         atomic_fetch_add(pass->done, 1);
     return err;
@@ -305,8 +305,8 @@ static void pass_finish(struct pass *pass)
         if (!run)
             continue;
         double reached = fmin(kind->time(run), end);
-        if (!isfinite(end) && !isnan(kind->arrival(run)))
-            reached = kind->arrival(run);
+        if (!isfinite(end) && !isnan(kind->over(run)))
+            reached = kind->over(run);
         kind->finish(run, reached, &passed->outcomes[i]);
         passed->end = fmin(passed->end, reached);
         pass->counts->steps += kind->steps(run);

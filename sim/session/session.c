@@ -30,7 +30,22 @@ enum bead_error bead_session_lay(struct bead_session *s, struct bead_message *ms
     return err;
 }
 
-/* Without `until`, a scouting run finds the arrival time if any output needs it before the run. */
+/* The latest time that an output shows by its keys; 0: none is given. */
+static double asked_time(const struct bead_output *output)
+{
+    double last = 0;
+    const double times[] = {output->shown.time[0], output->shown.time[1], output->image.at};
+    for (size_t i = 0; i < sizeof times / sizeof times[0]; i++)
+        last = fmax(last, times[i]); /* NaN: not given */
+    for (size_t i = 0; i < output->curves.profile_time_count; i++)
+        last = fmax(last, output->curves.profile_times[i]);
+    for (size_t i = 0; i < output->still.panel_count; i++)
+        last = fmax(last, asked_time(&output->still.panels[i]));
+    return last;
+}
+
+/* Without `until`, a scouting run finds when the pulse has passed if any output needs it before the run; times that an output asks
+ * for extend the run. */
 static enum bead_error find_end(struct bead_session *s, struct bead_message *msg)
 {
     s->end = s->source->simulate.until;
@@ -50,11 +65,14 @@ static enum bead_error find_end(struct bead_session *s, struct bead_message *msg
     driver.hash = false;
     struct bead_passed passed;
     err = bead_drive_simulation(&driver, &s->counts, &passed, msg);
-    double end = 0;
+    double end = 0, asked_end = 0;
     for (size_t i = 0; !err && i < passed.count; i++)
-        end = fmax(end, passed.outcomes[i].front_arrival);
+        end = fmax(end, passed.outcomes[i].end);
+    for (size_t i = 0; i < s->made_count; i++)
+        asked_end = s->made[i].asked ? fmax(asked_end, asked_time(s->made[i].output)) : asked_end;
     bead_passed_free(&passed);
-    s->end = end;
+    s->end = fmax(end, asked_end);
+    s->extended = asked_end > end;
     return err;
 }
 

@@ -1,7 +1,9 @@
 /* Opens a trajectory as a session that draws it again. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/output/sink_grid.h"
 #include "sim/output/trajectory_data.h"
 #include "sim/session/session_data.h"
 
@@ -22,6 +24,23 @@ static enum bead_error settle_with_default(struct bead_session *s, struct bead_m
     return err;
 }
 
+/* A time range that is asked for is got, or an error. */
+static enum bead_error check_time(const struct bead_session *s, const struct bead_output *output, struct bead_message *msg)
+{
+    static const double rounding = 1e-9;
+    const double *asked = output->shown.time, start = s->native.start, end = s->end;
+    const char *unit = bead_chain_time_unit(s->chains[0]);
+    char from[32], to[32], begins[32], ends[32];
+    if (!(asked[0] < start - rounding * end) && !(asked[1] > end * (1 + rounding)))
+        return BEAD_OK;
+    bead_time_text(isnan(asked[0]) ? start : asked[0], unit, from, sizeof from);
+    bead_time_text(isnan(asked[1]) ? end : asked[1], unit, to, sizeof to);
+    bead_time_text(start, unit, begins, sizeof begins);
+    bead_time_text(end, unit, ends, sizeof ends);
+    return bead_fail(msg, BEAD_ERROR_SCENE, "%s: time: is from %s to %s, but %s goes from %s to %s only", output->path, from, to,
+                     s->job.input, begins, ends);
+}
+
 /* Show no more than the file holds. */
 static enum bead_error limit_to_file(struct bead_session *s, struct bead_output *output, struct bead_message *msg)
 {
@@ -30,9 +49,10 @@ static enum bead_error limit_to_file(struct bead_session *s, struct bead_output 
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s holds beads %zu to %zu only", s->job.input, beads.first, beads.last);
     output->shown.beads.first = output->shown.beads.first < beads.first ? beads.first : output->shown.beads.first;
     output->shown.beads.last = output->shown.beads.last > beads.last ? beads.last : output->shown.beads.last;
+    enum bead_error err = check_time(s, output, msg);
     if (!(output->shown.time[0] >= s->native.start))
         output->shown.time[0] = s->native.start;
-    return BEAD_OK;
+    return err;
 }
 
 /* `index` is that of the output in the stored scene. */

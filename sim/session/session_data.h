@@ -39,6 +39,7 @@ struct bead_session {
     const struct bead_kernels *kernels;
     int threads;
     bool passage;                        /* the scene's `until` is the default */
+    bool extended;                       /* beyond that, since an output asks for later times */
     double end, needed;                  /* s; end INFINITY: not known before the run */
     double resolution;                   /* s */
     double refinement;                   /* tolerance of the runs, in units of what is asked */

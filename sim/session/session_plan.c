@@ -65,12 +65,14 @@ static void plan_time(const struct bead_session *s, FILE *out)
     if (s->trajectory)
         fprintf(out, "time: samples of a run of %s are read; nothing is simulated\n", time_words(s, s->end, true).text);
     else if (!isfinite(s->end))
-        fprintf(out, "time: until the front reaches the end; nobody needs to know when beforehand, so no scouting pass\n");
+        fprintf(out, "time: until the first pulse has passed the end; nobody needs to know when beforehand, so no scouting pass\n");
     else if (s->needed < s->end)
         fprintf(out, "time: stops at %s of %s: no output needs more\n", time_words(s, s->needed, true).text,
                 time_words(s, s->end, true).text);
+    else if (s->passage && s->extended)
+        fprintf(out, "time: until %s, the latest that an output asks for\n", time_words(s, s->end, true).text);
     else if (s->passage)
-        fprintf(out, "time: until the front reaches the end, at %s (found by a scouting pass without samples)\n",
+        fprintf(out, "time: until the first pulse has passed the end, at %s (found by a scouting pass without samples)\n",
                 time_words(s, s->end, true).text);
     else
         fprintf(out, "time: %s as asked\n", time_words(s, s->end, true).text);

@@ -160,7 +160,7 @@ static enum bead_error sweep_measure(struct measure *m, const struct bead_kernel
                                          .simulate = &m->sweep->scene->simulate,
                                          .kernels = kernels,
                                          .end = isnan(until) ? INFINITY : until,
-                                         .passage = isnan(until),
+                                         .passage = isnan(until) ? BEAD_PASSAGE_OF_FRONT : BEAD_PASSAGE_NONE,
                                          .bead_peaks = true,
                                          .peak_span = &m->span};
     struct bead_run *run = NULL;

@@ -101,7 +101,8 @@ static enum bead_error run_one(struct watched *w, struct bead_message *msg)
                                                .simulate = &sweep->scene->simulate,
                                                .kernels = w->work->kernels,
                                                .end = w->end,
-                                               .passage = isnan(sweep->scene->simulate.until),
+                                               .passage =
+                                                   isnan(sweep->scene->simulate.until) ? BEAD_PASSAGE_OF_FRONT : BEAD_PASSAGE_NONE,
                                                .bead_peaks = true,
                                                .peak_span = &span};
     enum bead_error err = bead_run_create(&settings, &w->run, msg);

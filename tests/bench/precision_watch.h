@@ -58,7 +58,7 @@ static inline void watch_step(struct watch *watch, double t, const double *u, co
     memcpy(s->end.v, v, s->beads * sizeof *v);
     bead_stepper_evaluate(s, s->end.u, s->end.v, s->end.f, s->end.a);
     s->steps++;
-    bead_peaks_step(watch->peaks, s, watch->problem->end);
+    bead_peaks_step(watch->peaks, s, watch->problem->end, watch->problem->end);
     if (fabs(t - watch->problem->early) < 1e-9 * t)
         watch->velocity = velocity_error(&watch->references.states, t, v, watch->built.chain->spec->striker_velocity);
 }

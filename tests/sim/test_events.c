@@ -46,7 +46,7 @@ static void peaks_and_energy(void **state)
         double energy = bead_stepper_energy(s, &s->end), drift = 0;
         while (s->t1 < cases[i].until - 1e-6) {
             steps(s, 2e-6, 1);
-            bead_peaks_step(peaks, s, INFINITY);
+            bead_peaks_step(peaks, s, INFINITY, INFINITY);
             drift = fmax(drift, fabs(bead_stepper_energy(s, &s->end) / energy - 1));
         }
         assert_below(peak_error(bead_peaks_found(peaks), &reference), cases[i].peaks);
@@ -71,7 +71,7 @@ static void peaks_of_beads(void **state)
         assert_int_equal(bead_peaks_create(s[i], true, (struct bead_span){0, SIZE_MAX}, &peaks[i], &msg), BEAD_OK);
         while (s[i]->t1 < 0.9e-3 - 1e-7) {
             steps(s[i], i ? 0.5e-6 : 4e-6, 1);
-            bead_peaks_step(peaks[i], s[i], 0.9e-3);
+            bead_peaks_step(peaks[i], s[i], 0.9e-3, 0.9e-3);
         }
     }
     for (size_t j = 0; j < 40; j++) {

@@ -1,0 +1,106 @@
+/* Finds when the first pulse is over at the last contact and at the last sensor. */
+#include "sim/run/passing.h"
+
+#include <math.h>
+
+#include "sim/integrate/dense.h"
+
+/* A pulse is over below this part of its maximum, or at a minimum below the other. */
+static const double over = 0.05, parted = 0.5;
+/* Until the maximum exceeds this part of the largest force in the chain, the pulse has not come. */
+static const double come = 1e-3;
+
+/* Contacts that the front would pass while a force may keep the run going. */
+static const double patience = 40;
+
+void bead_passing_begin(struct bead_passing *p, const struct bead_chain *chain)
+{
+    *p = (struct bead_passing){.places = 1, .time = NAN};
+    p->patience = patience / (double)chain->contacts * bead_chain_passage(chain, bead_chain_energy(chain));
+    p->place[0] = (struct bead_passing_place){{chain->contacts - 1}, 1, 0, NAN};
+    size_t last = 0;
+    for (size_t i = 0; i < chain->sensor_count; i++)
+        last = chain->sensors[i].bead > last ? chain->sensors[i].bead : last;
+    if (last == 0)
+        return;
+    struct bead_passing_place *sensor = &p->place[p->places++];
+    *sensor = (struct bead_passing_place){{last - 1, last}, last < chain->contacts ? 2 : 1, 0, NAN};
+}
+
+/* A place within the step just made; forces are less `level`. */
+struct stretch {
+    const struct bead_stepper *stepper;
+    const struct bead_passing_place *place;
+    struct bead_polynomial compression[2];
+    double level;
+};
+
+static double force_at(const void *context, double x)
+{
+    const struct stretch *p = context;
+    const struct bead_chain *c = p->stepper->chain;
+    double force = -p->level;
+    for (size_t i = 0; i < p->place->contacts; i++) {
+        size_t k = p->place->contact[i];
+        double compression = bead_polynomial_value(&p->compression[i], x);
+        force += c->law->force(c->stiffness[k], p->stepper->table.law, compression) - c->static_force[k];
+    }
+    return force;
+}
+
+static double slope_at(const void *context, double x)
+{
+    const struct stretch *p = context;
+    const struct bead_chain *c = p->stepper->chain;
+    double slope = 0;
+    for (size_t i = 0; i < p->place->contacts; i++) {
+        double compression = bead_polynomial_value(&p->compression[i], x);
+        slope += c->law->stiffness(c->stiffness[p->place->contact[i]], p->stepper->table.law, compression) *
+                 bead_polynomial_slope(&p->compression[i], x);
+    }
+    return slope;
+}
+
+/* Where in the step the force falls below its level; 1 where it does not. */
+static double find_fall(const struct stretch *p)
+{
+    double at0 = force_at(p, 0), at1 = force_at(p, 1);
+    return at0 <= 0 ? 0 : at1 >= 0 ? 1 : bead_find_root(force_at, p, at0, at1);
+}
+
+/* Where it has a minimum; NaN: nowhere. */
+static double find_minimum(const struct stretch *p)
+{
+    double at0 = slope_at(p, 0), at1 = slope_at(p, 1);
+    return at0 < 0 && at1 > 0 ? bead_find_root(slope_at, p, at0, at1) : NAN;
+}
+
+static void watch_place(struct bead_passing_place *place, double largest, const struct bead_stepper *s)
+{
+    double force = 0;
+    for (size_t i = 0; i < place->contacts; i++)
+        force += place->contact[i] < s->active ? s->end.f[place->contact[i]] : 0;
+    place->most = fmax(place->most, force);
+    if (!(place->most > come * largest) || !(force < parted * place->most))
+        return;
+    struct stretch p = {.stepper = s, .place = place, .level = over * place->most};
+    for (size_t i = 0; i < place->contacts; i++)
+        p.compression[i] = bead_dense_compression(s, place->contact[i]);
+    double x = force < p.level ? find_fall(&p) : find_minimum(&p);
+    place->passed = s->t0 + x * s->h;
+}
+
+void bead_passing_watch(struct bead_passing *p, const struct bead_front *front, const struct bead_stepper *s)
+{
+    double last = front->arrival; /* NaN: not yet */
+    if (!isnan(p->time))
+        return;
+    for (size_t i = 0; i < p->places; i++) {
+        struct bead_passing_place *place = &p->place[i];
+        if (isnan(place->passed))
+            watch_place(place, front->largest_force, s);
+        last = isnan(place->passed) || isnan(last) ? NAN : fmax(last, place->passed);
+    }
+    const double most = front->arrival + p->patience;
+    p->time = isnan(last) && s->t1 >= most ? most : last;
+}
