@@ -30,6 +30,7 @@ struct bead_place {
 
 struct bead_material {
     char *name;
+    char *label;    /* what pictures call it */
     double mass;    /* kg, of one bead; from density and radius where not given; NaN for walls only */
     double radius;  /* m; NaN where the material serves for walls only */
     double modulus; /* Pa, Young's */
@@ -97,6 +98,7 @@ struct bead_equation_spec {
 
 struct bead_chain_spec {
     char *name;  /* "" for a single unnamed chain */
+    char *title; /* the same as pictures show it: words for an identifier */
     char *label; /* a line under the name, or "" */
     size_t striker_material;
     double striker_velocity; /* m/s */
@@ -132,7 +134,8 @@ struct bead_sweep_group {
 /* Many chains that differ in the spins of their random cells. Chain `chain` of the scene is the pattern; its cells with
  * `spins: random` are the random ones, left to right. */
 struct bead_sweep_spec {
-    char *name; /* "" for a single unnamed sweep */
+    char *name;  /* "" for a single unnamed sweep */
+    char *title; /* the same as pictures show it */
     size_t chain;
     size_t cells;                    /* random cells */
     size_t asked;                    /* what the scene gives as `cells`; 0: the pattern is the scene's own chain */

@@ -54,7 +54,7 @@ static void sheet_draw_words(const struct contact_sheet *s, cairo_t *cr, size_t 
     if (found->order > 0)
         contact_sheet_fill(cr, s->look.accent, image->words.x, y, fmax(1, found->order * image->words.width), meter);
     if (s->several)
-        bead_text_escape(bead_sweep_panel(s->sweep, image->panel)->name, name, sizeof name);
+        bead_text_escape(bead_sweep_panel(s->sweep, image->panel)->spec->title, name, sizeof name);
     snprintf(left, sizeof left, "<b>%s%s%zu</b>", name, *name ? ":" : "#", image->index);
     if (isnan(s->rows[image->row].magnetism) && isfinite(image->magnetism))
         snprintf(left + strlen(left), sizeof left - strlen(left), "  " BEAD_SYMBOL("M") " %.3g", image->magnetism);

@@ -94,7 +94,7 @@ void contact_sheet_row_name(const struct contact_sheet *s, const struct contact_
 {
     char name[256] = "";
     if (s->several)
-        bead_text_escape(bead_sweep_panel(s->sweep, row->panel)->name, name, sizeof name);
+        bead_text_escape(bead_sweep_panel(s->sweep, row->panel)->spec->title, name, sizeof name);
     if (isnan(row->magnetism))
         snprintf(text, size, "%s", name);
     else

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "render/draw/markup.h"
+#include "render/draw/names.h"
 #include "render/draw/quantity.h"
 #include "render/figure/figure_private.h"
 #include "render/view/trust_words.h"
@@ -91,12 +92,12 @@ static bool words_of(const struct bead_figure *f, const struct bead_cell *cell, 
 {
     const struct bead_chain *chain = f->context.chains[cell->chain];
     size_t index = (size_t)(cell - f->cells);
-    *words = (struct words){.name = bead_chain_name(chain), .label = bead_chain_spec(chain)->label};
+    *words = (struct words){.name = bead_chain_title(chain), .label = bead_chain_spec(chain)->label};
     if (f->part && index == 0)
         part_words(f, words);
     if (!f->part && f->page.paper && f->cell_count > 1 && index < 26)
         snprintf(words->letter, sizeof words->letter, "(%c)", (char)('a' + (int)index));
-    if (*bead_chain_spins(chain) && words->name == bead_chain_name(chain))
+    if (*bead_chain_spins(chain) && words->name == bead_chain_title(chain))
         bead_text_magnetism(bead_chain_magnetism(chain), words->magnetism, sizeof words->magnetism);
     return f->output->views.axes && (*words->letter || *words->name || *words->magnetism || *words->moment);
 }

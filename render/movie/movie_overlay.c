@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "render/draw/names.h"
 #include "render/movie/captions.h"
 #include "render/movie/composer_private.h"
 #include "render/view/panel.h"
@@ -72,7 +73,7 @@ static struct bead_trust find_trust(const struct bead_composer *c)
         double horizon = type->horizon ? type->horizon(c->views[i]) : INFINITY;
         if (horizon < trust.until) {
             trust.until = horizon;
-            trust.chain = c->wants.chain_count > 1 ? bead_chain_name(c->setup.chains[i / c->wants.view_count]) : "";
+            trust.chain = c->wants.chain_count > 1 ? bead_chain_title(c->setup.chains[i / c->wants.view_count]) : "";
         }
     }
     return trust;

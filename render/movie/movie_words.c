@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "render/draw/markup.h"
+#include "render/draw/names.h"
 #include "render/draw/quantity.h"
 #include "render/movie/movie_words.h"
 
@@ -64,7 +65,7 @@ static void add_text(char *out, size_t size, const char *text)
     snprintf(out + used, size - used, "%s", text);
 }
 
-/* "large-steel:aluminium" for the longest cell of a chain. */
+/* "large steel : aluminium" for the longest cell of a chain. */
 static void name_beads(const struct bead_chain *chain, char *out, size_t size)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
@@ -78,11 +79,11 @@ static void name_beads(const struct bead_chain *chain, char *out, size_t size)
             best = segment;
     }
     for (size_t i = 0; best && i < best->cell_beads && i < 4; i++) {
-        add_text(out, size, i ? ":" : "");
-        add_text(out, size, scene->materials[best->cell[i]].name);
+        add_text(out, size, i ? " : " : "");
+        add_text(out, size, scene->materials[best->cell[i]].label);
     }
     if (best && best->cell_beads > 4)
-        add_text(out, size, ":" ELLIPSIS);
+        add_text(out, size, " : " ELLIPSIS);
 }
 
 void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size)
@@ -220,7 +221,7 @@ void bead_line_draw(cairo_t *cr, struct bead_text_style style, const char *plain
 bool bead_heading_has(const struct bead_chain *chain)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
-    return bead_chain_name(chain)[0] || bead_chain_spins(chain)[0] || (spec->label && spec->label[0]);
+    return bead_chain_title(chain)[0] || bead_chain_spins(chain)[0] || (spec->label && spec->label[0]);
 }
 
 /* The label beside the name or below it, a little smaller if need be. */
@@ -249,7 +250,7 @@ double bead_heading_width(const struct bead_look *look, const struct bead_chain 
     double gap = heading_gap * look->gap, width, height, all = 0;
     if (!label || !label[0])
         return 0;
-    bead_text_escape(bead_chain_name(chain), markup, sizeof markup);
+    bead_text_escape(bead_chain_title(chain), markup, sizeof markup);
     bead_text_size(NULL, &style, markup, &width, &height);
     all += *markup ? width + gap : 0;
     bead_text_magnetism(bead_chain_magnetism(chain), markup, sizeof markup);
@@ -272,11 +273,11 @@ void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct b
     struct bead_text_style style = {look->family, size, heading->colour, true, BEAD_ALIGN_START, BEAD_ALIGN_BASELINE, false};
     double x = rect.x, y = rect.y + 0.5 * line + 0.36 * style.size, gap = heading_gap * look->gap, width, height;
     char markup[2048];
-    if (bead_chain_name(chain)[0]) { /* long names are set smaller before they are cut */
-        bead_text_escape(bead_chain_name(chain), markup, sizeof markup);
+    if (bead_chain_title(chain)[0]) { /* long names are set smaller before they are cut */
+        bead_text_escape(bead_chain_title(chain), markup, sizeof markup);
         bead_text_size(cr, &style, markup, &width, &height);
         style.size *= fmin(1, fmax(smallest_name, 0.98 * rect.width / fmax(1, width)));
-        width = fit(cr, &style, bead_chain_name(chain), rect.width, markup, sizeof markup);
+        width = fit(cr, &style, bead_chain_title(chain), rect.width, markup, sizeof markup);
         bead_text_draw(cr, &style, x, y, markup);
         x += width + gap;
     }

@@ -7,6 +7,7 @@
 
 #include "beadreel/profile_times.h"
 #include "render/draw/markup.h"
+#include "render/draw/names.h"
 #include "render/plot/plot_private.h"
 
 /* The first is the default. */
@@ -29,7 +30,7 @@ bool plot_shows(const struct bead_plot_data *data, size_t chain)
 void plot_heading(const struct bead_chain *chain, char *text, size_t size)
 {
     char name[300], magnetism[64] = "";
-    bead_markup_quote(bead_chain_name(chain), name, sizeof name);
+    bead_markup_quote(bead_chain_title(chain), name, sizeof name);
     if (*bead_chain_spins(chain))
         snprintf(magnetism, sizeof magnetism, "*M*\u00a0=\u00a0%.3g", bead_chain_magnetism(chain));
     snprintf(text, size, "%s%s%s", name, *name && *magnetism ? ", " : "", magnetism);
@@ -63,7 +64,7 @@ enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, 
         part->labels = calloc(series + 1, sizeof *part->labels);
         if (!part->series || !part->labels)
             err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot");
-        bead_markup_quote(bead_chain_name(data->context.chains[c]), part->title, sizeof part->title);
+        bead_markup_quote(bead_chain_title(data->context.chains[c]), part->title, sizeof part->title);
         panel->title = *part->title ? part->title : NULL;
         panel->series = part->series;
         panel->series_count = series;

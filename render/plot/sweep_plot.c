@@ -312,7 +312,7 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
     enum bead_error err = plot.panels && plot.shown ? BEAD_OK : out_of_memory(msg);
     for (size_t i = 0; i < plot.count && !err; i++) {
         err = decay ? fill_decay(&plot, i, msg) : fill_magnetism(&plot, i, msg);
-        const char *name = bead_sweep_panel(sweep, decay ? i / DECAY_PANELS : i)->name;
+        const char *name = bead_sweep_panel(sweep, decay ? i / DECAY_PANELS : i)->spec->title;
         plot.shown[i].title = *name ? name : NULL;
         plot.shown[i].series = plot.panels[i].series;
         plot.shown[i].series_count = plot.panels[i].series_count;

@@ -112,7 +112,7 @@ static void group_words(const struct drawing *g, const struct bead_cell_group *g
     snprintf(number, 200, "%s = %zu", symbol, groups[i].beads);
     name[0] = '\0';
     if (groups[i].material != SIZE_MAX)
-        bead_text_escape(g->d->context->scene->materials[groups[i].material].name, name, 200);
+        bead_text_escape(g->d->context->scene->materials[groups[i].material].label, name, 200);
 }
 
 /* Labels of the braces; false: they do not fit. Draws them if y is given. */
@@ -152,7 +152,7 @@ static bool label_groups(const struct drawing *g, const struct bead_strip *strip
     return true;
 }
 
-/* "2 : 1 large-steel : aluminium dimer cell": named after its groups, not its beads. */
+/* "2 : 1 large steel : aluminium dimer cell": named after its groups, not its beads. */
 static void title_words(const struct drawing *g, const struct bead_cell_group *groups, size_t count, char *out, size_t size)
 {
     size_t used = 0;
@@ -160,7 +160,7 @@ static void title_words(const struct drawing *g, const struct bead_cell_group *g
     for (size_t i = 0; i < 2 * count && used < size; i++) {
         const struct bead_cell_group *group = &groups[i % count];
         const char *mark = i % count > 0 ? " : " : i > 0 ? "  " : "";
-        bead_text_escape(g->d->context->scene->materials[group->material].name, name, sizeof name);
+        bead_text_escape(g->d->context->scene->materials[group->material].label, name, sizeof name);
         if (i < count)
             used += (size_t)snprintf(out + used, size - used, "%s%zu", mark, group->beads);
         else

@@ -7,6 +7,7 @@
 
 #include "beadreel/law.h"
 #include "render/draw/markup.h"
+#include "render/draw/names.h"
 #include "render/schematic/schematic.h"
 
 /* In units of the label's font size: rows above and below the beads, and how far apart things are. */
@@ -255,11 +256,12 @@ static bool draw_dimensions(const struct contact *c, const struct bead_box *area
     return true;
 }
 
-static void side_name(const struct side *s, char *out, size_t size)
+static void side_name(const struct bead_chain *chain, const struct side *s, char *out, size_t size)
 {
-    char name[160];
-    bead_text_escape(s->material ? s->material->name : "rigid", name, sizeof name);
-    snprintf(out, size, "%s%s", name, s->wall ? " wall" : "");
+    char name[96];
+    if (s->wall)
+        bead_wall_name(chain, name, sizeof name);
+    bead_text_escape(s->wall ? name : s->material->label, out, size);
 }
 
 static bool contact_draw_names(const struct contact *c, const struct bead_box *area, const struct bead_box *page)
@@ -270,7 +272,7 @@ static bool contact_draw_names(const struct contact *c, const struct bead_box *a
     char markup[2][200];
     for (size_t i = 0; i < 2; i++) {
         const struct side *s = &c->side[i];
-        side_name(s, markup[i], sizeof markup[i]);
+        side_name(c->d->context->chains[0], s, markup[i], sizeof markup[i]);
         double at = s->wall || s->cut ? c->chord_x + 0.5 * s->sign * c->scale * s->extent : s->x;
         labels[i] = (struct bead_label){at, bead_sketch_width(&style, markup[i]), 0};
     }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/draw/names.h"
 #include "render/schematic/schematic_parts.h"
 #include "render/schematic/schematic_words.h"
 
@@ -121,11 +122,9 @@ static void striker_words(const struct bead_chain *chain, char *out, size_t size
 
 static void wall_words(const struct bead_chain *chain, char *out, size_t size)
 {
-    const struct bead_chain_spec *spec = bead_chain_spec(chain);
-    char name[96] = "rigid";
-    if (spec->wall == BEAD_WALL_MATERIAL)
-        bead_text_escape(bead_chain_scene(chain)->materials[spec->wall_material].name, name, sizeof name);
-    snprintf(out, size, "%s wall", name);
+    char name[96];
+    bead_wall_name(chain, name, sizeof name);
+    bead_text_escape(name, out, size);
 }
 
 void bead_parts_labels(struct bead_plan_row *row, const struct bead_text_style *style, bool details)
@@ -155,7 +154,7 @@ void bead_parts_header(struct bead_plan_row *row, const struct bead_text_style *
 {
     const struct bead_chain_spec *spec = bead_chain_spec(row->chain);
     char name[160], pieces[5][200] = {"", "", "", "", ""}, text[sizeof row->header], number[128];
-    bead_text_escape(bead_chain_name(row->chain), name, sizeof name);
+    bead_text_escape(bead_chain_title(row->chain), name, sizeof name);
     if (*name)
         snprintf(pieces[0], sizeof pieces[0], "<b>%s</b>", name);
     snprintf(pieces[1], sizeof pieces[1], "%zu bead%s", bead_chain_beads(row->chain) - 1,

@@ -37,14 +37,25 @@ bool bead_cell_mirrored(const struct bead_segment *segment)
     return true;
 }
 
+/* "steel, 4.76 mm" has the number of "4.76\u00a0mm". */
+static bool says_radius(const char *label, const char *radius)
+{
+    char number[32];
+    snprintf(number, sizeof number, "%.*s", (int)strcspn(radius, "\u00a0"), radius);
+    return *number && strstr(label, number);
+}
+
 void bead_material_words(const struct bead_material *material, char *out, size_t size)
 {
     char name[96], radius[32], mass[32];
-    bead_text_escape(material->name, name, sizeof name);
+    bead_text_escape(material->label, name, sizeof name);
     bead_quantity(material->radius, "m", 3, radius, sizeof radius);
     if (material->mass < 1)
         bead_quantity(1e3 * material->mass, "g", 3, mass, sizeof mass);
     else
         snprintf(mass, sizeof mass, "%.3g kg", material->mass);
-    snprintf(out, size, "%s, " BEAD_SYMBOL("R") " = %s, %s", name, radius, mass);
+    if (says_radius(material->label, radius))
+        snprintf(out, size, "%s, %s", name, mass);
+    else
+        snprintf(out, size, "%s, " BEAD_SYMBOL("R") " = %s, %s", name, radius, mass);
 }

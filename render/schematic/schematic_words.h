@@ -20,7 +20,7 @@ size_t bead_cell_groups(const struct bead_segment *segment, struct bead_cell_gro
 /* Reads the same from both ends. */
 bool bead_cell_mirrored(const struct bead_segment *segment);
 
-/* Markup: "large-steel, R = 4.76 mm, 3.63 g". */
+/* Markup: "large steel, R = 4.76 mm, 3.63 g". */
 void bead_material_words(const struct bead_material *material, char *out, size_t size);
 
 #endif

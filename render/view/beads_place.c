@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "render/draw/chain_axis.h"
+#include "render/draw/names.h"
 #include "render/view/beads.h"
 
 /* Rows of smaller beads are drawn as a strip, px of diameter. */
@@ -190,22 +191,15 @@ static void name_sensors(struct names *names)
     }
 }
 
-static void wall_name(const struct bead_view *v, const struct bead_chain_spec *spec, char *text, size_t size)
-{
-    const struct bead_material *materials = bead_chain_scene(v->setup.chain)->materials;
-    snprintf(text, size, "%.40s wall", spec->wall == BEAD_WALL_RIGID ? "rigid" : materials[spec->wall_material].name);
-}
-
 static void name_ends(struct names *names)
 {
     const struct bead_view *v = names->v;
-    const struct bead_chain_spec *spec = bead_chain_spec(v->setup.chain);
     if (v->striker)
         add_name(names, v->area.x + bead_window_x(&v->row, v->ends[0]), "striker", BEAD_ALIGN_START, v->look.faint);
     if (!v->wall)
         return;
     char text[96], markup[200];
-    wall_name(v, spec, text, sizeof text);
+    bead_wall_name(v->setup.chain, text, sizeof text);
     bead_text_escape(text, markup, sizeof markup);
     add_name(names, v->area.x + bead_window_x(&v->row, v->ends[1]), markup, BEAD_ALIGN_END, v->look.faint);
 }
@@ -227,7 +221,6 @@ static void name_numbers(struct names *names)
 /* Names above a moving row move with it. */
 static enum bead_error move_names(struct bead_view *v, struct bead_message *msg)
 {
-    const struct bead_chain_spec *spec = bead_chain_spec(v->setup.chain);
     struct bead_rect strip = {v->plot.x, v->plot.y, v->plot.width, v->lens.rect.y};
     size_t count;
     const struct bead_sensor *sensors = bead_chain_sensors(v->setup.chain, &count);
@@ -245,7 +238,7 @@ static enum bead_error move_names(struct bead_view *v, struct bead_message *msg)
         err = bead_moving_labels_add(v->labels, v->position[0], "striker", v->look.faint, BEAD_LABEL_PLAIN, msg);
     if (!err && v->wall) {
         char text[64], markup[96];
-        wall_name(v, spec, text, sizeof text);
+        bead_wall_name(v->setup.chain, text, sizeof text);
         bead_text_escape(text, markup, sizeof markup);
         err = bead_moving_labels_add(v->labels, v->ends[1] - 4 * v->largest, markup, v->look.faint, BEAD_LABEL_PLAIN, msg);
     }

@@ -8,6 +8,7 @@
 
 #include "sim/base/fingerprint.h"
 #include "sim/scene/scene_output.h"
+#include "sim/scene/scene_words.h"
 #include "sim/scene/sweep_yaml.h"
 
 static enum bead_error read_chain(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
@@ -252,6 +253,8 @@ static enum bead_error read_scene(struct bead_reader *reader, const char *text, 
         err = bead_options_read(reader, &root, &bead_scene_options, reader->scene);
     if (!err)
         tighten_accuracy(reader->scene, &root);
+    if (!err)
+        err = bead_scene_find_words(reader);
     return err || reader->scene->sweep_count == 0 ? err : find_fingerprint(reader);
 }
 
@@ -334,6 +337,7 @@ static void free_chain(struct bead_chain_spec *chain)
     free(chain->segments);
     free(chain->equation.name);
     free(chain->name);
+    free(chain->title);
     free(chain->label);
 }
 
@@ -341,8 +345,10 @@ void bead_scene_free(struct bead_scene *scene)
 {
     if (!scene)
         return;
-    for (size_t i = 0; i < scene->material_count; i++)
+    for (size_t i = 0; i < scene->material_count; i++) {
         free(scene->materials[i].name);
+        free(scene->materials[i].label);
+    }
     for (size_t i = 0; i < scene->chain_count; i++)
         free_chain(&scene->chains[i]);
     bead_scene_free_sweeps(scene);

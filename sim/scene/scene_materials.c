@@ -6,9 +6,11 @@
 #include "beadreel/assets.h"
 #include "sim/base/suggest.h"
 #include "sim/scene/scene_private.h"
+#include "sim/scene/scene_words.h"
 
 /* As written; a bead_material is made of it. */
 struct written {
+    char *label;
     double density, mass, modulus, poisson, radius;
     double colour[3];
 };
@@ -63,6 +65,12 @@ static const struct bead_option rows[] = {
      .help = "colour in pictures",
      .example = "\"#c08040\"",
      .read = read_colour},
+    {.key = "label",
+     .type = BEAD_OPTION_TEXT,
+     .offset = offsetof(struct written, label),
+     .initial = "",
+     .help = "what pictures call it; default: its name, as words: large steel. A wall of it has the label up to the first comma",
+     .example = "\"steel, 4.76 mm\""},
 };
 
 const struct bead_options bead_material_options = {"materials.NAME", "a material of beads and walls, added to the ready ones",
@@ -123,6 +131,25 @@ static struct bead_material *place_material(struct bead_scene *scene, const char
     return grown[scene->material_count].name ? &grown[scene->material_count++] : NULL;
 }
 
+/* Takes the label, or makes one of the name. */
+static enum bead_error add_material(struct bead_reader *reader, const char *name, struct written *written)
+{
+    char *label = *written->label ? strdup(written->label) : bead_words_of(name);
+    struct bead_material *material = label ? place_material(reader->scene, name) : NULL;
+    if (!material) {
+        free(label);
+        return bead_no_memory(reader);
+    }
+    free(material->label);
+    material->label = label;
+    material->mass = written->mass;
+    material->radius = written->radius;
+    material->modulus = written->modulus;
+    material->poisson = written->poisson;
+    memcpy(material->colour, written->colour, sizeof written->colour);
+    return BEAD_OK;
+}
+
 static enum bead_error read_one(struct bead_reader *reader, const struct bead_at *at)
 {
     struct written written = {0};
@@ -131,17 +158,10 @@ static enum bead_error read_one(struct bead_reader *reader, const struct bead_at
     enum bead_error err = bead_options_read(reader, at, &bead_material_options, &written);
     if (!err)
         err = check_mass(reader, at, &written);
-    if (err)
-        return err;
-    struct bead_material *material = place_material(reader->scene, at->key);
-    if (!material)
-        return bead_no_memory(reader);
-    material->mass = written.mass;
-    material->radius = written.radius;
-    material->modulus = written.modulus;
-    material->poisson = written.poisson;
-    memcpy(material->colour, written.colour, sizeof written.colour);
-    return BEAD_OK;
+    if (!err)
+        err = add_material(reader, at->key, &written);
+    free(written.label);
+    return err;
 }
 
 enum bead_error bead_scene_read_materials(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,

@@ -343,6 +343,7 @@ void bead_scene_free_sweeps(struct bead_scene *scene)
         free(sweep->spins);
         free(sweep->groups);
         free(sweep->name);
+        free(sweep->title);
     }
     free(scene->sweeps);
 }

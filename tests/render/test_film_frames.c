@@ -204,6 +204,27 @@ static void test_windows_that_move(void **state)
     }
 }
 
+/* Names for people, not the scene's identifiers. */
+static void test_names_are_words(void **state)
+{
+    static struct stage s;
+    static const int size[2] = {1280, 720};
+    static const char text[] =
+        "materials: {big-steel: {label: \"steel, 5 mm\", mass: 4 g, radius: 5 mm, modulus: 193 GPa, poisson: 0.3}}\n"
+        "chains: [{name: half-reversed_1, striker: {bead: small-steel, velocity: 0.443 m/s}, wall: big-steel,"
+        " beads: [{cell: [big-steel, tungsten-carbide], count: 4}, {bead: ptfe}]}]\n"
+        "outputs: [{movie: m.mp4, size: [1280, 720]}]\n";
+    (void)state;
+    open_stage(&s, text, size);
+    static const char *const words[] = {"half reversed 1", "steel, 5 mm : tungsten carbide"};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        if (!wrote(&s.seen, words[i]))
+            fail_msg("nothing says '%s'", words[i]);
+    }
+    assert_false(wrote(&s.seen, "half-reversed") || wrote(&s.seen, "big-steel") || wrote(&s.seen, "tungsten-carbide"));
+    close_stage(&s);
+}
+
 /* What chooses the poster: how far two chains differ, not how much they show. */
 static void test_differences_count(void **state)
 {
@@ -239,6 +260,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_frame),
         cmocka_unit_test(test_windows_that_move),
+        cmocka_unit_test(test_names_are_words),
         cmocka_unit_test(test_differences_count),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
