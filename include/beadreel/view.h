@@ -93,6 +93,8 @@ struct bead_view_type {
 
     /* Least and largest value seen, of pixels or curves; low > high where there was none. */
     void (*extremes)(const struct bead_view *view, double *low, double *high);
+    /* The magnitude that only a short and narrow event exceeds; INFINITY: nothing is known. NULL: the view has no such. */
+    double (*typical)(const struct bead_view *view);
     /* Before decorate and draw. An image takes the colours, curves take `values` as the ends of their axis. */
     void (*set_range)(struct bead_view *view, const struct bead_colours *colours, const double values[2]);
     /* With trust: the first time at which what was drawn differs visibly from the comparison run; INFINITY: none. */

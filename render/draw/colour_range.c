@@ -6,6 +6,8 @@
 
 /* A logarithmic scale without a given lower end begins at this part of the largest value. */
 static const double log_span = 1e-4;
+/* An event is left out where the typical values are below this part of it; they have so much room. */
+static const double hides = 0.5, headroom = 1.05;
 /* Values of one sign may have a few of the other, by errors or small waves. */
 static const double ripple = 0.05;
 
@@ -28,11 +30,21 @@ static void automatic(enum bead_scale scale, bool is_signed, double least, doubl
     }
 }
 
-struct bead_colour_range bead_colour_range_find(const struct bead_colours_asked *asked, bool is_signed, double least,
-                                                double largest)
+/* The largest magnitude of an event that hides the rest; 0: there is none. */
+static double find_hidden(const struct bead_colours_asked *asked, const struct bead_shown_values *values)
 {
-    struct bead_colour_range range = {0, 1, false, false};
-    automatic(asked->scale, is_signed, least, largest, &range.low, &range.high);
+    double size = fmax(fabs(values->least), fabs(values->largest));
+    bool given = !isnan(asked->range[0]) || !isnan(asked->range[1]);
+    return !given && values->typical > 0 && values->typical < hides * size ? size : 0;
+}
+
+struct bead_colour_range bead_colour_range_find(const struct bead_colours_asked *asked, bool is_signed,
+                                                const struct bead_shown_values *values)
+{
+    const double least = values->least, largest = values->largest;
+    struct bead_colour_range range = {.high = 1, .hidden = find_hidden(asked, values)};
+    const double most = range.hidden > 0 ? headroom * values->typical : INFINITY;
+    automatic(asked->scale, is_signed, fmax(least, -most), fmin(largest, most), &range.low, &range.high);
     bool low_given = !isnan(asked->range[0]), high_given = !isnan(asked->range[1]);
     range.high = high_given ? asked->range[1] : range.high;
     if (low_given)
@@ -63,14 +75,18 @@ enum bead_error bead_colour_range_check(const struct bead_output *output, const 
     return BEAD_OK;
 }
 
-enum bead_error bead_colour_range_map(const struct bead_output *output, const struct bead_chain *chain, const char *plain,
+enum bead_error bead_colour_range_map(const struct bead_output *output, const struct bead_chain *chain, bool dark,
                                       struct bead_colormap *map, struct bead_message *msg)
 {
     const char *file = bead_chain_scene(chain)->file;
     bool signs = bead_chain_signed(chain, output->shown.field);
     bool automatic_map = !output->colours.colormap || strcmp(output->colours.colormap, "auto") == 0;
     struct bead_message why = {""};
-    enum bead_error err = bead_colormap_load(!automatic_map ? output->colours.colormap : signs ? "vik" : plain, map, &why);
+    enum bead_error err = bead_colormap_load(!automatic_map ? output->colours.colormap
+                                             : signs        ? "vik"
+                                             : dark         ? "inferno"
+                                                            : "viridis",
+                                             map, &why);
     if (err == BEAD_ERROR_SCENE)
         return bead_fail(msg, err, "%s:%zu:%zu: colormap: %.500s", file, output->place.line, output->place.column, why.text);
     return err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;

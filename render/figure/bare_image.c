@@ -101,7 +101,7 @@ static enum bead_error bare_prepare(struct bead_still *b, struct bead_message *m
     if (!err)
         err = bead_colour_range_check(output, b->context.scene->file, msg);
     if (!err)
-        err = bead_colour_range_map(output, b->context.chains[0], "viridis", &b->map, msg);
+        err = bead_colour_range_map(output, b->context.chains[0], output->paper.theme == BEAD_THEME_DARK, &b->map, msg);
     if (!err)
         err = make_areas(b, time, msg);
     if (err)
@@ -120,7 +120,8 @@ static struct bead_colour_range bare_find_range(const struct bead_still *b)
         low = fmin(low, one[0]);
         high = fmax(high, one[1]);
     }
-    return bead_colour_range_find(&b->output->colours, bead_chain_signed(b->context.chains[0], b->output->shown.field), low, high);
+    return bead_colour_range_find(&b->output->colours, bead_chain_signed(b->context.chains[0], b->output->shown.field),
+                                  &(struct bead_shown_values){low, high, INFINITY}); /* there is no bar that could say more */
 }
 
 /* Where the pixels of a chain go. */

@@ -125,7 +125,7 @@ static enum bead_error find_colours(struct contact_sheet *s, struct bead_message
         high = fmax(high, one[1]);
     }
     s->range = bead_colour_range_find(&s->output->colours, bead_chain_signed(bead_sweep_chain_of(made), s->output->shown.field),
-                                      low, high);
+                                      &(struct bead_shown_values){low, high, INFINITY});
     s->colours = (struct bead_colours){&s->map, s->output->colours.scale, s->range.low, s->range.high};
     bead_sweep_chain_destroy(made);
     return BEAD_OK;
@@ -149,7 +149,7 @@ static enum bead_error sheet_prepare(struct contact_sheet *s, struct bead_messag
     s->orientation = bead_orientation_of(s->output);
     s->of_contacts = bead_field_info(s->output->shown.field)->of_contacts;
     s->behind = bead_sweep_panel(s->sweep, 0)->spec->measures.sensor_count == 0;
-    err = bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark ? "inferno" : "viridis", &s->map, msg);
+    err = bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark, &s->map, msg);
     bead_sweep_chain_destroy(made);
     return err;
 }

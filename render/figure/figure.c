@@ -176,11 +176,12 @@ static enum bead_error figure_prepare(struct bead_figure *f, const enum bead_vie
                         output->place.line, output->place.column, f->at, f->context.end);
     f->at = fmin(f->at, f->context.end);
     if (!err)
-        err = bead_colour_range_map(output, f->context.chains[0], "viridis", &f->map, msg);
+        err = bead_colour_range_map(output, f->context.chains[0], f->look.dark, &f->map, msg);
     if (err)
         return err;
     /* as wide as labels can get; the real range is known at the end */
-    f->range = bead_colour_range_find(&output->colours, is_signed, is_signed ? -888 : 0, 888);
+    f->range =
+        bead_colour_range_find(&output->colours, is_signed, &(struct bead_shown_values){is_signed ? -888 : 0, 888, INFINITY});
     f->colours = (struct bead_colours){&f->map, output->colours.scale, f->range.low, f->range.high};
     return make_cells(f, views, msg);
 }

@@ -13,6 +13,7 @@
 
 #include "beadreel/canvas.h"
 #include "beadreel/sink.h"
+#include "render/draw/colour_range.h"
 #include "render/draw/page.h"
 
 struct bead_figure;
@@ -44,9 +45,14 @@ void bead_figure_needs(const struct bead_figure *figure, struct bead_needs *need
 BEAD_CHECK enum bead_error bead_figure_feed(struct bead_figure *figure, const struct bead_sample *sample, struct bead_message *msg);
 /* Sets the grid on which samples will really arrive. */
 void bead_figure_regrid(struct bead_figure *figure, const struct bead_grid *grid);
-/* Widens the ranges of the colours and of the sensors' axis. */
-void bead_figure_extremes(const struct bead_figure *figure, double colours[2], double sensors[2]);
-void bead_figure_set_range(struct bead_figure *figure, const double colours[2], const double sensors[2]);
+/* Widens the ranges of the colours and of the sensors' axis; both begin as BEAD_NOTHING_SHOWN. */
+#define BEAD_NOTHING_SHOWN             \
+    {                                  \
+        INFINITY, -INFINITY, -INFINITY \
+    }
+void bead_figure_extremes(const struct bead_figure *figure, struct bead_shown_values *colours, struct bead_shown_values *sensors);
+void bead_figure_set_range(struct bead_figure *figure, const struct bead_shown_values *colours,
+                           const struct bead_shown_values *sensors);
 /* Extends the bar down to this y, px. */
 void bead_figure_stretch_bar(struct bead_figure *figure, int bottom);
 bool bead_figure_needs_canvas(const struct bead_figure *figure);

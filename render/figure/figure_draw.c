@@ -262,6 +262,13 @@ void bead_figure_bar_title(const struct bead_figure *f, char *title, size_t size
         largest = largest || bead_view_has(f->cells[0].panel[v].type, BEAD_SHOWS_IMAGE);
     largest = largest && f->output->image.sampling == BEAD_SAMPLING_MAX;
     snprintf(title, size, largest ? "largest %s" : "%s", name);
+    if (f->range.hidden > 0) { /* in the unit of the axis, which follows in brackets */
+        const char *unit = bead_chain_field(f->context.chains[0], f->output->shown.field)->unit;
+        struct bead_axis axis;
+        bead_axis_make(&axis, f->range.low, f->range.high, unit, f->colours.scale, f->bar.height, f->look.tick, false);
+        size_t used = strlen(title);
+        snprintf(title + used, size - used, "; peak %.2g", f->range.hidden * axis.factor);
+    }
 }
 
 /* The bar is shortened by its pointed ends, so that these end where the images end. */

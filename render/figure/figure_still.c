@@ -99,9 +99,9 @@ static enum bead_error figure_write(struct bead_still *still, const struct bead_
     struct bead_figure *f = still->figure;
     struct bead_canvas *canvas = NULL;
     const struct bead_drawing drawing = {figure_vector, figure_raster, f};
-    double colours[2] = {INFINITY, -INFINITY}, sensors[2] = {INFINITY, -INFINITY};
-    bead_figure_extremes(f, colours, sensors);
-    bead_figure_set_range(f, colours, sensors);
+    struct bead_shown_values colours = BEAD_NOTHING_SHOWN, sensors = BEAD_NOTHING_SHOWN;
+    bead_figure_extremes(f, &colours, &sensors);
+    bead_figure_set_range(f, &colours, &sensors);
     enum bead_error err =
         bead_figure_needs_canvas(f) ? bead_canvas_create(f->context.canvas, f->page.width, f->page.height, &canvas, msg) : BEAD_OK;
     if (canvas)

@@ -3,16 +3,18 @@
 
 #include "render/figure/figure_private.h"
 
-static void figure_widen(double low, double high, double all[2])
+static void figure_widen(double low, double high, double typical, struct bead_shown_values *all)
 {
-    all[0] = fmin(all[0], low);
-    all[1] = fmax(all[1], high);
+    all->least = fmin(all->least, low);
+    all->largest = fmax(all->largest, high);
+    all->typical = fmax(all->typical, typical);
 }
 
 /* Values shown as colours: the pixels of images if there are any, else the values of the moment. */
-void bead_figure_extremes(const struct bead_figure *f, double colours[2], double sensors[2])
+void bead_figure_extremes(const struct bead_figure *f, struct bead_shown_values *colours, struct bead_shown_values *sensors)
 {
-    double low, high, moment[2] = {INFINITY, -INFINITY};
+    double low, high;
+    struct bead_shown_values moment = BEAD_NOTHING_SHOWN;
     bool images = false;
     for (size_t c = 0; c < f->cell_count; c++) {
         const struct bead_cell *cell = &f->cells[c];
@@ -22,22 +24,24 @@ void bead_figure_extremes(const struct bead_figure *f, double colours[2], double
             if (!panel->type->extremes)
                 continue;
             panel->type->extremes(panel->view, &low, &high);
-            figure_widen(low, high, coloured ? colours : sensors);
+            figure_widen(low, high, panel->type->typical ? panel->type->typical(panel->view) : INFINITY,
+                         coloured ? colours : sensors);
             images = images || (coloured && low <= high);
         }
         const double *values = cell->moments ? cell->moment[1].field[f->output->shown.field] : NULL;
         const struct bead_span *span = &cell->panel[0].setup.beads;
         for (size_t i = span->first; values && i <= span->last; i++)
-            figure_widen(values[i], values[i], moment);
+            figure_widen(values[i], values[i], INFINITY, &moment);
     }
     if (!images)
-        figure_widen(moment[0], moment[1], colours);
+        figure_widen(moment.least, moment.largest, INFINITY, colours);
 }
 
-void bead_figure_set_range(struct bead_figure *f, const double colours[2], const double sensors[2])
+void bead_figure_set_range(struct bead_figure *f, const struct bead_shown_values *colours, const struct bead_shown_values *sensors)
 {
-    f->range = bead_colour_range_find(&f->output->colours, bead_chain_signed(f->context.chains[0], f->output->shown.field),
-                                      colours[0], colours[1]);
+    const double ends[2] = {sensors->least, sensors->largest};
+    f->range =
+        bead_colour_range_find(&f->output->colours, bead_chain_signed(f->context.chains[0], f->output->shown.field), colours);
     f->colours.low = f->range.low;
     f->colours.high = f->range.high;
     for (size_t c = 0; c < f->cell_count; c++) {
@@ -45,7 +49,7 @@ void bead_figure_set_range(struct bead_figure *f, const double colours[2], const
             struct bead_tile *panel = &f->cells[c].panel[v];
             panel->setup.colours = f->colours;
             if (panel->type->set_range)
-                panel->type->set_range(panel->view, &f->colours, sensors);
+                panel->type->set_range(panel->view, &f->colours, ends);
         }
     }
 }

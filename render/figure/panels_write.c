@@ -11,13 +11,13 @@
 static void set_ranges(struct bead_still *s)
 {
     for (size_t p = 0; p < s->count; p++) {
-        double colours[2] = {INFINITY, -INFINITY}, sensors[2] = {INFINITY, -INFINITY};
+        struct bead_shown_values colours = BEAD_NOTHING_SHOWN, sensors = BEAD_NOTHING_SHOWN;
         for (size_t q = 0; s->panels[p].figure && q < s->count; q++) {
             if (s->panels[q].figure && s->panels[q].group == s->panels[p].group)
-                bead_figure_extremes(s->panels[q].figure, colours, sensors);
+                bead_figure_extremes(s->panels[q].figure, &colours, &sensors);
         }
         if (s->panels[p].figure)
-            bead_figure_set_range(s->panels[p].figure, colours, sensors);
+            bead_figure_set_range(s->panels[p].figure, &colours, &sensors);
     }
 }
 

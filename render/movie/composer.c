@@ -115,7 +115,7 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
     const struct bead_output *output = c->setup.output;
     bead_look_film(&c->look, c->setup.width, c->setup.height, output->paper.theme != BEAD_THEME_LIGHT,
                    output->movie.type == BEAD_TYPE_LARGE);
-    enum bead_error err = bead_colour_range_map(output, c->setup.chains[0], "inferno", &c->map, msg);
+    enum bead_error err = bead_colour_range_map(output, c->setup.chains[0], true, &c->map, msg);
     if (err)
         return err;
     c->colours = (struct bead_colours){&c->map, output->colours.scale, c->setup.range[0], c->setup.range[1]};

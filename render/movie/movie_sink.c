@@ -354,8 +354,9 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
                                         .scene = s->context.scene,
                                         .tolerance_factor = s->context.tolerance_factor,
                                         .canvas = s->context.canvas};
-    struct bead_colour_range colours = bead_colour_range_find(
-        &s->output->colours, bead_chain_signed(s->context.chains[0], s->output->shown.field), range.low, range.high);
+    struct bead_colour_range colours =
+        bead_colour_range_find(&s->output->colours, bead_chain_signed(s->context.chains[0], s->output->shown.field),
+                               &(struct bead_shown_values){range.low, range.high, INFINITY});
     setup.range[0] = colours.low;
     setup.range[1] = colours.high;
     find_ends(s, &colours, &setup.over, &setup.under);

@@ -364,6 +364,50 @@ void bead_area_extremes(const struct bead_area *area, double *low, double *high)
     }
 }
 
+static int by_size(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The value that this part of all is not above; sorts them. */
+static double quantile(double *values, size_t count, double part)
+{
+    qsort(values, count, sizeof *values, by_size);
+    return count > 0 ? values[(size_t)(part * (double)(count - 1))] : INFINITY;
+}
+
+/* The largest magnitude of each column that has been touched, and of each row; returns the number of columns. */
+static size_t find_most(const struct bead_area *a, double *of_column, double *of_row)
+{
+    size_t count = 0;
+    for (int c = 0; c < a->setup.columns; c++) {
+        const double *rows = a->covered[c] > 0 ? rows_of(a, c) : NULL;
+        double most = 0;
+        for (size_t r = 0; rows && r < a->rows; r++) {
+            const double size = fabs(rows[r]);
+            most = size > most ? size : most;
+            of_row[r] = size > of_row[r] ? size : of_row[r];
+        }
+        if (rows)
+            of_column[count++] = most;
+    }
+    return count;
+}
+
+double bead_area_typical(const struct bead_area *area)
+{
+    static const double of_time = 0.95, of_chain = 0.9;
+    double *of_column = area_numbers((size_t)area->setup.columns), *of_row = area_numbers(area->rows), typical = INFINITY;
+    if (of_column && of_row) {
+        size_t columns = find_most(area, of_column, of_row);
+        typical = fmax(quantile(of_column, columns, of_time), quantile(of_row, area->rows, of_chain));
+    }
+    free(of_column);
+    free(of_row);
+    return typical;
+}
+
 size_t bead_area_places(const struct bead_area *area)
 {
     return (size_t)area->setup.places;

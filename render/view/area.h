@@ -40,5 +40,8 @@ bool bead_area_column_levels(const struct bead_area *area, int c, double *values
 size_t bead_area_places(const struct bead_area *area);
 /* Smallest and largest value of all pixels touched; low > high if there are none. */
 void bead_area_extremes(const struct bead_area *area, double *low, double *high);
+/* The magnitude that only a short and narrow event exceeds, such as the strike: neither 5 % of the time columns have larger values,
+ * nor 10 % of the chain. INFINITY where nothing is known. */
+double bead_area_typical(const struct bead_area *area);
 
 #endif

@@ -336,6 +336,11 @@ static void spacetime_extremes(const struct bead_view *view, double *low, double
         bead_area_extremes(view->area, low, high);
 }
 
+static double spacetime_typical(const struct bead_view *view)
+{
+    return view->area ? bead_area_typical(view->area) : INFINITY;
+}
+
 /* The same pixels, as an embedded image. */
 static enum bead_error spacetime_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
 {
@@ -393,6 +398,7 @@ const struct bead_view_type bead_view_spacetime_type = {
     .vector = spacetime_vector,
     .destroy = spacetime_destroy,
     .extremes = spacetime_extremes,
+    .typical = spacetime_typical,
     .set_range = spacetime_set_range,
     .horizon = spacetime_horizon,
 };

@@ -128,7 +128,8 @@ const struct bead_option bead_colormap_row[1] = {
      .type = BEAD_OPTION_TEXT,
      .offset = BEAD_OF_OUTPUT(colours.colormap),
      .initial = "auto",
-     .help = "colour map, one of --list colormaps; auto: vik for velocity and displacement, inferno for dark sheets, else viridis",
+     .help =
+         "colour map, one of --list colormaps; auto: vik for velocity and displacement, inferno for dark pictures, else viridis",
      .example = "batlow"},
 };
 const struct bead_option bead_square_root_row[1] = {
@@ -147,7 +148,9 @@ const struct bead_option bead_range_row[1] = {
      .shape = "auto, or [low, high] in the unit of the field",
      .word = "auto",
      .word_value = NAN,
-     .help = "values at the ends of the colour bar; auto: the range of the data",
+     .help = "values at the ends of the colour bar; auto: the range of the data; images leave out a strike, short and narrow, that "
+             "would "
+             "take more than half of it, and say beside the bar how high it is",
      .example = "[0, 45 N]",
      .read = bead_output_read_colour_range},
 };

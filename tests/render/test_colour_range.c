@@ -1,0 +1,118 @@
+/* Automatic ranges of colours: all values, but not a strike that would hide the wave; and the colour map of dark pictures. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "render/draw/colour_range.h"
+#include "render/view/area.h"
+#include "tests/sweeps.h"
+
+static const struct bead_colours_asked automatic = {.scale = BEAD_SCALE_LINEAR, .range = {NAN, NAN}};
+
+static void test_ranges(void **state)
+{
+    (void)state;
+    static const struct {
+        struct bead_shown_values values;
+        bool signs;
+        struct bead_colour_range range;
+    } cases[] = {
+        {{0, 40, INFINITY}, false, {0, 40, false, false, 0}}, /* nothing is known of events */
+        {{0, 40, 39}, false, {0, 40, false, false, 0}},
+        {{0, 40, 20.1}, false, {0, 40, false, false, 0}}, /* more than half: seen */
+        {{0, 40, 10}, false, {0, 10.5, true, false, 40}},
+        {{-3, 40, 10}, true, {-10.5, 10.5, true, false, 40}},
+        {{-40, 8, 10}, true, {-10.5, 10.5, false, true, 40}},
+        {{0, 0, 0}, false, {0, 1, false, false, 0}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct bead_colour_range found = bead_colour_range_find(&automatic, cases[i].signs, &cases[i].values);
+        const struct bead_colour_range *expected = &cases[i].range;
+        if (fabs(found.low - expected->low) > 1e-12 || fabs(found.high - expected->high) > 1e-12 || found.over != expected->over ||
+            found.under != expected->under || found.hidden != expected->hidden)
+            fail_msg("case %zu: %g to %g, hidden %g", i, found.low, found.high, found.hidden);
+    }
+}
+
+static void test_given_ranges_stay(void **state)
+{
+    (void)state;
+    const struct bead_colours_asked given = {.scale = BEAD_SCALE_LINEAR, .range = {0, 30}},
+                                    half = {.scale = BEAD_SCALE_LINEAR, .range = {1, NAN}};
+    const struct bead_shown_values values = {0, 40, 10};
+    struct bead_colour_range range = bead_colour_range_find(&given, false, &values);
+    assert_true(range.low == 0 && range.high == 30 && range.over && range.hidden == 0);
+    range = bead_colour_range_find(&half, false, &values);
+    assert_true(range.low == 1 && range.high == 40 && range.hidden == 0);
+}
+
+enum { BEADS = 50, COLUMNS = 400 };
+
+/* A wave of size 3 that crosses the chain, and a strike of size 100 at the first beads, in the first columns. */
+static double typical_of(int beads, int columns, int places)
+{
+    struct bead_area *area;
+    const struct bead_area_setup setup = {{0, BEADS - 1}, {0, COLUMNS}, places, COLUMNS, BEAD_SAMPLING_AREA};
+    assert_int_equal(bead_area_create(&setup, &area, NULL), BEAD_OK);
+    for (int i = 0; i <= 4 * COLUMNS; i++) {
+        double values[BEADS], time = i / 4.0;
+        for (int j = 0; j < BEADS; j++) {
+            double from = j - time * BEADS / COLUMNS;
+            values[j] = (j < beads && time < columns ? 100 : 0) + 3 * exp(-0.1 * from * from);
+        }
+        bead_area_feed(area, time, values, BEADS);
+    }
+    double typical = bead_area_typical(area);
+    bead_area_destroy(area);
+    return typical;
+}
+
+static void test_short_and_narrow_is_no_wave(void **state)
+{
+    (void)state;
+    assert_true(fabs(typical_of(0, 0, 100) - 3) < 0.1);
+    assert_true(fabs(typical_of(3, 10, 100) - 3) < 0.1);
+    assert_true(fabs(typical_of(3, 10, 20) - 3) < 0.3); /* fewer pixels than beads */
+    assert_true(typical_of(3, 100, 100) > 90);          /* not short */
+    assert_true(typical_of(BEADS, 10, 100) > 90);       /* not narrow */
+}
+
+static void test_dark_pictures_have_a_dark_map(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *output, *map;
+    } cases[] = {{"image: a.png", "viridis"},
+                 {"image: a.png, theme: dark", "inferno"},
+                 {"image: a.png, theme: dark, colormap: batlow", "batlow"},
+                 {"image: a.png, theme: dark, field: velocity", "vik"}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[300];
+        struct bead_chain *chain;
+        struct bead_colormap map;
+        snprintf(text, sizeof text, "chain: {beads: [{bead: large-steel, count: 5}]}\noutputs: [{%s}]\n", cases[i].output);
+        struct bead_scene *scene = parse(text);
+        assert_int_equal(bead_chain_create(scene, 0, &chain, NULL), BEAD_OK);
+        const bool dark = scene->outputs[0].paper.theme == BEAD_THEME_DARK;
+        assert_int_equal(bead_colour_range_map(&scene->outputs[0], chain, dark, &map, NULL), BEAD_OK);
+        assert_string_equal(map.name, cases[i].map);
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_ranges),
+        cmocka_unit_test(test_given_ranges_stay),
+        cmocka_unit_test(test_short_and_narrow_is_no_wave),
+        cmocka_unit_test(test_dark_pictures_have_a_dark_map),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
