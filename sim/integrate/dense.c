@@ -46,9 +46,11 @@ static void update_jerks(struct bead_dense *dense, const struct bead_stepper *s)
     double *spare = dense->jerk[0];
     dense->jerk[0] = dense->jerk[1];
     dense->jerk[1] = spare;
+    const bool back = dense->step == s->steps + 1; /* over stored steps: their start was that of the one behind */
     if (dense->step + 1 != s->steps || s->steps == 1)
         find_jerks(s, &s->start, dense->jerk[0]);
-    find_jerks(s, &s->end, dense->jerk[1]);
+    if (!back)
+        find_jerks(s, &s->end, dense->jerk[1]);
     dense->step = s->steps;
 }
 
@@ -95,6 +97,18 @@ static void combine_state(const struct bead_dense *dense, const struct bead_step
         term[count++] = all[i];
     }
     s->kernels->combine(s->active, y, base, weight[V0], s->start.v, count, coefficient, term);
+}
+
+void bead_dense_displacement(struct bead_dense *dense, const struct bead_stepper *s, double x, double *u)
+{
+    double value[WEIGHTS], rate[WEIGHTS];
+    if (x <= same_time || x >= 1 - same_time) {
+        memcpy(u, x <= same_time ? s->start.u : s->end.u, s->active * sizeof *u);
+        return;
+    }
+    update_jerks(dense, s);
+    septic(x, s->h, value, rate);
+    combine_state(dense, s, value, s->start.u, u);
 }
 
 void bead_dense_state(struct bead_dense *dense, const struct bead_stepper *s, double t, double *u, double *v)

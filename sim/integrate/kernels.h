@@ -62,6 +62,12 @@ struct bead_kernels {
     void (*combine)(size_t n, double *y, const double *base, double scale, const double *v, size_t count, const double *coefficient,
                     const double *const *term);
     double (*largest)(size_t n, const double *f); /* max of f_0..f_{n-1} and 0 */
+    /* f_j = k_j (r_j - r_{j+1}): forces of springs. */
+    void (*springs)(size_t n, const double *k, const double *r, double *f);
+    /* sum_j += scale k_j (r_j - r_{j+1}) */
+    void (*add_springs)(size_t n, double scale, const double *k, const double *r, double *sum);
+    /* sum_j += scale x_j y_j */
+    void (*add_products)(size_t n, double scale, const double *x, const double *y, double *sum);
     /* mark[k] = 1 where the compression u_k - u_{k+1} may have a maximum of more than least_k (NULL: of any height) within the
      * step: where its rate was > 0 at the start and is <= 0 at the end, or has one sign at both ends and may have the other in
      * between. Returns whether any. Whole vectors are read, and written. */

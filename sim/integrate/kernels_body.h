@@ -204,6 +204,30 @@ static double largest(size_t n, const double *f)
     return most;
 }
 
+static void springs(size_t n, const double *k, const double *r, double *f)
+{
+    const double *restrict stiffness = k, *restrict left = r, *restrict right = r + 1;
+    double *restrict out = f;
+    for (size_t j = 0; j < n; j++)
+        out[j] = stiffness[j] * (left[j] - right[j]);
+}
+
+static void add_springs(size_t n, double scale, const double *k, const double *r, double *sum)
+{
+    const double *restrict stiffness = k, *restrict left = r, *restrict right = r + 1;
+    double *restrict out = sum;
+    for (size_t j = 0; j < n; j++)
+        out[j] += scale * (stiffness[j] * (left[j] - right[j]));
+}
+
+static void add_products(size_t n, double scale, const double *x, const double *y, double *sum)
+{
+    const double *restrict a = x, *restrict b = y;
+    double *restrict out = sum;
+    for (size_t j = 0; j < n; j++)
+        out[j] += scale * (a[j] * b[j]);
+}
+
 /* Between its ends a rate r bends away from them by at most h |r'| / 2 of either; a compression outgrows both of its ends by less
  * than its fastest rate would take it. */
 static bool turns(size_t n, const struct bead_step_ends *ends, const double *least, unsigned char *mark)
@@ -245,7 +269,7 @@ static bool turns(size_t n, const struct bead_step_ends *ends, const double *lea
 #include "sim/integrate/events_kinks_body.h"
 #endif
 
-const struct bead_kernels KERNELS_TABLE = {
-    KERNELS_NAME, KERNELS_DESCRIPTION, hertz,      hertz_static,  hertz_move,     hertz_stiffness,
-    circles,      accelerations,       rk4_sum,    combine,       largest,        turns,
-    flag_events,  weigh_speeds,        load_patch, correct_kinks, integrate_piece};
+const struct bead_kernels KERNELS_TABLE = {KERNELS_NAME,  KERNELS_DESCRIPTION, hertz,   hertz_static, hertz_move,   hertz_stiffness,
+                                           circles,       accelerations,       rk4_sum, combine,      largest,      springs,
+                                           add_springs,   add_products,        turns,   flag_events,  weigh_speeds, load_patch,
+                                           correct_kinks, integrate_piece};

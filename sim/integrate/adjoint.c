@@ -1,0 +1,303 @@
+/* Goes back over the steps of a run for the derivatives of contact forces: see adjoint.h. */
+#include "sim/integrate/adjoint.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/integrate/adjoint_nodes.h"
+
+/* Beads on either side that one step reaches. */
+enum { REACH = 8, VECTOR = 8 };
+
+/* A force on its way back. Beads outside of low..high - 1 have r = r' = 0. */
+struct traveller {
+    struct bead_adjoint *of;
+    size_t step; /* of the record, in which it starts */
+    double from; /* where in it, as a part of the step */
+    size_t low, high;
+    double *r, *rate;                           /* [beads] m/N.., and by the time that runs back */
+    double *by_stiffness, *by_static, *by_mass; /* integrals */
+    double striker;
+};
+
+struct sweep {
+    const struct bead_chain *chain;
+    struct bead_adjoint_nodes nodes;
+    double negligible;
+    double *y, *force, *spare, *slope[BEAD_NODES]; /* work; slope: r'' at the nodes */
+    struct traveller *traveller;
+    size_t count;
+    double *memory;
+};
+
+enum { OWN_ARRAYS = 3 + BEAD_NODES, ARRAYS = 5 };
+
+static enum bead_error allocate(struct sweep *w, struct bead_adjoint *adjoints, size_t count, struct bead_message *msg)
+{
+    const size_t padded = bead_adjoint_padded(w->chain);
+    w->count = count;
+    w->traveller = calloc(count, sizeof *w->traveller);
+    w->memory = calloc(padded * (OWN_ARRAYS + ARRAYS * count), sizeof *w->memory);
+    if (!w->traveller || !w->memory)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the sensitivities of %zu beads", w->chain->beads);
+    double *at = w->memory + BEAD_ADJOINT_MARGIN, **const own[] = {&w->y, &w->force, &w->spare};
+    for (size_t i = 0; i < sizeof own / sizeof *own; i++, at += padded)
+        *own[i] = at;
+    for (size_t i = 0; i < BEAD_NODES; i++, at += padded)
+        w->slope[i] = at;
+    for (size_t c = 0; c < count; c++) {
+        struct traveller *t = &w->traveller[c];
+        double **const array[ARRAYS] = {&t->r, &t->rate, &t->by_stiffness, &t->by_static, &t->by_mass};
+        t->of = &adjoints[c];
+        for (size_t i = 0; i < ARRAYS; i++, at += padded)
+            *array[i] = at;
+    }
+    return BEAD_OK;
+}
+
+/* ---- where a force starts ---- */
+
+struct rising {
+    const struct bead_adjoint_nodes *nodes;
+    size_t contacts;
+    struct bead_adjoint_curve curve[2];
+};
+
+static struct rising rising_of(const struct sweep *w, const struct bead_adjoint *of)
+{
+    struct rising rising = {.nodes = &w->nodes, .contacts = of->contacts};
+    for (size_t i = 0; i < of->contacts; i++)
+        rising.curve[i] = bead_adjoint_curve(&w->nodes, of->contact[i]);
+    return rising;
+}
+
+/* The rate of the force; for one contact that of its compression. */
+static double force_rate(const void *context, double x)
+{
+    const struct rising *r = context;
+    const struct bead_stepper *s = r->nodes->stepper;
+    double rate = 0;
+    for (size_t i = 0; i < r->contacts; i++) {
+        double d[2];
+        bead_adjoint_compression(r->nodes, &r->curve[i], x, d);
+        rate +=
+            (r->contacts > 1 ? s->chain->law->stiffness(s->table.stiffness[r->curve[i].contact], s->table.law, d[0]) : 1) * d[1];
+    }
+    return rate;
+}
+
+static size_t step_at(const struct bead_record *record, double time)
+{
+    size_t low = 0, high = record->steps;
+    while (high - low > 1) {
+        const size_t middle = low + (high - low) / 2;
+        *(record->state[middle].time <= time ? &low : &high) = middle;
+    }
+    return low;
+}
+
+/* The maximum meant: in the step of its time, or in one beside it. */
+static enum bead_error find_start(struct sweep *w, struct traveller *t, struct bead_message *msg)
+{
+    const struct bead_record *record = w->nodes.record;
+    const size_t here = step_at(record, t->of->time), steps[3] = {here, here + 1, here - 1};
+    const double start = record->state[here].time, end = record->state[here + 1].time;
+    t->step = here;
+    t->from = fmin((t->of->time - start) / (end - start), 1);
+    for (size_t i = 0; t->of->at_maximum && i < 3; i++) {
+        if (steps[i] >= record->steps)
+            continue;
+        enum bead_error err = bead_adjoint_nodes_load(&w->nodes, steps[i], msg);
+        if (err)
+            return err;
+        const struct rising rising = rising_of(w, t->of);
+        const double rate0 = force_rate(&rising, 0), rate1 = force_rate(&rising, 1);
+        if (!(rate0 > 0 && rate1 <= 0))
+            continue;
+        t->step = steps[i];
+        t->from = bead_find_root(force_rate, &rising, rate0, rate1);
+        return BEAD_OK;
+    }
+    return BEAD_OK;
+}
+
+/* r = 0, r' from what moves the force, and the force's own share. */
+static void start(struct sweep *w, struct traveller *t)
+{
+    const struct bead_chain *c = w->chain;
+    struct bead_adjoint *of = t->of;
+    const double *m = w->nodes.inverse_mass;
+    t->low = of->contact[0];
+    t->high = of->contact[of->contacts - 1] + 2;
+    t->high = t->high < c->beads ? t->high : c->beads;
+    of->force = 0;
+    for (size_t i = 0; i < of->contacts; i++) {
+        const size_t k = of->contact[i];
+        const double a = c->stiffness[k], still = c->static_force[k];
+        const struct bead_adjoint_curve curve = bead_adjoint_curve(&w->nodes, k);
+        double d[2];
+        bead_adjoint_compression(&w->nodes, &curve, t->from, d);
+        const double stiffness = of->weight * c->law->stiffness(a, &c->spec->law, d[0]),
+                     force = of->weight * c->law->force(a, &c->spec->law, d[0]);
+        const double part = still > 0 ? stiffness / w->nodes.static_stiffness[k] : 0;
+        of->force += force;
+        t->by_stiffness[k] += force - still * part;
+        t->by_static[k] += part;
+        t->rate[k] += m[k] * stiffness;
+        if (k + 1 < c->beads)
+            t->rate[k + 1] -= m[k + 1] * stiffness;
+    }
+}
+
+/* ---- steps ---- */
+
+/* y = base + scale v + sum of row[j] slope_j, in a part. */
+static void combine(const struct sweep *w, struct bead_part part, double *y, const double *base, double scale, const double *v,
+                    size_t count, const double *row, double factor)
+{
+    double coefficient[BEAD_NODES];
+    const double *term[BEAD_NODES];
+    size_t terms = 0;
+    for (size_t j = 0; j < count; j++) {
+        if (row[j] == 0)
+            continue;
+        coefficient[terms] = factor * row[j];
+        term[terms++] = w->slope[j] + part.from;
+    }
+    w->nodes.stepper->kernels->combine(part.to - part.from, y + part.from, base + part.from, scale, v + part.from, terms,
+                                       coefficient, term);
+}
+
+/* The integrals' share of a node. */
+static void collect(struct sweep *w, struct traveller *t, struct bead_part part, size_t node, double weight)
+{
+    const struct bead_kernels *kernels = w->nodes.stepper->kernels;
+    const size_t n = part.to - part.from, at = part.from;
+    const double *y = w->y + at;
+    kernels->add_springs(n, -weight, w->nodes.by_stiffness[node] + at, y, t->by_stiffness + at);
+    if (w->nodes.has_static)
+        kernels->add_springs(n, -weight, w->nodes.by_static[node] + at, y, t->by_static + at);
+    kernels->add_products(n, -weight, y, w->nodes.acceleration[node] + at, t->by_mass + at);
+    t->striker += at == 0 ? weight * y[0] : 0;
+}
+
+/* Beads at both ends that hardly take part are left out. */
+static void trim(const struct sweep *w, struct traveller *t, double h)
+{
+    double most = 0;
+    for (size_t j = t->low; j < t->high; j++)
+        most = fmax(most, fabs(t->r[j]) + h * fabs(t->rate[j]));
+    const double least = w->negligible * most;
+    while (t->high > t->low + 1 && fabs(t->r[t->high - 1]) + h * fabs(t->rate[t->high - 1]) <= least) {
+        t->high--;
+        t->r[t->high] = t->rate[t->high] = 0;
+    }
+    while (t->low + 1 < t->high && fabs(t->r[t->low]) + h * fabs(t->rate[t->low]) <= least) {
+        t->r[t->low] = t->rate[t->low] = 0;
+        t->low++;
+    }
+}
+
+/* Beads that a step moves, in whole vectors. */
+static struct bead_part reached(const struct sweep *w, const struct traveller *t)
+{
+    const size_t from = t->low > REACH ? (t->low - REACH) / VECTOR * VECTOR : 0;
+    const size_t to = (t->high + REACH + VECTOR - 1) / VECTOR * VECTOR, span = w->nodes.stepper->span;
+    return (struct bead_part){from, to < span ? to : span};
+}
+
+/* Back by `h`, over the nodes as they are filled. */
+static void step(struct sweep *w, struct traveller *t, double h)
+{
+    const struct bead_tableau *m = w->nodes.method;
+    const struct bead_kernels *kernels = w->nodes.stepper->kernels;
+    const struct bead_part part = reached(w, t);
+    const size_t n = part.to - part.from, at = part.from;
+    if (part.to <= part.from)
+        return;
+    w->y[part.to] = 0;
+    for (size_t i = 0; i < BEAD_NODES; i++) {
+        combine(w, part, w->y, t->r, m->c[i] * h, t->rate, i, m->a + i * m->stages, h * h);
+        kernels->springs(n, w->nodes.stiffness[i] + at, w->y + at, w->force + at);
+        w->force[(ptrdiff_t)at - 1] = 0;
+        kernels->accelerations(n, w->force + at, w->nodes.inverse_mass + at, w->slope[i] + at);
+        if (m->bp[i] != 0)
+            collect(w, t, part, i, h * m->bp[i]);
+    }
+    combine(w, part, w->spare, t->r, h, t->rate, BEAD_NODES, m->b, h * h);
+    memcpy(t->r + at, w->spare + at, n * sizeof *t->r);
+    double later[BEAD_NODES]; /* rates have no drift of their own: the first term stands in for it */
+    memcpy(later, m->bp, sizeof later);
+    later[0] = 0;
+    combine(w, part, w->spare, t->rate, h * m->bp[0], w->slope[0], BEAD_NODES, later, h);
+    memcpy(t->rate + at, w->spare + at, n * sizeof *t->rate);
+    t->low = part.from;
+    t->high = part.to < w->chain->beads ? part.to : w->chain->beads;
+    trim(w, t, h);
+}
+
+static enum bead_error step_all(struct sweep *w, size_t index, struct bead_message *msg)
+{
+    enum bead_error err = bead_adjoint_nodes_load(&w->nodes, index, msg);
+    const double h = w->nodes.stepper->h;
+    for (size_t i = 0; !err && i < w->count; i++) {
+        struct traveller *t = &w->traveller[i];
+        if (t->step != index)
+            continue;
+        start(w, t);
+        for (double from = t->from, back; from > 0; from = back) {
+            back = bead_adjoint_nodes_part(&w->nodes, from);
+            bead_adjoint_nodes_fill(&w->nodes, from, back);
+            step(w, t, (from - back) * h);
+        }
+    }
+    bool others = false;
+    for (size_t i = 0; i < w->count; i++)
+        others = others || w->traveller[i].step > index;
+    for (double from = 1, back; !err && others && from > 0; from = back) {
+        back = bead_adjoint_nodes_part(&w->nodes, from);
+        bead_adjoint_nodes_fill(&w->nodes, from, back);
+        for (size_t i = 0; i < w->count; i++) {
+            if (w->traveller[i].step > index)
+                step(w, &w->traveller[i], (from - back) * h);
+        }
+    }
+    return err;
+}
+
+static void finish(const struct sweep *w, const struct traveller *t)
+{
+    const struct bead_chain *c = w->chain;
+    struct bead_adjoint *of = t->of;
+    for (size_t k = 0; k < c->contacts; k++) {
+        of->stiffness[k] = t->by_stiffness[k] / c->stiffness[k];
+        of->static_force[k] = t->by_static[k];
+    }
+    memcpy(of->mass, t->by_mass, c->beads * sizeof *of->mass);
+    of->velocity = c->mass[0] * t->r[0];
+    of->striker_force = t->striker;
+}
+
+enum bead_error bead_adjoint_sweep(const struct bead_chain *chain, const struct bead_record *record,
+                                   const struct bead_kernels *kernels, double negligible, struct bead_adjoint *adjoints,
+                                   size_t count, struct bead_message *msg)
+{
+    struct sweep w = {.chain = chain, .negligible = negligible};
+    size_t last = 0;
+    enum bead_error err = bead_adjoint_nodes_create(chain, record, kernels, &w.nodes, msg);
+    if (!err)
+        err = allocate(&w, adjoints, count, msg);
+    for (size_t i = 0; !err && i < count; i++) {
+        err = find_start(&w, &w.traveller[i], msg);
+        last = w.traveller[i].step > last ? w.traveller[i].step : last;
+    }
+    for (size_t i = last + 1; !err && i-- > 0;)
+        err = step_all(&w, i, msg);
+    for (size_t i = 0; !err && i < count; i++)
+        finish(&w, &w.traveller[i]);
+    bead_adjoint_nodes_destroy(&w.nodes);
+    free(w.traveller);
+    free(w.memory);
+    return err;
+}

@@ -1,0 +1,74 @@
+/* What adjoints need of a chain at the nodes of a step, going back: stiffnesses, and what the forces owe to their coefficients.
+ *
+ * States between the ends of a step come from septic interpolation. A contact that opens or closes leaves a kink in the motion of
+ * its beads, t^{p+2} where its force is d^p, which no interpolation knows: its leading term follows from where the contact opens
+ * and how fast, and what the interpolation makes of them is put right. At the nodes the stiffness of such a contact is the value of
+ * a polynomial that has, over the step, the moments of the stiffness itself, so that quadratures of smooth functions do not see the
+ * branch point. */
+#ifndef BEADREEL_SIM_INTEGRATE_ADJOINT_NODES_H
+#define BEADREEL_SIM_INTEGRATE_ADJOINT_NODES_H
+
+#include "sim/integrate/dense.h"
+#include "sim/integrate/events_patch.h"
+#include "sim/integrate/record.h"
+#include "sim/integrate/tableau.h"
+
+enum { BEAD_NODES = 8 }; /* evaluations of the method in a step that does not end with one */
+
+/* A contact that opens or closes in the step, or near it. */
+struct bead_branch_point {
+    size_t contact;
+    double at;                    /* in steps from the start */
+    double side;                  /* +1: closed behind it, -1: before; 0: on both sides, nearly open */
+    double weight;                /* h^2 K/m of the stiffness a step's length from it */
+    double strength;              /* kg m: strength y^{p+2}, y from the branch point on, is the double integral of the force */
+    struct bead_polynomial taken; /* what interpolation makes of that */
+};
+
+/* All arrays are those of contacts or beads with room for whole vectors, before them too. */
+struct bead_adjoint_nodes {
+    const struct bead_tableau *method;
+    const struct bead_record *record;
+    struct bead_stepper *stepper; /* set to the step at hand */
+    struct bead_dense dense;
+    struct bead_patch_rule rule;
+    bool has_static;
+    double *inverse_mass, *static_stiffness; /* 1/kg; N/m of the contacts at rest */
+    double *u;                               /* work */
+    /* At the nodes: */
+    double *force[BEAD_NODES], *acceleration[BEAD_NODES]; /* N, less the static part; m/s^2 */
+    double *stiffness[BEAD_NODES];                        /* N/m */
+    double *by_stiffness[BEAD_NODES]; /* N: A df/dA, the static force kept; the forces themselves where there are no static ones */
+    double *by_static[BEAD_NODES];    /* df/dF; only where there are static forces */
+    struct bead_branch_point *branch;
+    size_t branches, branch_room;
+    void *memory;
+};
+
+/* Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_adjoint_nodes_create(const struct bead_chain *chain, const struct bead_record *record,
+                                                     const struct bead_kernels *kernels, struct bead_adjoint_nodes *nodes,
+                                                     struct bead_message *msg);
+void bead_adjoint_nodes_destroy(struct bead_adjoint_nodes *nodes);
+/* Set to a step of the record. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_adjoint_nodes_load(struct bead_adjoint_nodes *nodes, size_t step, struct bead_message *msg);
+/* Fill the arrays of the nodes from x = `from` of the step down to `back`. */
+void bead_adjoint_nodes_fill(struct bead_adjoint_nodes *nodes, double from, double back);
+/* Where to go back to from x = `from`: the start of the step, 0, or a place before it such that a branch point lies in a short part
+ * of its own. */
+double bead_adjoint_nodes_part(const struct bead_adjoint_nodes *nodes, double from);
+/* The compression of a contact over the step. */
+struct bead_adjoint_curve {
+    size_t contact;
+    struct bead_polynomial compression; /* as interpolated */
+    size_t first, last;                 /* branch points first..last - 1 are its own and those of its neighbours */
+};
+struct bead_adjoint_curve bead_adjoint_curve(const struct bead_adjoint_nodes *nodes, size_t contact);
+/* Compression d[0], m, and its derivative d[1] by x. */
+void bead_adjoint_compression(const struct bead_adjoint_nodes *nodes, const struct bead_adjoint_curve *curve, double x,
+                              double d[2]);
+/* Doubles of an array, and where its element 0 is. */
+size_t bead_adjoint_padded(const struct bead_chain *chain);
+enum { BEAD_ADJOINT_MARGIN = 16 };
+
+#endif
