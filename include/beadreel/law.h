@@ -1,7 +1,8 @@
 /* Pair forces: one const row each. Compression d > 0 pushes the beads apart with force f(d).
  *
  * Everything that depends on the law is asked of its row. To add a law: a row in sim/chain/law.c and, if it has settings, its keys
- * in sim/scene/scene_chain.c. Every row has all functions but `exponent`. */
+ * in sim/scene/scene_chain.c. Every row has all functions but `exponent` and
+ * `coefficient_rates`. */
 #ifndef BEADREEL_LAW_H
 #define BEADREEL_LAW_H
 
@@ -12,6 +13,12 @@
 #include "beadreel/scene.h"
 
 BEAD_BEGIN
+
+/* Derivatives of a contact's coefficient by the radius (/m) and modulus (/Pa) of its left and right bead, or wall, as parts of the
+ * coefficient: d ln a. 0 of what it does not depend on. */
+struct bead_coefficient_rates {
+    double radius[2], modulus[2];
+};
 
 struct bead_law {
     const char *name;        /* as in scenes */
@@ -25,6 +32,9 @@ struct bead_law {
     /* The coefficient a of a contact between two beads, or of a bead and a wall; right NULL: a rigid wall. */
     double (*coefficient)(const struct bead_law_spec *spec, const struct bead_material *left, const struct bead_material *right,
                           bool wall);
+    /* Its derivatives. NULL: it does not depend on what beads are made of. */
+    struct bead_coefficient_rates (*coefficient_rates)(const struct bead_material *left, const struct bead_material *right,
+                                                       bool wall);
     double (*coefficient_power)(const struct bead_law_spec *spec);                      /* p of its unit, N/m^p */
     double (*energy)(double a, const struct bead_law_spec *spec, double d);             /* J */
     double (*force)(double a, const struct bead_law_spec *spec, double d);              /* N */

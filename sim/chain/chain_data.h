@@ -54,4 +54,17 @@ BEAD_CHECK enum bead_error bead_chain_lay(struct bead_chain *chain, struct bead_
 BEAD_CHECK enum bead_error bead_chain_create_of(const struct bead_scene *scene, const struct bead_chain_spec *spec,
                                                 struct bead_chain **chain, struct bead_message *msg);
 
+/* The derivatives of a quantity by what a chain is made of. */
+struct bead_chain_raw_rates {
+    const double *stiffness, *static_force; /* [contacts] by A_k at given static forces, and by those */
+    const double *mass;                     /* [beads] by m_j at given forces */
+    double striker_force;                   /* by the constant force on the striker */
+};
+/* Of these: by the mass, radius and modulus of each bead [beads], the two others kept; and by the modulus of the wall. */
+struct bead_chain_rates {
+    double *mass, *radius, *modulus; /* /kg, /m, /Pa */
+    double wall_modulus;
+};
+void bead_chain_find_rates(const struct bead_chain *chain, const struct bead_chain_raw_rates *raw, struct bead_chain_rates *rates);
+
 #endif

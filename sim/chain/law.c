@@ -57,6 +57,34 @@ static double printed_coefficient(const struct bead_law_spec *spec, const struct
     return wall ? bead_printed_wall(left, right) : bead_printed_spheres(left, right);
 }
 
+/* Of 4 / 3 / (c1 + c2), c = (1 - nu^2) / E: -dc1/dE1 / (c1 + c2); and of the radii as they stand there. */
+static struct bead_coefficient_rates rates_of(const struct bead_material *left, const struct bead_material *right, double sum_part)
+{
+    const double c1 = (1 - left->poisson * left->poisson) / left->modulus;
+    const double c2 = right ? (1 - right->poisson * right->poisson) / right->modulus : 0;
+    struct bead_coefficient_rates rates = {{0.5 / left->radius, 0}, {c1 / (c1 + c2) / left->modulus, 0}};
+    if (right)
+        rates.modulus[1] = c2 / (c1 + c2) / right->modulus;
+    if (sum_part > 0) {
+        const double sum = sum_part / (left->radius + right->radius);
+        rates.radius[0] -= sum;
+        rates.radius[1] = 0.5 / right->radius - sum;
+    }
+    return rates;
+}
+
+/* sqrt(R1 R2 / (R1 + R2)), or sqrt(R) at a wall. */
+static struct bead_coefficient_rates hertz_rates(const struct bead_material *left, const struct bead_material *right, bool wall)
+{
+    return rates_of(left, right, wall ? 0 : 0.5);
+}
+
+/* sqrt(R1 R2) / (R1 + R2) */
+static struct bead_coefficient_rates printed_rates(const struct bead_material *left, const struct bead_material *right, bool wall)
+{
+    return rates_of(left, right, wall ? 0 : 1);
+}
+
 /* f = A d^{3/2}; Hertz 1881, thesis Eq. 13. */
 static double hertz_energy(double a, const struct bead_law_spec *spec, double d)
 {
@@ -159,6 +187,7 @@ static const struct bead_law laws[] = {
      .hertz = true,
      .exponent = three_halves,
      .coefficient = hertz_coefficient,
+     .coefficient_rates = hertz_rates,
      .coefficient_power = three_halves,
      .energy = hertz_energy,
      .force = hertz_force,
@@ -193,6 +222,7 @@ static const struct bead_law laws[] = {
      .as_printed = true,
      .exponent = three_halves,
      .coefficient = printed_coefficient,
+     .coefficient_rates = printed_rates,
      .coefficient_power = three_halves,
      .energy = hertz_energy,
      .force = printed_force,
