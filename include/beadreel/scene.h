@@ -36,6 +36,8 @@ struct bead_material {
     double modulus; /* Pa, Young's */
     double poisson;
     double colour[3]; /* sRGB 0..1, how beads of it are drawn */
+    /* Standard deviations of beads of it, as parts of the value; 0: they are all alike. Their density is that of the material. */
+    double radius_tolerance, modulus_tolerance;
 };
 
 enum bead_spins { BEAD_SPINS_UP, BEAD_SPINS_DOWN, BEAD_SPINS_DIGITS, BEAD_SPINS_RANDOM };
@@ -171,6 +173,7 @@ enum bead_show {
     BEAD_SHOW_PROFILES,
     BEAD_SHOW_CHAIN,
     BEAD_SHOW_ENERGY,
+    BEAD_SHOW_SENSITIVITIES,
     BEAD_SHOW_COUNT
 };
 enum { BEAD_CONTACT_AUTO = 1000000000, BEAD_MODES = 64, BEAD_PROFILE_TIMES = 12 };
@@ -267,6 +270,8 @@ struct bead_curves_asked {
     double profile_times[BEAD_PROFILE_TIMES]; /* s, rising: `show: profiles` */
     size_t profile_time_count;
     bool uncertainty; /* tables of peaks: with a column for it */
+    size_t *contacts; /* `show: sensitivities`, rising; NULL: those of the beads with sensors, or the last that has a maximum */
+    size_t contact_count;
 };
 
 /* What plots and tables of sweeps show. */
@@ -374,6 +379,9 @@ struct bead_scene {
     struct bead_output *outputs;
     size_t output_count;
 };
+
+/* Does a material have tolerances: do its beads differ? */
+BEAD_API bool bead_scene_tolerances(const struct bead_scene *scene);
 
 /* Load a scene from a file. `settings` are `key.path=value` overrides (`simulate.step=0.1 us`,
  * `chain.striker.velocity=1 m/s`, `outputs.0.size=[640, 360]`), applied in order. On success

@@ -35,8 +35,12 @@ struct bead_needs {
     enum bead_field range_field;
     unsigned comparison; /* BEAD_FIELD_BITs, of `fields`, that samples are to have of the comparison run as well: see bead_sample */
     bool uncertainty;    /* of these maxima: how well they are known, in the outcome (a comparison run) */
-    double until;        /* s: nothing after this time is needed (tables of peaks: INFINITY = whole run) */
-    const char *why;     /* a few words for --plan: "600 frames of 1920 x 1080, every 5 us" (owned by the sink) */
+    bool deviation;      /* of these maxima: their standard deviations, from the tolerances of materials, in the outcome */
+    bool sensitivities;  /* of maxima of contacts: in the outcome */
+    const size_t *contacts; /* those, rising; NULL: see bead_sensitive_contacts (sim/run/sensitivity.h) */
+    size_t contact_count;
+    double until;    /* s: nothing after this time is needed (tables of peaks: INFINITY = whole run) */
+    const char *why; /* a few words for --plan: "600 frames of 1920 x 1080, every 5 us" (owned by the sink) */
 };
 
 /* What is known before the first sample. */
@@ -80,6 +84,15 @@ struct bead_moment {
     const double *displacement, *velocity; /* [beads] m, m/s; NULL: not known, or not asked for */
 };
 
+/* The derivatives of one contact's peak force. */
+struct bead_sensitivity {
+    size_t index;                    /* of the contact; all NaN where its force still rises as the front arrives and ends the run */
+    bool of_default;                 /* it is one of those meant where a sink names none */
+    double *mass, *radius, *modulus; /* [beads] N/kg, N/m, N/Pa: by those of each bead, all else kept */
+    double velocity;                 /* N s/m: by that of the striker */
+    double wall_modulus;             /* N/Pa: by that of the wall; 0 where there is none, or a rigid one */
+};
+
 /* What is known about one chain after the run. */
 struct bead_outcome {
     double end;           /* s: simulated until here */
@@ -98,6 +111,9 @@ struct bead_outcome {
     const struct bead_peak *contact_peaks;                /* [contacts], NULL where not asked */
     const struct bead_peak *bead_peaks;                   /* [beads], NULL where not asked */
     const double *contact_uncertainty, *bead_uncertainty; /* N, of these; NULL where not asked */
+    const double *contact_deviation, *bead_deviation;     /* N, standard deviations of these; NULL where not asked */
+    const struct bead_sensitivity *sensitivities;         /* of the contacts asked for by any sink, rising */
+    size_t sensitivity_count;
     /* The peak that is known least well, as a part of itself: its contact, or bead, its force and uncertainty, N; NaN where not
      * asked.
      */

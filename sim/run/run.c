@@ -8,6 +8,7 @@
 
 #include "sim/integrate/dense.h"
 #include "sim/integrate/events.h"
+#include "sim/integrate/record.h"
 #include "sim/integrate/stepper.h"
 #include "sim/run/budget.h"
 #include "sim/run/estimate.h"
@@ -374,6 +375,11 @@ enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
     if (bead_events_failed(s->events))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contacts that open or close");
     run->event_error = fmax(run->event_error, s->event_change);
+    if (run->settings.record) {
+        enum bead_error kept = bead_record_add(run->settings.record, s, msg);
+        if (kept)
+            return kept;
+    }
     const bool coming = isnan(run->front.arrival);
     err = bead_front_watch(&run->front, s, msg);
     if (err)

@@ -20,6 +20,7 @@
 #include "beadreel/sink.h"
 #include "sim/integrate/kernels.h"
 
+struct bead_record;
 struct bead_run;
 
 /* What ends a run whose end the scene does not give: a time that is not known before; the front's arrival at the end of the chain;
@@ -38,7 +39,8 @@ struct bead_run_settings {
     bool budget;                       /* samples have the energy budget */
     bool states;                       /* the beads as the front arrives and at the end, for the outcome */
     bool full_window, hash;
-    double tolerance_factor; /* a comparison run: accuracy, or the step given, times this; 0: as asked */
+    struct bead_record *record; /* gets every step; NULL: none */
+    double tolerance_factor;    /* a comparison run: accuracy, or the step given, times this; 0: as asked */
 };
 
 /* Method and step that a chain is run with as asked. Errors: SCENE (with the method's name), NUMBERS (step too long to be stable).

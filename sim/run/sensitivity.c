@@ -1,0 +1,203 @@
+/* Finds the derivatives of peak forces: see sensitivity.h. */
+#include "sim/run/sensitivity.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/base/stop.h"
+#include "sim/chain/chain_data.h"
+#include "sim/integrate/adjoint.h"
+#include "sim/run/run.h"
+
+/* So many peaks go back together. */
+enum { TOGETHER = 64 };
+
+/* The chain's steps up to one behind the time `until`. */
+static enum bead_error record_run(const struct bead_sensitivity_run *with, double until, struct bead_record *record,
+                                  struct bead_message *msg)
+{
+    char method[] = "auto";
+    struct bead_simulate simulate = with->chain->scene->simulate;
+    simulate.method = method;
+    simulate.step = 0;
+    simulate.accuracy = with->accuracy;
+    const struct bead_run_settings settings = {
+        .chain = with->chain, .simulate = &simulate, .kernels = with->kernels, .end = INFINITY, .passage = true, .record = record};
+    struct bead_run *run = NULL;
+    enum bead_error err = bead_run_create(&settings, &run, msg);
+    while (!err && !(bead_run_time(run) > until))
+        err = bead_stop_is_asked(with->stop) ? bead_fail(msg, BEAD_ERROR_STOPPED, "stopped before the sensitivities were found")
+                                             : bead_run_step(run, msg);
+    if (!err)
+        err = bead_run_step(run, msg);
+    bead_run_destroy(run);
+    return err;
+}
+
+/* The force of one contact or the mean of two. */
+static struct bead_adjoint adjoint_of(const struct bead_chain *chain, const struct bead_sensitive *s)
+{
+    struct bead_adjoint adjoint = {.weight = s->of_bead ? 0.5 : 1,
+                                   .time = s->peak->time > 0 ? s->peak->time : 0,
+                                   .at_maximum = s->peak->time > 0 && !s->peak->open};
+    if (s->of_bead && s->index > 0)
+        adjoint.contact[adjoint.contacts++] = s->index - 1;
+    if (s->index < chain->contacts)
+        adjoint.contact[adjoint.contacts++] = s->index;
+    return adjoint;
+}
+
+/* Arrays of the derivatives: three that stay, three on the way. */
+static enum bead_error allocate(const struct bead_chain *chain, const struct bead_sensitive *of, struct bead_adjoint *adjoint,
+                                struct bead_sensitivity *found, struct bead_message *msg)
+{
+    found->index = of->index;
+    found->mass = calloc(3 * chain->beads, sizeof *found->mass);
+    adjoint->stiffness = calloc(3 * chain->beads, sizeof(double));
+    if (!found->mass || !adjoint->stiffness)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the sensitivities of %zu beads", chain->beads);
+    found->radius = found->mass + chain->beads;
+    found->modulus = found->radius + chain->beads;
+    adjoint->static_force = adjoint->stiffness + chain->beads;
+    adjoint->mass = adjoint->static_force + chain->beads;
+    return BEAD_OK;
+}
+
+static void convert(const struct bead_chain *chain, const struct bead_adjoint *adjoint, struct bead_sensitivity *found)
+{
+    const struct bead_chain_raw_rates raw = {adjoint->stiffness, adjoint->static_force, adjoint->mass, adjoint->striker_force};
+    struct bead_chain_rates rates = {found->mass, found->radius, found->modulus, 0};
+    bead_chain_find_rates(chain, &raw, &rates);
+    found->velocity = adjoint->velocity;
+    found->wall_modulus = rates.wall_modulus;
+}
+
+static void forget(const struct bead_chain *chain, struct bead_sensitivity *found)
+{
+    for (size_t i = 0; i < 3 * chain->beads; i++)
+        found->mass[i] = NAN; /* and the two arrays behind it */
+    found->velocity = found->wall_modulus = NAN;
+}
+
+static enum bead_error find_block(const struct bead_sensitivity_run *with, const struct bead_record *record,
+                                  const struct bead_sensitive *peaks, size_t count, struct bead_sensitivity *found,
+                                  struct bead_message *msg)
+{
+    struct bead_adjoint adjoint[TOGETHER];
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; i < count; i++)
+        adjoint[i] = adjoint_of(with->chain, &peaks[i]);
+    for (size_t i = 0; !err && i < count; i++)
+        err = allocate(with->chain, &peaks[i], &adjoint[i], &found[i], msg);
+    if (!err)
+        err = bead_adjoint_sweep(with->chain, record, with->kernels, with->negligible, adjoint, count, msg);
+    for (size_t i = 0; i < count; i++) {
+        if (!err)
+            convert(with->chain, &adjoint[i], &found[i]);
+        if (!err && with->passage && peaks[i].peak->open)
+            forget(with->chain, &found[i]);
+        free(adjoint[i].stiffness);
+    }
+    return err;
+}
+
+/* Takes the derivatives of a block of peaks, the first of which is number `first`. */
+struct receiver {
+    void (*take)(const struct receiver *receiver, size_t first, size_t count, struct bead_sensitivity *found);
+    const struct bead_chain *chain;
+    struct bead_sensitivity *found;
+    double *deviation;
+};
+
+static enum bead_error find_all(const struct bead_sensitivity_run *with, const struct bead_sensitive *peaks, size_t count,
+                                const struct receiver *receiver, struct bead_message *msg)
+{
+    struct bead_record record = {0};
+    double until = 0;
+    for (size_t i = 0; i < count; i++)
+        until = fmax(until, peaks[i].peak->time); /* fmax leaves NaN out */
+    enum bead_error err = count > 0 ? record_run(with, until, &record, msg) : BEAD_OK;
+    for (size_t i = 0; !err && i < count; i += TOGETHER) {
+        const size_t block = count - i < TOGETHER ? count - i : TOGETHER;
+        struct bead_sensitivity found[TOGETHER] = {{0}};
+        if (bead_stop_is_asked(with->stop))
+            err = bead_fail(msg, BEAD_ERROR_STOPPED, "stopped before the sensitivities were found");
+        else
+            err = find_block(with, &record, peaks + i, block, found, msg);
+        if (!err)
+            receiver->take(receiver, i, block, found);
+        for (size_t b = 0; b < block; b++)
+            bead_sensitivity_free(&found[b]);
+    }
+    bead_record_free(&record);
+    return err;
+}
+
+static void keep(const struct receiver *r, size_t first, size_t count, struct bead_sensitivity *found)
+{
+    memcpy(r->found + first, found, count * sizeof *found);
+    memset(found, 0, count * sizeof *found); /* their arrays are the receiver's now */
+}
+
+enum bead_error bead_sensitivities_find(const struct bead_sensitivity_run *with, const struct bead_sensitive *peaks, size_t count,
+                                        struct bead_sensitivity *found, struct bead_message *msg)
+{
+    memset(found, 0, count * sizeof *found);
+    return find_all(with, peaks, count, &(struct receiver){keep, with->chain, found, NULL}, msg);
+}
+
+/* With the density kept, m goes with R^3. */
+static double deviation_of(const struct bead_chain *c, const struct bead_sensitivity *s)
+{
+    const struct bead_material *materials = c->scene->materials;
+    double sum = 0;
+    for (size_t j = 0; j < c->beads; j++) {
+        const struct bead_material *m = &materials[c->material[j]];
+        const double by_radius = m->radius_tolerance * (c->radius[j] * s->radius[j] + 3 * c->mass[j] * s->mass[j]);
+        const double by_modulus = m->modulus_tolerance * m->modulus * s->modulus[j];
+        sum += by_radius * by_radius + by_modulus * by_modulus;
+    }
+    if (c->spec->wall == BEAD_WALL_MATERIAL) {
+        const struct bead_material *wall = &materials[c->spec->wall_material];
+        const double by_wall = wall->modulus_tolerance * wall->modulus * s->wall_modulus;
+        sum += by_wall * by_wall;
+    }
+    return sqrt(sum);
+}
+
+static void sum_up(const struct receiver *r, size_t first, size_t count, struct bead_sensitivity *found)
+{
+    for (size_t i = 0; i < count; i++)
+        r->deviation[first + i] = deviation_of(r->chain, &found[i]);
+}
+
+enum bead_error bead_deviations_find(const struct bead_sensitivity_run *with, const struct bead_sensitive *peaks, size_t count,
+                                     double *deviation, struct bead_message *msg)
+{
+    return find_all(with, peaks, count, &(struct receiver){sum_up, with->chain, NULL, deviation}, msg);
+}
+
+size_t bead_sensitive_contacts(const struct bead_chain *chain, const struct bead_peak *peaks, size_t *list)
+{
+    size_t count = 0, last = chain->contacts - 1;
+    for (size_t i = 0; i < chain->sensor_count; i++) { /* from left to right */
+        const size_t bead = chain->sensors[i].bead;
+        for (size_t k = bead - 1; k <= bead && k < chain->contacts; k++) {
+            if (count == 0 || list[count - 1] < k)
+                list[count++] = k;
+        }
+    }
+    if (count > 0)
+        return count;
+    while (last > 0 && (peaks[last].open || !(peaks[last].time > 0)))
+        last--;
+    list[0] = peaks[last].open || !(peaks[last].time > 0) ? chain->contacts - 1 : last;
+    return 1;
+}
+
+void bead_sensitivity_free(struct bead_sensitivity *sensitivity)
+{
+    free(sensitivity->mass);
+    *sensitivity = (struct bead_sensitivity){0};
+}
