@@ -59,6 +59,7 @@ static const struct usual {
     {"deg", "rad", 0, 0.017453292519943295},
     {"\u00b0", "rad", 0, 0.017453292519943295},
     {"1/m", "1/m", 0, 1},
+    {"%", "1", -2, 1},
 };
 
 enum { LONGEST = 128 }; /* of a number with its unit */

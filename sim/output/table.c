@@ -42,6 +42,14 @@ static bool several(const struct bead_sink *sink)
     return sink->context.chain_count > 1;
 }
 
+void bead_table_chain_name(const struct bead_sink *sink, size_t chain)
+{
+    if (!several(sink))
+        return;
+    bead_table_text(sink->file, bead_chain_name(sink->context.chains[chain]));
+    fputc(',', sink->file);
+}
+
 /* ---- peaks of contacts or beads, at the end ---- */
 
 static void peaks_needs(const struct bead_sink *sink, struct bead_needs *needs)
@@ -49,45 +57,55 @@ static void peaks_needs(const struct bead_sink *sink, struct bead_needs *needs)
     needs->contact_peaks = sink->output->curves.show == BEAD_SHOW_PEAKS;
     needs->bead_peaks = sink->output->curves.show == BEAD_SHOW_BEAD_PEAKS;
     needs->uncertainty = sink->output->curves.uncertainty;
+    needs->deviation = bead_scene_tolerances(sink->context.scene);
     needs->until = INFINITY;
 }
 
 static void peaks_header(struct bead_sink *sink)
 {
-    fprintf(sink->file, "%s%s,peak_force_N,time_s,state%s\n", several(sink) ? "chain," : "",
+    fprintf(sink->file, "%s%s,peak_force_N,time_s,state%s%s\n", several(sink) ? "chain," : "",
             sink->output->curves.show == BEAD_SHOW_PEAKS ? "contact" : "bead",
-            sink->output->curves.uncertainty ? ",uncertainty_N" : "");
+            sink->output->curves.uncertainty ? ",uncertainty_N" : "",
+            bead_scene_tolerances(sink->context.scene) ? ",deviation_N" : "");
 }
 
-static void write_peak(FILE *file, size_t index, const struct bead_peak *peak, const double *uncertainty)
+/* The peaks of a chain, and what is known of them; NULL: is not, or nobody asked. */
+struct listed {
+    const struct bead_peak *peaks;
+    const double *uncertainty, *deviation;
+};
+
+static void write_column(FILE *file, bool wanted, const double *numbers, size_t index)
 {
-    fprintf(file, "%zu", index);
-    bead_table_numbers(file, 2, (const double[]){peak->value, peak->time});
-    fprintf(file, ",%s", peak->open ? "open" : "");
-    if (uncertainty)
-        bead_table_numbers(file, 1, uncertainty);
-    fputc('\n', file);
+    const double unknown = NAN;
+    if (wanted)
+        bead_table_numbers(file, 1, numbers ? &numbers[index] : &unknown);
+}
+
+static void write_peak(const struct bead_sink *sink, const struct listed *listed, size_t index)
+{
+    const struct bead_peak *peak = &listed->peaks[index];
+    fprintf(sink->file, "%zu", index);
+    bead_table_numbers(sink->file, 2, (const double[]){peak->value, peak->time});
+    fprintf(sink->file, ",%s", peak->open ? "open" : "");
+    write_column(sink->file, sink->output->curves.uncertainty, listed->uncertainty, index);
+    write_column(sink->file, bead_scene_tolerances(sink->context.scene), listed->deviation, index);
+    fputc('\n', sink->file);
 }
 
 static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
 {
-    bool contacts = sink->output->curves.show == BEAD_SHOW_PEAKS;
+    const bool contacts = sink->output->curves.show == BEAD_SHOW_PEAKS;
     for (size_t c = 0; outcomes && c < sink->context.chain_count; c++) {
         const struct bead_chain *chain = sink->context.chains[c];
-        const struct bead_peak *peaks = contacts ? outcomes[c].contact_peaks : outcomes[c].bead_peaks;
-        const double *uncertainty = contacts ? outcomes[c].contact_uncertainty : outcomes[c].bead_uncertainty;
-        const double unknown = NAN;
+        const struct bead_outcome *o = &outcomes[c];
+        const struct listed listed = contacts ? (struct listed){o->contact_peaks, o->contact_uncertainty, o->contact_deviation}
+                                              : (struct listed){o->bead_peaks, o->bead_uncertainty, o->bead_deviation};
         size_t first = sink->output->shown.beads.first;
         size_t count = bead_span_rows(&sink->output->shown.beads, contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain));
-        for (size_t i = first; peaks && i < first + count; i++) {
-            if (several(sink)) {
-                bead_table_text(sink->file, bead_chain_name(chain));
-                fputc(',', sink->file);
-            }
-            write_peak(sink->file, i, &peaks[i],
-                       !sink->output->curves.uncertainty ? NULL
-                       : uncertainty                     ? &uncertainty[i]
-                                                         : &unknown);
+        for (size_t i = first; listed.peaks && i < first + count; i++) {
+            bead_table_chain_name(sink, c);
+            write_peak(sink, &listed, i);
             sink->rows++;
         }
     }
@@ -194,10 +212,15 @@ static const struct table sensors = {.why = "forces at the sensors",
                               .why = "largest force of every bead", .needs = peaks_needs, .header = peaks_header, .end = peaks_end};
 
 static const struct table *const tables[] = {
-    [BEAD_SHOW_SENSORS] = &sensors,        [BEAD_SHOW_PEAKS] = &peaks,
-    [BEAD_SHOW_BEAD_PEAKS] = &bead_peaks,  [BEAD_SHOW_MEASURES] = &bead_table_measures,
-    [BEAD_SHOW_MODES] = &bead_table_modes, [BEAD_SHOW_PROFILES] = &bead_table_profiles,
-    [BEAD_SHOW_CHAIN] = &bead_table_chain, [BEAD_SHOW_ENERGY] = &bead_table_energy,
+    [BEAD_SHOW_SENSORS] = &sensors,
+    [BEAD_SHOW_PEAKS] = &peaks,
+    [BEAD_SHOW_BEAD_PEAKS] = &bead_peaks,
+    [BEAD_SHOW_MEASURES] = &bead_table_measures,
+    [BEAD_SHOW_MODES] = &bead_table_modes,
+    [BEAD_SHOW_PROFILES] = &bead_table_profiles,
+    [BEAD_SHOW_CHAIN] = &bead_table_chain,
+    [BEAD_SHOW_ENERGY] = &bead_table_energy,
+    [BEAD_SHOW_SENSITIVITIES] = &bead_table_sensitivities,
 };
 
 /* ---- the sink ---- */

@@ -62,6 +62,10 @@ extern const struct table bead_table_modes;
 extern const struct table bead_table_profiles;
 /* `show: chain` */
 extern const struct table bead_table_chain;
+/* `show: sensitivities` */
+extern const struct table bead_table_sensitivities;
+/* The name of a chain as a column of its own, where there are several. */
+void bead_table_chain_name(const struct bead_sink *sink, size_t chain);
 /* "chain/what", or "what" where there is one chain only; NULL: no memory. */
 char *bead_table_column(const struct bead_sink *sink, size_t chain, const char *what);
 

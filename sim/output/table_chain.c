@@ -23,12 +23,10 @@ static void write_sensor(FILE *file, const struct bead_chain *chain, size_t bead
     }
 }
 
-static void write_bead(struct bead_sink *sink, const struct bead_chain *chain, size_t bead)
+static void write_bead(struct bead_sink *sink, size_t index, size_t bead)
 {
-    if (sink->context.chain_count > 1) {
-        bead_table_text(sink->file, bead_chain_name(chain));
-        fputc(',', sink->file);
-    }
+    const struct bead_chain *chain = sink->context.chains[index];
+    bead_table_chain_name(sink, index);
     fprintf(sink->file, "%zu,", bead);
     bead_table_text(sink->file, bead_chain_scene(chain)->materials[bead_chain_material(chain)[bead]].name);
     bead_table_numbers(
@@ -50,7 +48,7 @@ static void chain_end(struct bead_sink *sink, const struct bead_outcome *outcome
     (void)outcomes;
     for (size_t c = 0; c < sink->context.chain_count; c++) {
         for (size_t i = 0; i < bead_chain_beads(sink->context.chains[c]); i++)
-            write_bead(sink, sink->context.chains[c], i);
+            write_bead(sink, c, i);
     }
 }
 

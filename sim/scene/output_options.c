@@ -7,13 +7,7 @@
 static const char *const plot_shows[] = {"sensors", "peaks", "setup", "contact", "cell", "modes", "profiles", NULL};
 static const unsigned plot_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_SETUP,   BEAD_SHOW_CONTACT,
                                        BEAD_SHOW_CELL,    BEAD_SHOW_MODES, BEAD_SHOW_PROFILES};
-static const char *const table_shows[] = {"sensors",  "peaks", "bead-peaks", "measures", "modes",
-                                          "profiles", "chain", "energy",     NULL};
-static const unsigned table_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS,    BEAD_SHOW_BEAD_PEAKS, BEAD_SHOW_MEASURES,
-                                        BEAD_SHOW_MODES,   BEAD_SHOW_PROFILES, BEAD_SHOW_CHAIN,      BEAD_SHOW_ENERGY};
 static const char *const sweep_plot_shows[] = {"median", "mean", "both", "decay", NULL};
-static const char *const sweep_table_shows[] = {"magnetism", "configurations", "decay", NULL};
-static const unsigned sweep_table_values[] = {BEAD_SWEEP_MAGNETISM, BEAD_SWEEP_CONFIGURATIONS, BEAD_SWEEP_DECAY};
 static const char *const scales[] = {"linear", "sqrt", "log", NULL};
 static const char *const normalisings[] = {"none", "first", "max", NULL};
 static const char *const samplings[] = {"area", "max", NULL};
@@ -276,7 +270,7 @@ const struct bead_options bead_image_panel_options = {NULL, "a panel that is an 
 /* ---- plots and tables ---- */
 
 /* Of curves and of their numbers. */
-static const struct bead_option curves_rows[] = {
+const struct bead_option bead_curves_rows[3] = {
     {.key = "modes",
      .type = BEAD_OPTION_COUNT,
      .offset = BEAD_OF_OUTPUT(curves.modes),
@@ -359,46 +353,23 @@ static const struct bead_option plot_file[] = {
      .help = "with `show: contact`: how far the smaller bead is flattened, as a fraction of its radius",
      .example = "0.1"},
 };
-static const struct bead_option_rows plot_shared[] = {{BEAD_OPTIONS(curves_rows)},    {BEAD_OPTIONS(plot_rows)},
-                                                      {BEAD_OPTIONS(bead_time_row)},  {BEAD_OPTIONS(bead_every_row)},
-                                                      {BEAD_OPTIONS(bead_trust_row)}, {BEAD_OPTIONS(bead_page_rows)},
-                                                      {BEAD_OPTIONS(bead_theme_row)}, {BEAD_OPTIONS(bead_caption_row)},
-                                                      {BEAD_OPTIONS(panels_rows)},    {NULL, 0}};
+static const struct bead_option_rows plot_shared[] = {{BEAD_OPTIONS(bead_curves_rows)}, {BEAD_OPTIONS(plot_rows)},
+                                                      {BEAD_OPTIONS(bead_time_row)},    {BEAD_OPTIONS(bead_every_row)},
+                                                      {BEAD_OPTIONS(bead_trust_row)},   {BEAD_OPTIONS(bead_page_rows)},
+                                                      {BEAD_OPTIONS(bead_theme_row)},   {BEAD_OPTIONS(bead_caption_row)},
+                                                      {BEAD_OPTIONS(panels_rows)},      {NULL, 0}};
 static const struct bead_options plot_options = {
     "plot", "curves of sensors against time, or of peaks along the chain; or a schematic drawing", BEAD_OPTIONS(plot_file),
     plot_shared, &bead_output_family};
 
-static const struct bead_option_rows plot_panel_shared[] = {{BEAD_OPTIONS(curves_rows)},    {BEAD_OPTIONS(plot_rows)},
-                                                            {BEAD_OPTIONS(bead_time_row)},  {BEAD_OPTIONS(bead_every_row)},
-                                                            {BEAD_OPTIONS(bead_trust_row)}, {NULL, 0}};
+static const struct bead_option_rows plot_panel_shared[] = {{BEAD_OPTIONS(bead_curves_rows)}, {BEAD_OPTIONS(plot_rows)},
+                                                            {BEAD_OPTIONS(bead_time_row)},    {BEAD_OPTIONS(bead_every_row)},
+                                                            {BEAD_OPTIONS(bead_trust_row)},   {NULL, 0}};
 const struct bead_options bead_plot_panel_options = {NULL, "a panel that is a plot", BEAD_OPTIONS(panel_rows), plot_panel_shared,
                                                      &bead_output_family};
 const struct bead_options bead_panel_options = {"outputs.panels",
                                                 "a panel takes the keys of an image, or with `show` those of a plot, and these",
                                                 BEAD_OPTIONS(panel_rows), NULL, NULL};
-
-static const struct bead_option table_rows[] = {
-    BEAD_FILE_ROW("table", "FILE.csv", "peaks.csv"),
-    {.key = "show",
-     .type = BEAD_OPTION_CHOICE,
-     .offset = BEAD_OF_OUTPUT(curves.show),
-     .initial = "peaks",
-     .choices = table_shows,
-     .values = table_values,
-     .help =
-         "what to list: the force at each sensor; the peak of each contact or of each bead; measures of the run (--list measures); "
-         "the energies of modes; profiles, a field along the chain at several times; or the beads and contacts of the chain"},
-    {.key = "uncertainty",
-     .type = BEAD_OPTION_FLAG,
-     .offset = BEAD_OF_OUTPUT(curves.uncertainty),
-     .initial = "true",
-     .help = "tables of peaks: a column that says how well each is known, from a second, coarser run; false: no "
-             "such run"},
-};
-static const struct bead_option_rows table_shared[] = {
-    {BEAD_OPTIONS(curves_rows)}, {BEAD_OPTIONS(bead_time_row)}, {BEAD_OPTIONS(bead_every_row)}, {NULL, 0}};
-static const struct bead_options table_options = {"table", "numbers, as CSV", BEAD_OPTIONS(table_rows), table_shared,
-                                                  &bead_output_family};
 
 /* ---- trajectories ---- */
 
@@ -458,7 +429,7 @@ static const struct bead_options sheet_options = {
 const struct bead_output_type bead_sheet_output = {
     .sweep_options = &sheet_options, .check_sweep = bead_output_check_sheet, .draws = true};
 
-static const struct bead_option threshold_row[] = {
+const struct bead_option bead_threshold_row[1] = {
     {.key = "threshold",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "law",
@@ -486,7 +457,7 @@ static const struct bead_option sweep_plot_rows[] = {
      .example = "[0, 1.2]",
      .read = bead_output_read_sweep_range},
 };
-static const struct bead_option_rows sweep_plot_shared[] = {{BEAD_OPTIONS(threshold_row)},
+static const struct bead_option_rows sweep_plot_shared[] = {{BEAD_OPTIONS(bead_threshold_row)},
                                                             {BEAD_OPTIONS(bead_page_rows)},
                                                             {BEAD_OPTIONS(bead_theme_row)},
                                                             {BEAD_OPTIONS(bead_caption_row)},
@@ -501,22 +472,3 @@ const struct bead_output_type bead_plot_output = {.options = &plot_options,
                                                   .check_sweep = bead_output_check_sweep_curves,
                                                   .shows = true,
                                                   .draws = true};
-
-static const struct bead_option sweep_table_rows[] = {
-    BEAD_FILE_ROW("table", "FILE.csv", "peaks.csv"),
-    {.key = "show",
-     .type = BEAD_OPTION_CHOICE,
-     .offset = BEAD_OF_OUTPUT(sweep_curves.show),
-     .initial = "magnetism",
-     .choices = sweep_table_shows,
-     .values = sweep_table_values,
-     .help = "statistics of each magnetism, results of each configuration, or mean peaks along the chain"},
-};
-static const struct bead_option_rows sweep_table_shared[] = {{BEAD_OPTIONS(threshold_row)}, {NULL, 0}};
-static const struct bead_options sweep_table_options = {"table of a sweep", "numbers of a sweep, as CSV",
-                                                        BEAD_OPTIONS(sweep_table_rows), sweep_table_shared, &bead_output_family};
-const struct bead_output_type bead_table_output = {.options = &table_options,
-                                                   .sweep_options = &sweep_table_options,
-                                                   .checks = {bead_output_check_times, bead_output_check_show},
-                                                   .check_sweep = bead_output_check_sweep_curves,
-                                                   .shows = true};

@@ -19,6 +19,8 @@
 
 /* Rows that kinds share. What of the chains: */
 extern const struct bead_option bead_field_row[1], bead_time_row[1], bead_beads_row[1], bead_every_row[1], bead_trust_row[1];
+/* Of curves and their numbers; of sweeps: */
+extern const struct bead_option bead_curves_rows[3], bead_threshold_row[1];
 /* How it looks: style, dpi, size; colours of the paper; text below; and of values as colours. */
 extern const struct bead_option bead_page_rows[3], bead_theme_row[1], bead_caption_row[1], bead_colormap_row[1],
     bead_square_root_row[1], bead_range_row[1], bead_magnify_row[1], bead_axes_row[1], bead_orientation_row[1];

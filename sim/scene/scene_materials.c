@@ -13,7 +13,39 @@ struct written {
     char *label;
     double density, mass, modulus, poisson, radius;
     double colour[3];
+    double radius_tolerance, modulus_tolerance;
 };
+
+static const struct bead_option tolerance_rows[] = {
+    {.key = "radius",
+     .offset = offsetof(struct written, radius_tolerance),
+     .unit = "1",
+     .initial = "0",
+     .low = 0,
+     .high = 1,
+     .shape = "from 0 to 100 %",
+     .help = "standard deviation of the radius of a bead; its mass follows, with the density of the material",
+     .example = "0.1 %"},
+    {.key = "modulus",
+     .offset = offsetof(struct written, modulus_tolerance),
+     .unit = "1",
+     .initial = "0",
+     .low = 0,
+     .high = 1,
+     .shape = "from 0 to 100 %",
+     .help = "standard deviation of Young's modulus",
+     .example = "2 %"},
+};
+const struct bead_options bead_tolerance_options = {"materials.NAME.tolerance",
+                                                    "how much beads of one material differ, each on its own; a wall counts as one",
+                                                    BEAD_OPTIONS(tolerance_rows), NULL, NULL};
+
+static enum bead_error read_tolerance(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                      void *settings)
+{
+    (void)option;
+    return bead_options_read(reader, at, &bead_tolerance_options, settings);
+}
 
 static enum bead_error read_colour(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
                                    void *settings);
@@ -71,6 +103,14 @@ static const struct bead_option rows[] = {
      .initial = "",
      .help = "what pictures call it; default: its name, as words: large steel. A wall of it has the label up to the first comma",
      .example = "\"steel, 4.76 mm\""},
+    {.key = "tolerance",
+     .type = BEAD_OPTION_CUSTOM,
+     .shape = "a map",
+     .help =
+         "how much beads of it differ from one another: tables of peaks then have a column `deviation_N`, the standard deviation "
+         "of each peak that follows, to first order; see materials.NAME.tolerance",
+     .example = "{radius: 0.1 %, modulus: 2 %}",
+     .read = read_tolerance},
 };
 
 const struct bead_options bead_material_options = {"materials.NAME", "a material of beads and walls, added to the ready ones",
@@ -111,6 +151,10 @@ static enum bead_error check_mass(const struct bead_reader *reader, const struct
         w->mass = w->radius = NAN;
     else if (density)
         w->mass = w->density * (4.0 / 3) * 3.14159265358979323846 * w->radius * w->radius * w->radius;
+    where = bead_at_key(at, "tolerance");
+    if (!radius && w->radius_tolerance > 0)
+        return bead_wrong(reader, &where, "is one of the radius, which this material does not have");
+    where = bead_at_key(at, mass ? "mass" : density ? "density" : "radius");
     if (radius && !(w->mass >= 1e-30 && w->mass <= 1e15))
         return bead_wrong(reader, &where, "gives a mass of %.3g kg; must be from 1e-30 to 1e15 kg", w->mass);
     return BEAD_OK;
@@ -146,6 +190,8 @@ static enum bead_error add_material(struct bead_reader *reader, const char *name
     material->radius = written->radius;
     material->modulus = written->modulus;
     material->poisson = written->poisson;
+    material->radius_tolerance = written->radius_tolerance;
+    material->modulus_tolerance = written->modulus_tolerance;
     memcpy(material->colour, written->colour, sizeof written->colour);
     return BEAD_OK;
 }

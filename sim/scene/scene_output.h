@@ -28,6 +28,7 @@ BEAD_OUTPUT_READER(bead_output_read_until);
 BEAD_OUTPUT_READER(bead_output_read_card);
 BEAD_OUTPUT_READER(bead_output_read_poster);
 BEAD_OUTPUT_READER(bead_output_read_profile_times);
+BEAD_OUTPUT_READER(bead_output_read_contacts);
 BEAD_OUTPUT_READER(bead_output_read_threshold);
 BEAD_OUTPUT_READER(bead_output_read_magnetism);
 
@@ -41,6 +42,7 @@ BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_field);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_field_list);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_trust);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_show);
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_sensitivities);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_panels);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_movie);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_sheet);

@@ -34,6 +34,9 @@ static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
                           .why_not = "the energy budget is one of the whole chain over time",
                           .not_of_equations = "is the budget of beads and contacts, which equations do not have",
                           .ends = TABLE},
+    [BEAD_SHOW_SENSITIVITIES] = {.keys = KEYS("contacts"),
+                                 .why_not = "sensitivities are those of peaks",
+                                 .not_of_equations = "has the derivatives of peaks of contacts, which equations do not have"},
     [BEAD_SHOW_SETUP] = {.drawing = true},
     [BEAD_SHOW_CONTACT] = {.drawing = true},
     [BEAD_SHOW_CELL] = {.drawing = true},
@@ -56,7 +59,7 @@ static bool takes(const struct bead_show_type *show, const char *key)
 /* Keys that only some of them take. */
 static enum bead_error check_keys(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
 {
-    static const char *const keys[] = {"every", "time", "modes", "field", "at", "scale", "normalise"};
+    static const char *const keys[] = {"every", "time", "modes", "field", "at", "scale", "normalise", "contacts"};
     const struct bead_show_type *show = bead_output_show(output);
     const struct bead_option *row = bead_options_find(bead_output_type(output->kind)->options, "show");
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {

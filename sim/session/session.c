@@ -171,6 +171,7 @@ void bead_session_close(struct bead_session *s)
     free(s->made);
     free(s->results);
     free(s->outcomes);
+    bead_session_free_sensitivities(s);
     bead_passed_free(&s->passed);
     for (size_t i = 0; s->own_chains && i < s->chain_count; i++)
         bead_chain_destroy(s->own_chains[i]);

@@ -26,6 +26,8 @@ struct bead_made {
 /* Of the step, of what could not be verified. */
 enum { SESSION_WARNINGS = 2 };
 
+struct bead_sensitivities; /* session_sensitivity.c */
+
 struct bead_session {
     struct bead_job job;
     struct bead_scene *scene;           /* own; NULL with a trajectory or a sweep's file */
@@ -51,9 +53,10 @@ struct bead_session {
     struct bead_made *made;
     size_t made_count;
     struct bead_counts counts;
-    uint64_t scout_steps;          /* steps of passes before the last */
-    struct bead_passed passed;     /* the last pass */
-    struct bead_outcome *outcomes; /* [chains] */
+    uint64_t scout_steps;                     /* steps of passes before the last */
+    struct bead_passed passed;                /* the last pass */
+    struct bead_sensitivities *sensitivities; /* [chains] after it; NULL: nobody asked */
+    struct bead_outcome *outcomes;            /* [chains] */
     struct bead_result *results;
     size_t result_count;
 };
@@ -117,6 +120,11 @@ void bead_session_settings_free(struct bead_settings *settings);
 
 /* session_verify.c: warnings; and with `verify` the tolerance at which two runs agree to what was asked, in runs of their own. */
 BEAD_CHECK enum bead_error bead_session_verify(struct bead_session *session, struct bead_message *msg);
+
+/* session_sensitivity.c: what outputs want to know of the peaks of the last pass, into its outcomes. Errors: MEMORY, NUMBERS,
+ * STOPPED. */
+BEAD_CHECK enum bead_error bead_session_find_sensitivities(struct bead_session *session, struct bead_message *msg);
+void bead_session_free_sensitivities(struct bead_session *session);
 
 /* session_again.c: a trajectory. */
 BEAD_CHECK enum bead_error bead_session_open_trajectory(struct bead_session *session, struct bead_message *msg);

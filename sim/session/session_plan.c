@@ -154,6 +154,18 @@ static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, 
     return BEAD_OK;
 }
 
+/* Which outputs ask for derivatives, and what these take. */
+static void plan_sensitivities(const struct bead_session *s, FILE *out)
+{
+    for (size_t i = 0; i < s->made_count; i++) {
+        const struct bead_made *m = &s->made[i];
+        if (m->sink && m->needs.sensitivities)
+            fprintf(out, "sensitivities of %s: all chains once more, with steps for peaks to 1e-9, and back over them\n", m->path);
+        if (m->sink && m->needs.deviation)
+            fprintf(out, "deviations of %s: all chains once more, and back over the steps for each peak\n", m->path);
+    }
+}
+
 /* What no output needs, so that the run leaves it out. */
 static void plan_skips(const struct bead_session *s, FILE *out)
 {
@@ -193,6 +205,8 @@ enum bead_error bead_session_plan(const struct bead_session *s, FILE *out, struc
     for (size_t i = 0; i < s->made_count; i++)
         plan_output(s, &s->made[i], out);
     enum bead_error err = plan_comparison(s, out, msg);
+    if (!err)
+        plan_sensitivities(s, out);
     if (!err)
         plan_skips(s, out);
     return err;

@@ -188,6 +188,8 @@ static enum bead_error session_run(struct bead_session *s, struct bead_consumer 
     p.needed = s->needed;
     if (!err)
         err = play(s, &p, &s->passed, msg);
+    if (!err && !s->trajectory)
+        err = bead_session_find_sensitivities(s, msg);
     if (err && err != BEAD_ERROR_STOPPED)
         return err;
     if (s->passage && !s->trajectory && !err && !isfinite(s->end))

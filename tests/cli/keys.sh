@@ -46,6 +46,7 @@ base() {
     'chain.law (power)') prefix=chain.law. before=('chain.law={power: 1.5, coefficient: 1e9}') ;;
     'chain.law (fpu-alpha)') prefix=chain.law. before=('chain.law={fpu-alpha: 1}') ;;
     materials.NAME) prefix=materials.x. before=('materials={x: {modulus: 1 GPa, poisson: 0.3, radius: 1 mm, mass: 1 g}}') ;;
+    materials.NAME.tolerance) prefix=materials.x.tolerance. before=('materials={x: {modulus: 1 GPa, poisson: 0.3, radius: 1 mm, mass: 1 g}}') ;;
     'chain (fput)' | 'chain (kdv)' | 'chain (shock)') scene=${1#* (} scene=${scene%)} prefix=chain. ;;
     'chain (equation)') scene=fput prefix=chain. ;;
     'chain.start (mode)') scene=fput prefix=chain.start. ;;
@@ -93,6 +94,7 @@ needs() { # SECTION KEY
     'outputs (plot): modes' | 'outputs (table): modes') scene=fput before=("outputs=[{$kind: i.${extension[$kind]}, show: modes}]") ;;
     'outputs (plot): field' | 'outputs (table): field') before=("outputs=[{$kind: i.${extension[$kind]}, show: profiles, at: [0]}]") ;;
     'outputs (plot): at' | 'outputs (table): at') before=("outputs=[{$kind: i.${extension[$kind]}, show: profiles, at: [0]}]") ;;
+    'outputs (table): contacts') before=('outputs=[{table: t.csv, show: sensitivities}]') ;;
     'outputs (table): time' | 'outputs (table): every') before+=(outputs.0.show=sensors) ;;
     esac
 }

@@ -1,0 +1,65 @@
+/* Tables of the derivatives of peak forces: a row for each of the contacts asked for and each bead. */
+#include <math.h>
+
+#include "sim/output/table.h"
+
+static void sensitivities_needs(const struct bead_sink *sink, struct bead_needs *needs)
+{
+    needs->contact_peaks = needs->sensitivities = true;
+    needs->contacts = sink->output->curves.contacts;
+    needs->contact_count = sink->output->curves.contact_count;
+    needs->until = INFINITY;
+}
+
+static void sensitivities_header(struct bead_sink *sink)
+{
+    fprintf(sink->file,
+            "%scontact,peak_force_N,time_s,bead,by_mass_N_per_kg,by_radius_N_per_m,by_modulus_N_per_Pa,"
+            "by_striker_velocity_N_s_per_m\n",
+            sink->context.chain_count > 1 ? "chain," : "");
+}
+
+/* The striker's velocity is one of bead 0. */
+static void write_contact(struct bead_sink *sink, size_t chain, const struct bead_peak *peak, const struct bead_sensitivity *s)
+{
+    for (size_t j = 0; j < bead_chain_beads(sink->context.chains[chain]); j++) {
+        bead_table_chain_name(sink, chain);
+        fprintf(sink->file, "%zu", s->index);
+        bead_table_numbers(sink->file, 2, (const double[]){peak->value, peak->time});
+        fprintf(sink->file, ",%zu", j);
+        bead_table_numbers(sink->file, 3, (const double[]){s->mass[j], s->radius[j], s->modulus[j]});
+        if (j == 0)
+            bead_table_numbers(sink->file, 1, &s->velocity);
+        else
+            fputc(',', sink->file);
+        fputc('\n', sink->file);
+        sink->rows++;
+    }
+}
+
+static bool is_asked(const struct bead_sink *sink, const struct bead_sensitivity *s)
+{
+    const struct bead_curves_asked *curves = &sink->output->curves;
+    bool asked = !curves->contacts && s->of_default;
+    for (size_t i = 0; i < curves->contact_count; i++)
+        asked = asked || curves->contacts[i] == s->index;
+    return asked;
+}
+
+static void sensitivities_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
+{
+    for (size_t c = 0; outcomes && c < sink->context.chain_count; c++) {
+        for (size_t i = 0; i < outcomes[c].sensitivity_count; i++) {
+            const struct bead_sensitivity *s = &outcomes[c].sensitivities[i];
+            if (is_asked(sink, s))
+                write_contact(sink, c, &outcomes[c].contact_peaks[s->index], s);
+        }
+    }
+}
+
+const struct table bead_table_sensitivities = {"derivatives of peaks by masses, radii, moduli and the striker's velocity",
+                                               NULL,
+                                               sensitivities_needs,
+                                               sensitivities_header,
+                                               NULL,
+                                               sensitivities_end};

@@ -1,0 +1,163 @@
+/* Sensitivities and standard deviations of peaks, after the run: each chain once more, its states kept, and back (sensitivity.h).
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/base/thread_pool.h"
+#include "sim/run/sensitivity.h"
+#include "sim/session/session_data.h"
+
+/* Runs for derivatives are more accurate than peaks are asked for: a derivative forgives less. Those for deviations need not be. */
+static const double accuracy_of_sensitivities = 1e-9, accuracy_of_deviations = 1e-6;
+/* What beads do that move less than others by this is left out. */
+static const double negligible_of_sensitivities = 1e-12, negligible_of_deviations = 1e-7;
+
+struct bead_sensitivities {
+    size_t count;
+    struct bead_sensitivity *found; /* [count], rising */
+    double *deviation[2];           /* [contacts], [beads]; NULL: not asked */
+};
+
+void bead_session_free_sensitivities(struct bead_session *s)
+{
+    for (size_t c = 0; s->sensitivities && c < s->chain_count; c++) {
+        struct bead_sensitivities *own = &s->sensitivities[c];
+        for (size_t i = 0; i < own->count; i++)
+            bead_sensitivity_free(&own->found[i]);
+        free(own->found);
+        free(own->deviation[0]);
+        free(own->deviation[1]);
+    }
+    free(s->sensitivities);
+    s->sensitivities = NULL;
+}
+
+static struct bead_sensitivity_run run_of(const struct bead_session *s, size_t chain, double accuracy, double negligible)
+{
+    return (struct bead_sensitivity_run){.chain = s->chains[chain],
+                                         .kernels = s->kernels,
+                                         .stop = s->job.stop,
+                                         .accuracy = fmin(s->source->simulate.accuracy, accuracy),
+                                         .passage = s->passage,
+                                         .negligible = negligible};
+}
+
+/* Marks the contacts that outputs ask for: 1, and 2 more where it is one of those meant by outputs that name none. */
+static enum bead_error mark_contacts(const struct bead_session *s, size_t chain, unsigned char *mark, struct bead_message *msg)
+{
+    const struct bead_chain *c = s->chains[chain];
+    size_t sensors = 0;
+    bead_chain_sensors(c, &sensors);
+    size_t *list = calloc(2 * sensors + 1, sizeof *list);
+    if (!list)
+        return bead_session_out_of_memory(msg);
+    for (size_t i = 0; i < s->made_count; i++) {
+        const struct bead_needs *n = &s->made[i].needs;
+        if (!s->made[i].sink || !n->sensitivities)
+            continue;
+        for (size_t k = 0; k < n->contact_count; k++) {
+            if (n->contacts[k] < bead_chain_contacts(c)) /* chains may have fewer than others */
+                mark[n->contacts[k]] |= 1;
+        }
+        const size_t meant = n->contacts ? 0 : bead_sensitive_contacts(c, s->passed.outcomes[chain].contact_peaks, list);
+        for (size_t k = 0; k < meant; k++)
+            mark[list[k]] |= 3;
+    }
+    free(list);
+    return BEAD_OK;
+}
+
+/* The peaks of the contacts marked, of all contacts, or of all beads. Returns how many. */
+static size_t list_peaks(const struct bead_peak *peaks, size_t count, bool of_beads, const unsigned char *mark,
+                         struct bead_sensitive *list)
+{
+    size_t listed = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (!mark || mark[i])
+            list[listed++] = (struct bead_sensitive){of_beads, i, &peaks[i]};
+    }
+    return listed;
+}
+
+static enum bead_error find_sensitivities(struct bead_session *s, size_t chain, struct bead_sensitive *list, unsigned char *mark,
+                                          struct bead_message *msg)
+{
+    struct bead_sensitivities *own = &s->sensitivities[chain];
+    struct bead_outcome *o = &s->passed.outcomes[chain];
+    const struct bead_sensitivity_run run = run_of(s, chain, accuracy_of_sensitivities, negligible_of_sensitivities);
+    enum bead_error err = mark_contacts(s, chain, mark, msg);
+    if (err)
+        return err;
+    const size_t count = list_peaks(o->contact_peaks, bead_chain_contacts(s->chains[chain]), false, mark, list);
+    own->found = calloc(count + 1, sizeof *own->found);
+    if (!own->found)
+        return bead_session_out_of_memory(msg);
+    own->count = count;
+    err = bead_sensitivities_find(&run, list, count, own->found, msg);
+    for (size_t i = 0; i < count; i++)
+        own->found[i].of_default = mark[own->found[i].index] & 2;
+    o->sensitivities = own->found;
+    o->sensitivity_count = err ? 0 : count;
+    return err;
+}
+
+static enum bead_error find_deviations(struct bead_session *s, size_t chain, bool of_beads, struct bead_sensitive *list,
+                                       struct bead_message *msg)
+{
+    const struct bead_chain *c = s->chains[chain];
+    struct bead_outcome *o = &s->passed.outcomes[chain];
+    const struct bead_sensitivity_run run = run_of(s, chain, accuracy_of_deviations, negligible_of_deviations);
+    const size_t count = list_peaks(of_beads ? o->bead_peaks : o->contact_peaks,
+                                    of_beads ? bead_chain_beads(c) : bead_chain_contacts(c), of_beads, NULL, list);
+    double *deviation = calloc(count, sizeof *deviation);
+    if (!deviation)
+        return bead_session_out_of_memory(msg);
+    s->sensitivities[chain].deviation[of_beads] = deviation;
+    *(of_beads ? &o->bead_deviation : &o->contact_deviation) = deviation;
+    return bead_deviations_find(&run, list, count, deviation, msg);
+}
+
+/* What any output wants. */
+struct wanted {
+    struct bead_session *session;
+    bool sensitivities, deviation[2];
+};
+
+static enum bead_error find_of_chain(void *context, size_t chain, bool calling, struct bead_message *msg)
+{
+    const struct wanted *wanted = context;
+    const size_t beads = bead_chain_beads(wanted->session->chains[chain]);
+    struct bead_sensitive *list = calloc(beads, sizeof *list);
+    unsigned char *mark = calloc(beads, 1);
+    (void)calling;
+    enum bead_error err = list && mark ? BEAD_OK : bead_session_out_of_memory(msg);
+    if (!err && wanted->sensitivities)
+        err = find_sensitivities(wanted->session, chain, list, mark, msg);
+    for (int of_beads = 0; !err && of_beads < 2; of_beads++) {
+        if (wanted->deviation[of_beads])
+            err = find_deviations(wanted->session, chain, of_beads, list, msg);
+    }
+    free(list);
+    free(mark);
+    return err;
+}
+
+enum bead_error bead_session_find_sensitivities(struct bead_session *s, struct bead_message *msg)
+{
+    struct wanted wanted = {.session = s};
+    for (size_t i = 0; i < s->made_count; i++) {
+        const struct bead_needs *n = &s->made[i].needs;
+        if (!s->made[i].sink)
+            continue;
+        wanted.sensitivities |= n->sensitivities;
+        wanted.deviation[0] |= n->deviation && n->contact_peaks;
+        wanted.deviation[1] |= n->deviation && n->bead_peaks;
+    }
+    if (!wanted.sensitivities && !wanted.deviation[0] && !wanted.deviation[1])
+        return BEAD_OK;
+    s->sensitivities = calloc(s->chain_count, sizeof *s->sensitivities);
+    if (!s->sensitivities)
+        return bead_session_out_of_memory(msg);
+    return bead_thread_pool_run(s->chain_count, s->threads, find_of_chain, &wanted, msg);
+}
