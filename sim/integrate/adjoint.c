@@ -9,6 +9,8 @@
 
 /* Beads on either side that one step reaches. */
 enum { REACH = 8, VECTOR = 8 };
+/* As h^2 K/m: none. */
+static const double no_stiffness = 1e-30;
 
 /* A force on its way back. Beads outside of low..high - 1 have r = r' = 0. */
 struct traveller {
@@ -182,10 +184,23 @@ static void collect(struct sweep *w, struct traveller *t, struct bead_part part,
     t->striker += at == 0 ? weight * y[0] : 0;
 }
 
+/* Ahead of the front contacts have no stiffness, and had none before: what beads there do is of no consequence. */
+static void leave_front(const struct sweep *w, struct traveller *t, double h)
+{
+    const double *stiffness = w->nodes.stiffness[BEAD_NODES - 1], *m = w->nodes.inverse_mass;
+    for (; t->high > t->low + 1; t->high--) {
+        const size_t j = t->high - 1;
+        if (h * h * m[j] * (stiffness[j] + stiffness[j - 1]) > no_stiffness)
+            return;
+        t->r[j] = t->rate[j] = 0;
+    }
+}
+
 /* Beads at both ends that hardly take part are left out. */
 static void trim(const struct sweep *w, struct traveller *t, double h)
 {
     double most = 0;
+    leave_front(w, t, h);
     for (size_t j = t->low; j < t->high; j++)
         most = fmax(most, fabs(t->r[j]) + h * fabs(t->rate[j]));
     const double least = w->negligible * most;
@@ -237,32 +252,53 @@ static void step(struct sweep *w, struct traveller *t, double h)
     trim(w, t, h);
 }
 
-static enum bead_error step_all(struct sweep *w, size_t index, struct bead_message *msg)
+/* Beads that the next step moves of all that came from later steps than `index`. */
+static struct bead_part reached_by_all(const struct sweep *w, size_t index)
 {
-    enum bead_error err = bead_adjoint_nodes_load(&w->nodes, index, msg);
-    const double h = w->nodes.stepper->h;
-    for (size_t i = 0; !err && i < w->count; i++) {
-        struct traveller *t = &w->traveller[i];
-        if (t->step != index)
+    struct bead_part all = {SIZE_MAX, 0};
+    for (size_t i = 0; i < w->count; i++) {
+        const struct traveller *t = &w->traveller[i];
+        if (t->step <= index)
             continue;
-        start(w, t);
-        for (double from = t->from, back; from > 0; from = back) {
-            back = bead_adjoint_nodes_part(&w->nodes, from);
-            bead_adjoint_nodes_fill(&w->nodes, from, back);
-            step(w, t, (from - back) * h);
-        }
+        const struct bead_part part = reached(w, t);
+        all.from = part.from < all.from ? part.from : all.from;
+        all.to = part.to > all.to ? part.to : all.to;
     }
-    bool others = false;
-    for (size_t i = 0; i < w->count; i++)
-        others = others || w->traveller[i].step > index;
-    for (double from = 1, back; !err && others && from > 0; from = back) {
-        back = bead_adjoint_nodes_part(&w->nodes, from);
-        bead_adjoint_nodes_fill(&w->nodes, from, back);
-        for (size_t i = 0; i < w->count; i++) {
+    return all;
+}
+
+/* From x = `from` of the step at hand to its start: one traveller, or all that came from later steps (NULL). */
+static void go_back(struct sweep *w, size_t index, double from, struct traveller *alone)
+{
+    const double h = w->nodes.stepper->h;
+    for (double back; from > 0; from = back) {
+        const struct bead_part part = alone ? reached(w, alone) : reached_by_all(w, index);
+        if (part.to <= part.from)
+            return;
+        /* A vector more: the first bead of a part does not know the force before it. */
+        const struct bead_part filled = {part.from > VECTOR ? part.from - VECTOR : 0, part.to};
+        back = bead_adjoint_nodes_part(&w->nodes, from, part);
+        bead_adjoint_nodes_fill(&w->nodes, from, back, filled);
+        for (size_t i = 0; !alone && i < w->count; i++) {
             if (w->traveller[i].step > index)
                 step(w, &w->traveller[i], (from - back) * h);
         }
+        if (alone)
+            step(w, alone, (from - back) * h);
     }
+}
+
+static enum bead_error step_all(struct sweep *w, size_t index, struct bead_message *msg)
+{
+    enum bead_error err = bead_adjoint_nodes_load(&w->nodes, index, msg);
+    for (size_t i = 0; !err && i < w->count; i++) {
+        if (w->traveller[i].step != index)
+            continue;
+        start(w, &w->traveller[i]);
+        go_back(w, index, w->traveller[i].from, &w->traveller[i]);
+    }
+    if (!err)
+        go_back(w, index, 1, NULL);
     return err;
 }
 

@@ -304,32 +304,42 @@ static void smooth_contact(struct bead_adjoint_nodes *n, double from, double bac
     }
 }
 
-static void smooth_all(struct bead_adjoint_nodes *n, double from, double back)
+static bool within(const struct bead_part *part, size_t contact)
+{
+    return contact + 1 >= part->from && contact < part->to;
+}
+
+static void smooth_all(struct bead_adjoint_nodes *n, double from, double back, const struct bead_part *part)
 {
     for (size_t first = 0, last; first < n->branches; first = last) {
         for (last = first + 1; last < n->branches && n->branch[last].contact == n->branch[first].contact;)
             last++;
-        smooth_contact(n, from, back, first, last);
+        if (within(part, n->branch[first].contact))
+            smooth_contact(n, from, back, first, last);
     }
     /* Of all beads beside them. */
     for (size_t b = 0; b < n->branches; b++) {
         for (size_t j = n->branch[b].contact; j <= n->branch[b].contact + 1 && j < n->stepper->beads; j++) {
-            for (size_t i = 0; i < BEAD_NODES; i++)
-                n->acceleration[i][j] = (n->force[i][(ptrdiff_t)j - 1] - n->force[i][j]) * n->inverse_mass[j];
+            for (size_t i = 0; within(part, n->branch[b].contact) && i < BEAD_NODES; i++)
+                n->acceleration[i][j] = (*(n->force[i] + j - 1) - n->force[i][j]) * n->inverse_mass[j];
         }
     }
 }
 
 /* ---- nodes ---- */
 
-static void find_displacements(struct bead_adjoint_nodes *n, double x)
+static void find_displacements(struct bead_adjoint_nodes *n, double x, const struct bead_part *part)
 {
     const struct bead_stepper *s = n->stepper;
-    bead_dense_displacement(&n->dense, s, x, n->u);
-    memset(n->u + s->active, 0, (s->span + 8 - s->active) * sizeof *n->u);
+    const struct bead_part moving = {part->from, part->to + 1 < s->active ? part->to + 1 : s->active};
+    bead_dense_displacement(&n->dense, s, x, moving, n->u);
+    if (moving.to == s->active)
+        memset(n->u + s->active, 0, (s->span + 8 - s->active) * sizeof *n->u);
     for (size_t i = 0; i < n->branches; i++) {
         const struct bead_branch_point *b = &n->branch[i];
         double rest[2];
+        if (!within(part, b->contact))
+            continue;
         left_out(b, &n->rule, x, rest);
         n->u[b->contact] -= n->inverse_mass[b->contact] * rest[0];
         if (b->contact + 1 < s->beads)
@@ -337,53 +347,65 @@ static void find_displacements(struct bead_adjoint_nodes *n, double x)
     }
 }
 
-static void find_stiffnesses(struct bead_adjoint_nodes *n, double *stiffness)
+/* Contacts of a part of the beads, those that may have a stiffness. */
+static struct bead_part contacts_of(const struct bead_stepper *s, const struct bead_part *part)
+{
+    const size_t last = s->active < s->chain->contacts ? s->active : s->chain->contacts;
+    return (struct bead_part){part->from, part->to < last ? part->to : last};
+}
+
+static void find_stiffnesses(struct bead_adjoint_nodes *n, double *stiffness, const struct bead_part *part)
 {
     const struct bead_stepper *s = n->stepper;
     const struct bead_law *law = s->chain->law;
-    const size_t last = s->active < s->chain->contacts ? s->active : s->chain->contacts;
-    memset(stiffness, 0, (s->span + 8) * sizeof *stiffness);
+    const struct bead_part contacts = contacts_of(s, part);
+    memset(stiffness + part->from, 0, (part->to - part->from) * sizeof *stiffness);
+    if (contacts.to <= contacts.from)
+        return;
     if (law->hertz) {
-        s->kernels->hertz_stiffness(last, &s->table, n->u, n->u, 0, stiffness);
+        struct bead_contact_table table = s->table;
+        table.stiffness += part->from;
+        table.static_compression += part->from;
+        s->kernels->hertz_stiffness(contacts.to - contacts.from, &table, n->u + part->from, n->u + part->from, 0,
+                                    stiffness + part->from);
         return;
     }
-    for (size_t k = 0; k < last; k++)
+    for (size_t k = contacts.from; k < contacts.to; k++)
         stiffness[k] =
             law->stiffness(s->table.stiffness[k], s->table.law, s->table.static_compression[k] + (n->u[k] - n->u[k + 1]));
 }
 
 /* df/dA and df/dF of f = A (d0 + u_k - u_{k+1})^p - F, where A d0^p = F. */
-static void find_parts(struct bead_adjoint_nodes *n, size_t node)
+static void find_parts(struct bead_adjoint_nodes *n, size_t node, const struct bead_part *part)
 {
     const struct bead_stepper *s = n->stepper;
     const double *still = s->table.static_force;
-    const size_t last = s->active < s->chain->contacts ? s->active : s->chain->contacts;
-    for (size_t k = 0; k < last; k++) {
-        const double part = still[k] > 0 ? n->stiffness[node][k] / n->static_stiffness[k] : 0;
-        n->by_stiffness[node][k] = n->force[node][k] + still[k] * (1 - part);
-        n->by_static[node][k] = still[k] > 0 ? part - 1 : 0;
+    const struct bead_part contacts = contacts_of(s, part);
+    for (size_t k = contacts.from; k < contacts.to; k++) {
+        const double share = still[k] > 0 ? n->stiffness[node][k] / n->static_stiffness[k] : 0;
+        n->by_stiffness[node][k] = n->force[node][k] + still[k] * (1 - share);
+        n->by_static[node][k] = still[k] > 0 ? share - 1 : 0;
     }
 }
 
-void bead_adjoint_nodes_fill(struct bead_adjoint_nodes *n, double from, double back)
+void bead_adjoint_nodes_fill(struct bead_adjoint_nodes *n, double from, double back, struct bead_part part)
 {
-    struct bead_stepper *s = n->stepper;
     for (size_t i = 0; i < BEAD_NODES; i++) {
-        find_displacements(n, from - (from - back) * n->method->c[i]);
-        bead_stepper_evaluate(s, n->u, NULL, n->force[i], n->acceleration[i]);
-        find_stiffnesses(n, n->stiffness[i]);
+        find_displacements(n, from - (from - back) * n->method->c[i], &part);
+        bead_stepper_evaluate_part(n->stepper, n->u, NULL, n->force[i], n->acceleration[i], part);
+        find_stiffnesses(n, n->stiffness[i], &part);
     }
-    smooth_all(n, from, back);
+    smooth_all(n, from, back, &part);
     for (size_t i = 0; n->has_static && i < BEAD_NODES; i++)
-        find_parts(n, i);
+        find_parts(n, i, &part);
 }
 
-double bead_adjoint_nodes_part(const struct bead_adjoint_nodes *n, double from)
+double bead_adjoint_nodes_part(const struct bead_adjoint_nodes *n, double from, struct bead_part part)
 {
     double back = 0;
     for (size_t i = 0; i < n->branches; i++) {
         const double edges[2] = {n->branch[i].at - around, n->branch[i].at + around};
-        for (int e = 0; e < 2 && n->branch[i].weight > enough; e++) {
+        for (int e = 0; e < 2 && n->branch[i].weight > enough && within(&part, n->branch[i].contact); e++) {
             if (edges[e] > back && edges[e] < from - 0.5 * around)
                 back = edges[e];
         }

@@ -82,9 +82,10 @@ static void septic(double x, double h, double value[WEIGHTS], double rate[WEIGHT
     memcpy(rate, v, sizeof v);
 }
 
-static void combine_state(const struct bead_dense *dense, const struct bead_stepper *s, const double weight[WEIGHTS],
-                          const double *base, double *y)
+static void combine_part(const struct bead_dense *dense, const struct bead_stepper *s, const double weight[WEIGHTS],
+                         const double *base, struct bead_part part, double *y)
 {
+    const size_t from = part.from;
     const double *all[WEIGHTS] = {s->start.u, s->start.v, s->start.a, dense->jerk[0],
                                   s->end.u,   s->end.v,   s->last_a,  dense->jerk[1]};
     const double *term[WEIGHTS];
@@ -94,21 +95,28 @@ static void combine_state(const struct bead_dense *dense, const struct bead_step
         if (i == V0 || !all[i])
             continue;
         coefficient[count] = weight[i];
-        term[count++] = all[i];
+        term[count++] = all[i] + from;
     }
-    s->kernels->combine(s->active, y, base, weight[V0], s->start.v, count, coefficient, term);
+    s->kernels->combine(part.to - from, y + from, base + from, weight[V0], s->start.v + from, count, coefficient, term);
 }
 
-void bead_dense_displacement(struct bead_dense *dense, const struct bead_stepper *s, double x, double *u)
+static void combine_state(const struct bead_dense *dense, const struct bead_stepper *s, const double weight[WEIGHTS],
+                          const double *base, double *y)
+{
+    combine_part(dense, s, weight, base, (struct bead_part){0, s->active}, y);
+}
+
+void bead_dense_displacement(struct bead_dense *dense, const struct bead_stepper *s, double x, struct bead_part part, double *u)
 {
     double value[WEIGHTS], rate[WEIGHTS];
     if (x <= same_time || x >= 1 - same_time) {
-        memcpy(u, x <= same_time ? s->start.u : s->end.u, s->active * sizeof *u);
+        const double *end = x <= same_time ? s->start.u : s->end.u;
+        memcpy(u + part.from, end + part.from, (part.to - part.from) * sizeof *u);
         return;
     }
     update_jerks(dense, s);
     septic(x, s->h, value, rate);
-    combine_state(dense, s, value, s->start.u, u);
+    combine_part(dense, s, value, s->start.u, part, u);
 }
 
 void bead_dense_state(struct bead_dense *dense, const struct bead_stepper *s, double t, double *u, double *v)

@@ -20,8 +20,9 @@ void bead_dense_destroy(struct bead_dense *dense);
  * without the third, where there is damping); exactly the state itself at the ends. Arrays like those of struct bead_state. */
 void bead_dense_state(struct bead_dense *dense, const struct bead_stepper *stepper, double t, double *u, double *v);
 
-/* The displacements alone at time t0 + x h; only where there is no damping. */
-void bead_dense_displacement(struct bead_dense *dense, const struct bead_stepper *stepper, double x, double *u);
+/* The displacements alone of a part of these beads, at time t0 + x h; only where there is no damping. */
+void bead_dense_displacement(struct bead_dense *dense, const struct bead_stepper *stepper, double x, struct bead_part part,
+                             double *u);
 
 /* A polynomial in 0 <= x <= 1 over the step: sum c_i x^i. */
 struct bead_polynomial {

@@ -70,6 +70,7 @@ void bead_record_load(const struct bead_record *r, size_t step, struct bead_step
     const size_t before = s->active;
     load(r, start, &s->start, before);
     load(r, end, &s->end, before);
+    s->last_a = s->end.a;
     s->t0 = start->time;
     s->t1 = end->time;
     s->h = end->time - start->time;

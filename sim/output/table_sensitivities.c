@@ -57,9 +57,7 @@ static void sensitivities_end(struct bead_sink *sink, const struct bead_outcome 
     }
 }
 
-const struct table bead_table_sensitivities = {"derivatives of peaks by masses, radii, moduli and the striker's velocity",
-                                               NULL,
-                                               sensitivities_needs,
-                                               sensitivities_header,
-                                               NULL,
-                                               sensitivities_end};
+const struct table bead_table_sensitivities = {.why = "derivatives of peaks by masses, radii, moduli and the striker's velocity",
+                                               .needs = sensitivities_needs,
+                                               .header = sensitivities_header,
+                                               .end = sensitivities_end};
