@@ -89,7 +89,7 @@ static void a_contact_closes_within_a_step(void **state)
             if (from <= at && at <= to)
                 middle[fine] = bead_polynomial_value(&d, (at - from) / (to - from));
             closed_at[fine] = s->was_closed[0] ? closed_at[fine] : s->t1;
-            bead_peaks_step(peaks, s, INFINITY);
+            bead_peaks_step(peaks, s, INFINITY, INFINITY);
         }
         const struct bead_peak *peak = bead_peaks_found(peaks);
         const double speed = s->start.v[0] - s->start.v[1];
