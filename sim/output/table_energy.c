@@ -11,8 +11,6 @@ static enum bead_error energy_prepare(struct bead_sink *sink, struct bead_messag
 {
     const size_t chains = sink->context.chain_count;
     char every[32];
-    if (sink->context.native.every > 0)
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: the energy budget is kept by a run: no trajectory has it", sink->path);
     sink->columns = calloc(chains * PARTS, sizeof *sink->columns);
     for (size_t i = 0; sink->columns && i < chains * PARTS; i++) {
         char *name = bead_table_column(sink, i / PARTS, names[i % PARTS]);

@@ -62,6 +62,9 @@ static enum bead_error check_stored(const struct bead_session *s, const struct b
     if (m->needs.contact_peaks || m->needs.bead_peaks)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: peaks are found while simulating, not from samples: run the scene",
                          m->output->path);
+    if (m->needs.budget)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: the energy budget is kept by a run: no trajectory has it",
+                         m->output->path);
     if (m->needs.comparison)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED,
                          "%s: `trust` compares two runs, and a trajectory holds one: run the scene, or draw without it: "

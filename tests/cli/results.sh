@@ -29,6 +29,12 @@ ok "... makes only data" test "$(ls -A data | tr '\n' ' ')" = "beads.csv peaks.c
 ok "... names what it skipped" grep -q '^skipped.*: force.png$' out
 ok "... the same peaks" cmp all/peaks.csv data/peaks.csv
 
+budget=(--set 'outputs=[{trajectory: run.h5, every: 2 us}, {table: energy.csv, show: energy}]' --set 'simulate.until=0.1 ms')
+ok "the energy budget beside a trajectory" exits 0 "$beadsim" scene.yaml -o budget "${budget[@]}"
+ok "... at its times" test "$(grep -c '^[0-9]' budget/energy.csv)" -eq 51
+ok "... of which the trajectory has none" fails 1 "$beadsim" budget/run.h5 -o energy.csv
+ok "... and says so" says "energy.csv: the energy budget is kept by a run: no trajectory has it"
+
 ok "drawings" exits 0 "$beadreel" schematics -o drawings --only setup.pdf
 ok "... have no run to sum up" grep -qE '^1 file, .*: drawings only, nothing to compute$' out
 
