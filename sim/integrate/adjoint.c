@@ -8,7 +8,7 @@
 #include "sim/integrate/adjoint_nodes.h"
 
 /* Beads on either side that one step reaches. */
-enum { REACH = 8, VECTOR = 8 };
+enum { REACH = 8, VECTOR = 8, MARGIN = 3 * REACH };
 /* As h^2 K/m: none. */
 static const double no_stiffness = 1e-30;
 
@@ -99,6 +99,13 @@ static size_t step_at(const struct bead_record *record, double time)
     return low;
 }
 
+/* The beads of a force and those beside them. */
+static struct bead_part beads_near(const struct traveller *t)
+{
+    const size_t first = t->of->contact[0], last = t->of->contact[t->of->contacts - 1];
+    return (struct bead_part){first > 0 ? first - 1 : 0, last + 2};
+}
+
 /* The maximum meant: in the step of its time, or in one beside it. */
 static enum bead_error find_start(struct sweep *w, struct traveller *t, struct bead_message *msg)
 {
@@ -110,7 +117,7 @@ static enum bead_error find_start(struct sweep *w, struct traveller *t, struct b
     for (size_t i = 0; t->of->at_maximum && i < 3; i++) {
         if (steps[i] >= record->steps)
             continue;
-        enum bead_error err = bead_adjoint_nodes_load(&w->nodes, steps[i], msg);
+        enum bead_error err = bead_adjoint_nodes_load(&w->nodes, steps[i], beads_near(t), msg);
         if (err)
             return err;
         const struct rising rising = rising_of(w, t->of);
@@ -196,13 +203,18 @@ static void leave_front(const struct sweep *w, struct traveller *t, double h)
     }
 }
 
+static double larger(double x, double y)
+{
+    return x > y ? x : y;
+}
+
 /* Beads at both ends that hardly take part are left out. */
 static void trim(const struct sweep *w, struct traveller *t, double h)
 {
     double most = 0;
     leave_front(w, t, h);
     for (size_t j = t->low; j < t->high; j++)
-        most = fmax(most, fabs(t->r[j]) + h * fabs(t->rate[j]));
+        most = larger(most, fabs(t->r[j]) + h * fabs(t->rate[j]));
     const double least = w->negligible * most;
     while (t->high > t->low + 1 && fabs(t->r[t->high - 1]) + h * fabs(t->rate[t->high - 1]) <= least) {
         t->high--;
@@ -267,6 +279,22 @@ static struct bead_part reached_by_all(const struct sweep *w, size_t index)
     return all;
 }
 
+/* Beads that some force may meet in step `index`, more or less: parts of a step reach further than a whole one. */
+static struct bead_part touched_by_all(const struct sweep *w, size_t index)
+{
+    struct bead_part all = {SIZE_MAX, 0};
+    for (size_t i = 0; i < w->count; i++) {
+        const struct traveller *t = &w->traveller[i];
+        const struct bead_part near = beads_near(t);
+        if (t->step < index)
+            continue;
+        const size_t low = t->step > index ? t->low : near.from, high = t->step > index ? t->high : near.to;
+        all.from = low < all.from ? low : all.from;
+        all.to = high > all.to ? high : all.to;
+    }
+    return (struct bead_part){all.from > MARGIN ? all.from - MARGIN : 0, all.to > 0 ? all.to + MARGIN : 0};
+}
+
 /* From x = `from` of the step at hand to its start: one traveller, or all that came from later steps (NULL). */
 static void go_back(struct sweep *w, size_t index, double from, struct traveller *alone)
 {
@@ -290,7 +318,8 @@ static void go_back(struct sweep *w, size_t index, double from, struct traveller
 
 static enum bead_error step_all(struct sweep *w, size_t index, struct bead_message *msg)
 {
-    enum bead_error err = bead_adjoint_nodes_load(&w->nodes, index, msg);
+    const struct bead_part touched = touched_by_all(w, index);
+    enum bead_error err = touched.to > touched.from ? bead_adjoint_nodes_load(&w->nodes, index, touched, msg) : BEAD_OK;
     for (size_t i = 0; !err && i < w->count; i++) {
         if (w->traveller[i].step != index)
             continue;

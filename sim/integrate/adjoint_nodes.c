@@ -14,7 +14,7 @@ static const double reach = 0.3;
 static const double least_stiffness = 1e-7;
 /* What is left of the error goes with the square of the contact's weight. Where that is more than `enough`, this part of the step
  * on either side of a branch point is gone back over for itself. */
-static const double enough = 1e-3, around = 0.05;
+static const double enough = 4e-3, around = 0.05;
 /* Of the polynomials that take a stiffness's place. Their product with what they move is to be within the order of the method:
  * with higher degrees, as with lower ones, errors are larger. */
 enum { DEGREE = 3 };
@@ -185,14 +185,20 @@ static enum bead_error find_branches(struct bead_adjoint_nodes *n, size_t k, str
     return err;
 }
 
-enum bead_error bead_adjoint_nodes_load(struct bead_adjoint_nodes *n, size_t step, struct bead_message *msg)
+/* Contacts of a part of the beads, those that may have a stiffness. */
+static struct bead_part contacts_of(const struct bead_stepper *s, const struct bead_part *part)
 {
-    const struct bead_chain *chain = n->stepper->chain;
+    const size_t last = s->active < s->chain->contacts ? s->active : s->chain->contacts;
+    return (struct bead_part){part->from, part->to < last ? part->to : last};
+}
+
+enum bead_error bead_adjoint_nodes_load(struct bead_adjoint_nodes *n, size_t step, struct bead_part part, struct bead_message *msg)
+{
     bead_record_load(n->record, step, n->stepper);
-    const size_t last = n->stepper->active < chain->contacts ? n->stepper->active : chain->contacts;
+    const struct bead_part contacts = contacts_of(n->stepper, &part);
     enum bead_error err = BEAD_OK;
     n->branches = 0;
-    for (size_t k = 0; !err && chain->law->one_sided && k < last; k++) {
+    for (size_t k = contacts.from; !err && n->stepper->chain->law->one_sided && k < contacts.to; k++) {
         if (may_branch(n, k))
             err = find_branches(n, k, msg);
     }
@@ -243,17 +249,19 @@ struct moments {
     double sum[2][DEGREE + 1];
 };
 
+/* Nodes where x = tau +- z^m. */
 static void integrate(const struct bead_adjoint_nodes *n, struct moments *m, double from, double to, double tau)
 {
     const struct bead_stepper *s = n->stepper;
     const double a = s->table.stiffness[m->curve.contact];
-    struct bead_patch_piece piece = {.from = from, .to = to};
-    bead_patch_place_power(n->rule.power, tau, &piece);
+    struct bead_patch_nodes nodes;
+    bead_patch_place_nodes(n->rule.power, tau, (const double[2]){from, to}, &nodes);
     for (size_t i = 0; i < BEAD_GAUSS_NODES; i++) {
         double d[2], p[DEGREE + 1];
-        bead_adjoint_compression(n, &m->curve, piece.s[i], d);
-        legendre((piece.s[i] - m->low) / m->length, p);
-        const double weight = piece.weight[i] / m->length, stiffness = s->chain->law->stiffness(a, s->table.law, d[0]);
+        bead_adjoint_compression(n, &m->curve, nodes.s[i], d);
+        legendre((nodes.s[i] - m->low) / m->length, p);
+        const double weight = bead_gauss_weight[i] * nodes.rate[i] / m->length,
+                     stiffness = s->chain->law->stiffness(a, s->table.law, d[0]);
         const double force = s->chain->law->force(a, s->table.law, d[0]);
         for (int q = 0; q <= DEGREE; q++) {
             m->sum[0][q] += weight * stiffness * p[q];
@@ -347,13 +355,6 @@ static void find_displacements(struct bead_adjoint_nodes *n, double x, const str
     }
 }
 
-/* Contacts of a part of the beads, those that may have a stiffness. */
-static struct bead_part contacts_of(const struct bead_stepper *s, const struct bead_part *part)
-{
-    const size_t last = s->active < s->chain->contacts ? s->active : s->chain->contacts;
-    return (struct bead_part){part->from, part->to < last ? part->to : last};
-}
-
 static void find_stiffnesses(struct bead_adjoint_nodes *n, double *stiffness, const struct bead_part *part)
 {
     const struct bead_stepper *s = n->stepper;
@@ -392,7 +393,8 @@ void bead_adjoint_nodes_fill(struct bead_adjoint_nodes *n, double from, double b
 {
     for (size_t i = 0; i < BEAD_NODES; i++) {
         find_displacements(n, from - (from - back) * n->method->c[i], &part);
-        bead_stepper_evaluate_part(n->stepper, n->u, NULL, n->force[i], n->acceleration[i], part);
+        if (n->method->bp[i] != 0) /* else nobody asks for its forces */
+            bead_stepper_evaluate_part(n->stepper, n->u, NULL, n->force[i], n->acceleration[i], part);
         find_stiffnesses(n, n->stiffness[i], &part);
     }
     smooth_all(n, from, back, &part);

@@ -50,8 +50,9 @@ BEAD_CHECK enum bead_error bead_adjoint_nodes_create(const struct bead_chain *ch
                                                      const struct bead_kernels *kernels, struct bead_adjoint_nodes *nodes,
                                                      struct bead_message *msg);
 void bead_adjoint_nodes_destroy(struct bead_adjoint_nodes *nodes);
-/* Set to a step of the record. Errors: MEMORY. */
-BEAD_CHECK enum bead_error bead_adjoint_nodes_load(struct bead_adjoint_nodes *nodes, size_t step, struct bead_message *msg);
+/* Set to a step of the record, and find what opens or closes in a part of the chain. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_adjoint_nodes_load(struct bead_adjoint_nodes *nodes, size_t step, struct bead_part part,
+                                                   struct bead_message *msg);
 /* Fill the arrays of the nodes from x = `from` of the step down to `back`, for a part of the beads: whole vectors, within the span
  * of the stepper. */
 void bead_adjoint_nodes_fill(struct bead_adjoint_nodes *nodes, double from, double back, struct bead_part part);

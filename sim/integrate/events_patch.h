@@ -109,7 +109,12 @@ struct bead_patch_piece {
     double twice[BEAD_GAUSS_NODES][BEAD_GAUSS_NODES]; /* double integral up to node i = sum_j twice[j][i] g(s_j) */
     double from, to;
 };
-/* Nodes of [from, to] where s = tau +- x^m. */
+/* Nodes between two ends where s = tau +- x^m, and ds/dz, z from 0 to 1 over them. */
+struct bead_patch_nodes {
+    double s[BEAD_GAUSS_NODES], rate[BEAD_GAUSS_NODES];
+};
+void bead_patch_place_nodes(int power, double tau, const double ends[2], struct bead_patch_nodes *nodes);
+/* The same of a piece. */
 void bead_patch_place_power(int power, double tau, struct bead_patch_piece *piece);
 
 /* Where, in s, a force has a branch point, or nearly one; may lie outside the step. */

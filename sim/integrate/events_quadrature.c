@@ -128,23 +128,31 @@ static double root(double x, int power)
     return power == 1 ? x : power == 2 ? sqrt(x) : pow(x, 1.0 / power);
 }
 
-void bead_patch_place_power(int power, double tau, struct bead_patch_piece *piece)
+void bead_patch_place_nodes(int power, double tau, const double ends[2], struct bead_patch_nodes *nodes)
 {
-    const double sign = piece->from + piece->to >= 2 * tau ? 1 : -1;
-    const double a = root(fmax(sign * (piece->from - tau), 0), power), b = root(fmax(sign * (piece->to - tau), 0), power) - a;
-    double rate[BEAD_GAUSS_NODES]; /* ds/dz */
+    const double sign = ends[0] + ends[1] >= 2 * tau ? 1 : -1;
+    const double a = root(fmax(sign * (ends[0] - tau), 0), power), b = root(fmax(sign * (ends[1] - tau), 0), power) - a;
     for (size_t i = 0; i < BEAD_GAUSS_NODES; i++) {
         double x = a + b * bead_gauss_node[i];
-        piece->s[i] = tau + sign * raise(x, power);
-        rate[i] = sign * (power * b * (power > 1 ? raise(x, power - 1) : 1));
-        piece->weight[i] = rate[i] * bead_gauss_weight[i];
+        nodes->s[i] = tau + sign * raise(x, power);
+        nodes->rate[i] = sign * (power * b * (power > 1 ? raise(x, power - 1) : 1));
+    }
+}
+
+void bead_patch_place_power(int power, double tau, struct bead_patch_piece *piece)
+{
+    struct bead_patch_nodes nodes;
+    bead_patch_place_nodes(power, tau, (const double[2]){piece->from, piece->to}, &nodes);
+    for (size_t i = 0; i < BEAD_GAUSS_NODES; i++) {
+        piece->s[i] = nodes.s[i];
+        piece->weight[i] = nodes.rate[i] * bead_gauss_weight[i];
     }
     for (size_t j = 0; j < BEAD_GAUSS_NODES; j++) {
         for (size_t i = 0; i < BEAD_GAUSS_NODES; i++) {
             double sum = 0;
             for (size_t l = 0; l < BEAD_GAUSS_NODES; l++)
-                sum += bead_gauss_once[l][i] * rate[l] * bead_gauss_once[j][l];
-            piece->twice[j][i] = sum * rate[j];
+                sum += bead_gauss_once[l][i] * nodes.rate[l] * bead_gauss_once[j][l];
+            piece->twice[j][i] = sum * nodes.rate[j];
         }
     }
 }

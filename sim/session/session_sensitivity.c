@@ -9,7 +9,7 @@
 #include "sim/session/session_data.h"
 
 /* Runs for derivatives are more accurate than peaks are asked for: a derivative forgives less. Those for deviations need not be. */
-static const double accuracy_of_sensitivities = 1e-9, accuracy_of_deviations = 1e-6;
+static const double accuracy_of_sensitivities = 1e-8, accuracy_of_deviations = 1e-6;
 /* What beads do that move less than others by this is left out. */
 static const double negligible_of_sensitivities = 1e-17, negligible_of_deviations = 1e-12;
 
