@@ -2,8 +2,8 @@
  * tests and stress.
  *
  * Materials from .5 to 600 GPa, radii from 1 to 20 mm, 10 to 150 beads, strikers from .01 to 10 m/s; ordered or not, some with a
- * wall, precompression, a slope or damping. The references have fixed steps, a tenth to a twentieth of usual ones; two of them say
- * how well the peaks are known. How strongly a peak answers is measured as in tests/asked.h. */
+ * wall, precompression, a slope or damping. Two references with different steps say how well the peaks are known. How strongly a
+ * peak answers is measured as in tests/asked.h. */
 #ifndef BEADREEL_TESTS_DRAWN_H
 #define BEADREEL_TESTS_DRAWN_H
 
@@ -71,25 +71,31 @@ static inline bool draw_chain(uint64_t seed, double most, char text[DRAWN_TEXT])
 /* A chain, its peaks as exactly as they can be had, and how strongly each answers. */
 struct drawn {
     char text[DRAWN_TEXT];
+    bool damped;
     struct peaks fine, other; /* the references */
     double omega;             /* rad/s */
-    const char *method;
 };
+
+/* Fixed steps of the corrected method; with damping, which it cannot have, a lower tolerance, as steps end where contacts close. */
+static inline struct peaks drawn_reference(const struct drawn *d, double length)
+{
+    char simulate[64];
+    if (d->damped)
+        snprintf(simulate, sizeof simulate, "accuracy: %.9g", 3e-9 * pow(length, 3));
+    else
+        snprintf(simulate, sizeof simulate, "method: rkn8, step: %.9g", length * 0.06 / d->omega);
+    return find_peaks(d->text, simulate, 0, 0, 0);
+}
 
 static inline struct drawn drawn_make(uint64_t seed, double most)
 {
     struct drawn d;
-    char simulate[2][64];
-    const bool damped = draw_chain(seed, most, d.text);
+    d.damped = draw_chain(seed, most, d.text);
     struct built built = build(d.text, "accuracy: 1e-6");
     d.omega = bead_chain_omega(built.chain, bead_chain_energy(built.chain));
     release(&built);
-    d.method = damped ? "rk4" : "rkn8";
-    for (size_t i = 0; i < 2; i++)
-        snprintf(simulate[i], sizeof simulate[i], "method: %s, step: %.9g", d.method,
-                 (i ? 1.4 : 1) * (damped ? 0.006 : 0.06) / d.omega);
-    d.fine = find_peaks(d.text, simulate[0], 0, 0, 0);
-    d.other = find_peaks(d.text, simulate[1], 0, 0, 0);
+    d.fine = drawn_reference(&d, 1);
+    d.other = drawn_reference(&d, 1.4);
     return d;
 }
 
@@ -114,6 +120,26 @@ static inline struct peaks find_coarse(const char *text, double accuracy, double
     return find_peaks_at(text, simulate, factor);
 }
 
+/* How strongly the peaks answer to changes of the stiffnesses of the size of `accuracy`, in units of that. With damping answers
+ * hardly depend on the size, and larger ones cost less. */
+static inline void drawn_answers(const struct drawn *d, double accuracy, double *answer)
+{
+    const double size = d->damped ? 1e-4 : accuracy;
+    char simulate[64];
+    if (d->damped)
+        snprintf(simulate, sizeof simulate, "accuracy: 1e-5");
+    else
+        snprintf(simulate, sizeof simulate, "method: rkn8, step: %.9g", 0.1 / d->omega);
+    struct peaks still = find_peaks(d->text, simulate, 0, 0, 0);
+    for (int i = 0; i < SHAKES; i++) {
+        struct peaks shaken = find_peaks(d->text, simulate, 0, size, i);
+        for (size_t k = 0; k < still.count; k++)
+            answer[k] = fmax(answer[k], difference(&shaken.peak[k], &still.peak[k]) / size);
+        free(shaken.peak);
+    }
+    free(still.peak);
+}
+
 static inline struct kept drawn_ask(const struct drawn *d, double accuracy)
 {
     struct kept kept = {0};
@@ -122,19 +148,12 @@ static inline struct kept drawn_ask(const struct drawn *d, double accuracy)
     double *u = calloc(got.count, sizeof *u), *answer = calloc(got.count, sizeof *answer);
     if (!u || !answer)
         GIVE_UP("out of memory");
-    const struct bead_uncertainty_of of = {accuracy, factor, strcmp(d->method, "rk4") == 0};
+    const struct bead_uncertainty_of of = {accuracy, factor, d->damped};
     const struct bead_uncertain_peaks kinds[2] = {
         {got.peak, comparison.peak, got.contacts, u},
         {got.peak + got.contacts, comparison.peak + got.contacts, got.count - got.contacts, u + got.contacts}};
     bead_uncertainty_find(&of, kinds);
-    for (int i = 0; i < SHAKES; i++) {
-        char simulate[64];
-        snprintf(simulate, sizeof simulate, "method: %s, step: %.9g", d->method, (of.damped ? 0.03 : 0.1) / d->omega);
-        struct peaks shaken = find_peaks(d->text, simulate, 0, accuracy, i);
-        for (size_t k = 0; k < got.count; k++)
-            answer[k] = fmax(answer[k], difference(&shaken.peak[k], &d->fine.peak[k]) / accuracy);
-        free(shaken.peak);
-    }
+    drawn_answers(d, accuracy, answer);
     for (size_t k = 0; k < got.count; k++) {
         const struct bead_peak *exact = &d->fine.peak[k];
         const double error = difference(&got.peak[k], exact) / accuracy, known = difference(&d->other.peak[k], exact) / accuracy;
