@@ -26,7 +26,7 @@ struct traveller {
 struct sweep {
     const struct bead_chain *chain;
     struct bead_adjoint_nodes nodes;
-    double negligible;
+    const struct bead_adjoint_care *care;
     double *y, *force, *spare, *slope[BEAD_NODES]; /* work; slope: r'' at the nodes */
     struct traveller *traveller;
     size_t count;
@@ -215,7 +215,7 @@ static void trim(const struct sweep *w, struct traveller *t, double h)
     leave_front(w, t, h);
     for (size_t j = t->low; j < t->high; j++)
         most = larger(most, fabs(t->r[j]) + h * fabs(t->rate[j]));
-    const double least = w->negligible * most;
+    const double least = w->care->negligible * most;
     while (t->high > t->low + 1 && fabs(t->r[t->high - 1]) + h * fabs(t->rate[t->high - 1]) <= least) {
         t->high--;
         t->r[t->high] = t->rate[t->high] = 0;
@@ -305,7 +305,7 @@ static void go_back(struct sweep *w, size_t index, double from, struct traveller
             return;
         /* A vector more: the first bead of a part does not know the force before it. */
         const struct bead_part filled = {part.from > VECTOR ? part.from - VECTOR : 0, part.to};
-        back = bead_adjoint_nodes_part(&w->nodes, from, part);
+        back = bead_adjoint_nodes_part(&w->nodes, from, w->care->heavy, part);
         bead_adjoint_nodes_fill(&w->nodes, from, back, filled);
         for (size_t i = 0; !alone && i < w->count; i++) {
             if (w->traveller[i].step > index)
@@ -345,10 +345,10 @@ static void finish(const struct sweep *w, const struct traveller *t)
 }
 
 enum bead_error bead_adjoint_sweep(const struct bead_chain *chain, const struct bead_record *record,
-                                   const struct bead_kernels *kernels, double negligible, struct bead_adjoint *adjoints,
-                                   size_t count, struct bead_message *msg)
+                                   const struct bead_kernels *kernels, const struct bead_adjoint_care *care,
+                                   struct bead_adjoint *adjoints, size_t count, struct bead_message *msg)
 {
-    struct sweep w = {.chain = chain, .negligible = negligible};
+    struct sweep w = {.chain = chain, .care = care};
     size_t last = 0;
     enum bead_error err = bead_adjoint_nodes_create(chain, record, kernels, &w.nodes, msg);
     if (!err)

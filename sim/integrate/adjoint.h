@@ -36,9 +36,15 @@ struct bead_adjoint {
     double striker_force; /* dJ by the constant force on the striker */
 };
 
-/* The derivatives of `count` forces. What falls below `negligible` of the largest r is left out. Errors: MEMORY. */
+/* How much care is taken. */
+struct bead_adjoint_care {
+    double negligible; /* what falls below this part of the largest r is left out */
+    double heavy;      /* a contact, as h^2 K/m, whose opening or closing takes a part of the step for itself */
+};
+
+/* The derivatives of `count` forces. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_adjoint_sweep(const struct bead_chain *chain, const struct bead_record *record,
-                                              const struct bead_kernels *kernels, double negligible, struct bead_adjoint *adjoints,
-                                              size_t count, struct bead_message *msg);
+                                              const struct bead_kernels *kernels, const struct bead_adjoint_care *care,
+                                              struct bead_adjoint *adjoints, size_t count, struct bead_message *msg);
 
 #endif

@@ -12,9 +12,9 @@ static const double reach = 0.3;
 /* Contacts whose stiffness at a step's length from opening moves their beads by less, as h^2 K/m, have no branch points to speak
  * of: those that the wave just reaches. */
 static const double least_stiffness = 1e-7;
-/* What is left of the error goes with the square of the contact's weight. Where that is more than `enough`, this part of the step
- * on either side of a branch point is gone back over for itself. */
-static const double enough = 4e-3, around = 0.05;
+/* What is left of the error goes with the square of the contact's weight. Of a heavy one this part of the step on either side of a
+ * branch point is gone back over for itself. */
+static const double around = 0.05;
 /* Of the polynomials that take a stiffness's place. Their product with what they move is to be within the order of the method:
  * with higher degrees, as with lower ones, errors are larger. */
 enum { DEGREE = 3 };
@@ -402,12 +402,12 @@ void bead_adjoint_nodes_fill(struct bead_adjoint_nodes *n, double from, double b
         find_parts(n, i, &part);
 }
 
-double bead_adjoint_nodes_part(const struct bead_adjoint_nodes *n, double from, struct bead_part part)
+double bead_adjoint_nodes_part(const struct bead_adjoint_nodes *n, double from, double heavy, struct bead_part part)
 {
     double back = 0;
     for (size_t i = 0; i < n->branches; i++) {
         const double edges[2] = {n->branch[i].at - around, n->branch[i].at + around};
-        for (int e = 0; e < 2 && n->branch[i].weight > enough && within(&part, n->branch[i].contact); e++) {
+        for (int e = 0; e < 2 && n->branch[i].weight > heavy && within(&part, n->branch[i].contact); e++) {
             if (edges[e] > back && edges[e] < from - 0.5 * around)
                 back = edges[e];
         }

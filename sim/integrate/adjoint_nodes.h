@@ -56,9 +56,9 @@ BEAD_CHECK enum bead_error bead_adjoint_nodes_load(struct bead_adjoint_nodes *no
 /* Fill the arrays of the nodes from x = `from` of the step down to `back`, for a part of the beads: whole vectors, within the span
  * of the stepper. */
 void bead_adjoint_nodes_fill(struct bead_adjoint_nodes *nodes, double from, double back, struct bead_part part);
-/* Where to go back to from x = `from`: the start of the step, 0, or a place before it such that a branch point lies in a short part
- * of its own. */
-double bead_adjoint_nodes_part(const struct bead_adjoint_nodes *nodes, double from, struct bead_part part);
+/* Where to go back to from x = `from`: the start of the step, 0, or a place before it such that the branch point of a contact of
+ * more weight than `heavy` lies in a short part of its own. */
+double bead_adjoint_nodes_part(const struct bead_adjoint_nodes *nodes, double from, double heavy, struct bead_part part);
 /* The compression of a contact over the step. */
 struct bead_adjoint_curve {
     size_t contact;

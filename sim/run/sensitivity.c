@@ -10,18 +10,25 @@
 #include "sim/integrate/adjoint.h"
 #include "sim/run/run.h"
 
+/* How much care is taken: with the run whose states are kept, of which derivatives ask more than peaks, and on the way back. Of
+ * deviations two or three digits are wanted. */
+struct care {
+    double accuracy;
+    struct bead_adjoint_care back;
+};
+static const struct care for_sensitivities = {1e-8, {1e-17, 4e-3}}, for_deviations = {1e-6, {1e-12, INFINITY}};
 /* So many peaks go back together. */
 enum { TOGETHER = 64 };
 
 /* The chain's steps up to one behind the time `until`. */
-static enum bead_error record_run(const struct bead_sensitivity_run *with, double until, struct bead_record *record,
-                                  struct bead_message *msg)
+static enum bead_error record_run(const struct bead_sensitivity_run *with, double accuracy, double until,
+                                  struct bead_record *record, struct bead_message *msg)
 {
     char method[] = "auto";
     struct bead_simulate simulate = with->chain->scene->simulate;
     simulate.method = method;
     simulate.step = 0;
-    simulate.accuracy = with->accuracy;
+    simulate.accuracy = accuracy;
     const struct bead_run_settings settings = {
         .chain = with->chain, .simulate = &simulate, .kernels = with->kernels, .end = INFINITY, .passage = true, .record = record};
     struct bead_run *run = NULL;
@@ -80,9 +87,9 @@ static void forget(const struct bead_chain *chain, struct bead_sensitivity *foun
     found->velocity = found->wall_modulus = NAN;
 }
 
-static enum bead_error find_block(const struct bead_sensitivity_run *with, const struct bead_record *record,
-                                  const struct bead_sensitive *peaks, size_t count, struct bead_sensitivity *found,
-                                  struct bead_message *msg)
+static enum bead_error find_block(const struct bead_sensitivity_run *with, const struct bead_adjoint_care *care,
+                                  const struct bead_record *record, const struct bead_sensitive *peaks, size_t count,
+                                  struct bead_sensitivity *found, struct bead_message *msg)
 {
     struct bead_adjoint adjoint[TOGETHER];
     enum bead_error err = BEAD_OK;
@@ -91,7 +98,7 @@ static enum bead_error find_block(const struct bead_sensitivity_run *with, const
     for (size_t i = 0; !err && i < count; i++)
         err = allocate(with->chain, &peaks[i], &adjoint[i], &found[i], msg);
     if (!err)
-        err = bead_adjoint_sweep(with->chain, record, with->kernels, with->negligible, adjoint, count, msg);
+        err = bead_adjoint_sweep(with->chain, record, with->kernels, care, adjoint, count, msg);
     for (size_t i = 0; i < count; i++) {
         if (!err)
             convert(with->chain, &adjoint[i], &found[i]);
@@ -105,6 +112,7 @@ static enum bead_error find_block(const struct bead_sensitivity_run *with, const
 /* Takes the derivatives of a block of peaks, the first of which is number `first`. */
 struct receiver {
     void (*take)(const struct receiver *receiver, size_t first, size_t count, struct bead_sensitivity *found);
+    const struct care *care;
     const struct bead_chain *chain;
     struct bead_sensitivity *found;
     double *deviation;
@@ -113,18 +121,19 @@ struct receiver {
 static enum bead_error find_all(const struct bead_sensitivity_run *with, const struct bead_sensitive *peaks, size_t count,
                                 const struct receiver *receiver, struct bead_message *msg)
 {
+    const double accuracy = fmin(with->accuracy, receiver->care->accuracy);
     struct bead_record record = {0};
     double until = 0;
     for (size_t i = 0; i < count; i++)
         until = fmax(until, peaks[i].peak->time); /* fmax leaves NaN out */
-    enum bead_error err = count > 0 ? record_run(with, until, &record, msg) : BEAD_OK;
+    enum bead_error err = count > 0 ? record_run(with, accuracy, until, &record, msg) : BEAD_OK;
     for (size_t i = 0; !err && i < count; i += TOGETHER) {
         const size_t block = count - i < TOGETHER ? count - i : TOGETHER;
         struct bead_sensitivity found[TOGETHER] = {{0}};
         if (bead_stop_is_asked(with->stop))
             err = bead_fail(msg, BEAD_ERROR_STOPPED, "stopped before the sensitivities were found");
         else
-            err = find_block(with, &record, peaks + i, block, found, msg);
+            err = find_block(with, &receiver->care->back, &record, peaks + i, block, found, msg);
         if (!err)
             receiver->take(receiver, i, block, found);
         for (size_t b = 0; b < block; b++)
@@ -144,7 +153,7 @@ enum bead_error bead_sensitivities_find(const struct bead_sensitivity_run *with,
                                         struct bead_sensitivity *found, struct bead_message *msg)
 {
     memset(found, 0, count * sizeof *found);
-    return find_all(with, peaks, count, &(struct receiver){keep, with->chain, found, NULL}, msg);
+    return find_all(with, peaks, count, &(struct receiver){keep, &for_sensitivities, with->chain, found, NULL}, msg);
 }
 
 /* With the density kept, m goes with R^3. */
@@ -175,7 +184,7 @@ static void sum_up(const struct receiver *r, size_t first, size_t count, struct 
 enum bead_error bead_deviations_find(const struct bead_sensitivity_run *with, const struct bead_sensitive *peaks, size_t count,
                                      double *deviation, struct bead_message *msg)
 {
-    return find_all(with, peaks, count, &(struct receiver){sum_up, with->chain, NULL, deviation}, msg);
+    return find_all(with, peaks, count, &(struct receiver){sum_up, &for_deviations, with->chain, NULL, deviation}, msg);
 }
 
 size_t bead_sensitive_contacts(const struct bead_chain *chain, const struct bead_peak *peaks, size_t *list)

@@ -28,9 +28,8 @@ struct bead_sensitivity_run {
     const struct bead_chain *chain;
     const struct bead_kernels *kernels;
     const volatile sig_atomic_t *stop; /* NULL: nobody stops it */
-    double accuracy;                   /* of the run whose states are kept */
+    double accuracy;                   /* asked for; what is found here may take more, or less */
     bool passage;                      /* the front's arrival has ended the run */
-    double negligible;                 /* beads are left out where they change the peak by less than this part of what others do */
 };
 
 /* Derivatives of all these peaks, each with arrays of its own (bead_sensitivity_free). A peak that the chain has at rest, and one

@@ -1,17 +1,11 @@
 /* Sensitivities and standard deviations of peaks, after the run: each chain once more, its states kept, and back (sensitivity.h).
  */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "sim/base/thread_pool.h"
 #include "sim/run/sensitivity.h"
 #include "sim/session/session_data.h"
-
-/* Runs for derivatives are more accurate than peaks are asked for: a derivative forgives less. Those for deviations need not be. */
-static const double accuracy_of_sensitivities = 1e-8, accuracy_of_deviations = 1e-6;
-/* What beads do that move less than others by this is left out. */
-static const double negligible_of_sensitivities = 1e-17, negligible_of_deviations = 1e-12;
 
 struct bead_sensitivities {
     size_t count;
@@ -33,14 +27,13 @@ void bead_session_free_sensitivities(struct bead_session *s)
     s->sensitivities = NULL;
 }
 
-static struct bead_sensitivity_run run_of(const struct bead_session *s, size_t chain, double accuracy, double negligible)
+static struct bead_sensitivity_run run_of(const struct bead_session *s, size_t chain)
 {
     return (struct bead_sensitivity_run){.chain = s->chains[chain],
                                          .kernels = s->kernels,
                                          .stop = s->job.stop,
-                                         .accuracy = fmin(s->source->simulate.accuracy, accuracy),
-                                         .passage = s->passage,
-                                         .negligible = negligible};
+                                         .accuracy = s->source->simulate.accuracy,
+                                         .passage = s->passage};
 }
 
 /* Marks the contacts that outputs ask for: 1, and 2 more where it is one of those meant by outputs that name none. */
@@ -85,7 +78,7 @@ static enum bead_error find_sensitivities(struct bead_session *s, size_t chain, 
 {
     struct bead_sensitivities *own = &s->sensitivities[chain];
     struct bead_outcome *o = &s->passed.outcomes[chain];
-    const struct bead_sensitivity_run run = run_of(s, chain, accuracy_of_sensitivities, negligible_of_sensitivities);
+    const struct bead_sensitivity_run run = run_of(s, chain);
     enum bead_error err = mark_contacts(s, chain, mark, msg);
     if (err)
         return err;
@@ -107,7 +100,7 @@ static enum bead_error find_deviations(struct bead_session *s, size_t chain, boo
 {
     const struct bead_chain *c = s->chains[chain];
     struct bead_outcome *o = &s->passed.outcomes[chain];
-    const struct bead_sensitivity_run run = run_of(s, chain, accuracy_of_deviations, negligible_of_deviations);
+    const struct bead_sensitivity_run run = run_of(s, chain);
     const size_t count = list_peaks(of_beads ? o->bead_peaks : o->contact_peaks,
                                     of_beads ? bead_chain_beads(c) : bead_chain_contacts(c), of_beads, NULL, list);
     double *deviation = calloc(count, sizeof *deviation);

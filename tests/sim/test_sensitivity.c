@@ -151,8 +151,7 @@ static struct bead_sensitivity sensitivity_of(const struct bead_scene *scene, bo
     struct bead_message msg = {""};
     struct bead_chain *chain = chain_of(scene);
     const struct bead_peak peak = peak_of(scene, of_bead, index, 1e-6);
-    const struct bead_sensitivity_run run = {
-        .chain = chain, .kernels = bead_kernels_find(NULL), .accuracy = 1e-8, .negligible = 1e-17};
+    const struct bead_sensitivity_run run = {.chain = chain, .kernels = bead_kernels_find(NULL), .accuracy = 1e-6};
     const struct bead_sensitive of = {of_bead, index, &peak};
     struct bead_sensitivity found;
     if (bead_sensitivities_find(&run, &of, 1, &found, &msg))
@@ -267,8 +266,7 @@ static void collision(void **state)
         sum += pow(one->radius_tolerance * (one->radius * by_radius + 3 * one->mass * by_mass), 2) +
                pow(0.02 * one->modulus * by_modulus, 2);
     }
-    const struct bead_sensitivity_run run = {
-        .chain = chain, .kernels = bead_kernels_find(NULL), .accuracy = 1e-6, .negligible = 1e-7};
+    const struct bead_sensitivity_run run = {.chain = chain, .kernels = bead_kernels_find(NULL), .accuracy = 1e-6};
     if (bead_deviations_find(&run, &(struct bead_sensitive){false, 0, &peak}, 1, &deviation, &msg))
         fail_msg("%s", msg.text);
     assert_near(deviation / (peak.value * sqrt(sum)), 1, 1e-5);
