@@ -86,7 +86,7 @@ struct bead_moment {
 
 /* The derivatives of one contact's peak force. */
 struct bead_sensitivity {
-    size_t index;                    /* of the contact; all NaN where its force still rises as the front arrives and ends the run */
+    size_t index;                    /* of the contact; all NaN where its force still rises as a run ends by itself */
     bool of_default;                 /* it is one of those meant where a sink names none */
     double *mass, *radius, *modulus; /* [beads] N/kg, N/m, N/Pa: by those of each bead, all else kept */
     double velocity;                 /* N s/m: by that of the striker */

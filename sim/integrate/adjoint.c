@@ -9,6 +9,8 @@
 
 /* Beads on either side that one step reaches. */
 enum { REACH = 8, VECTOR = 8, MARGIN = 3 * REACH };
+/* Steps between looks at the largest r. */
+enum { LOOK_EVERY = 16 };
 /* As h^2 K/m: none. */
 static const double no_stiffness = 1e-30;
 
@@ -21,6 +23,7 @@ struct traveller {
     double *r, *rate;                           /* [beads] m/N.., and by the time that runs back */
     double *by_stiffness, *by_static, *by_mass; /* integrals */
     double striker;
+    double most; /* the largest r + h r', at the last look */
 };
 
 struct sweep {
@@ -211,11 +214,13 @@ static double larger(double x, double y)
 /* Beads at both ends that hardly take part are left out. */
 static void trim(const struct sweep *w, struct traveller *t, double h)
 {
-    double most = 0;
     leave_front(w, t, h);
-    for (size_t j = t->low; j < t->high; j++)
-        most = larger(most, fabs(t->r[j]) + h * fabs(t->rate[j]));
-    const double least = w->care->negligible * most;
+    if (!(t->most > 0) || w->nodes.stepper->steps % LOOK_EVERY == 0) {
+        t->most = 0;
+        for (size_t j = t->low; j < t->high; j++)
+            t->most = larger(t->most, fabs(t->r[j]) + h * fabs(t->rate[j]));
+    }
+    const double least = w->care->negligible * t->most;
     while (t->high > t->low + 1 && fabs(t->r[t->high - 1]) + h * fabs(t->rate[t->high - 1]) <= least) {
         t->high--;
         t->r[t->high] = t->rate[t->high] = 0;

@@ -16,7 +16,7 @@ struct care {
     double accuracy;
     struct bead_adjoint_care back;
 };
-static const struct care for_sensitivities = {1e-8, {1e-17, 4e-3}}, for_deviations = {1e-6, {1e-12, INFINITY}};
+static const struct care for_sensitivities = {1e-8, {1e-17, 4e-3}}, for_deviations = {1e-5, {1e-12, INFINITY}};
 /* So many peaks go back together. */
 enum { TOGETHER = 64 };
 
@@ -29,8 +29,12 @@ static enum bead_error record_run(const struct bead_sensitivity_run *with, doubl
     simulate.method = method;
     simulate.step = 0;
     simulate.accuracy = accuracy;
-    const struct bead_run_settings settings = {
-        .chain = with->chain, .simulate = &simulate, .kernels = with->kernels, .end = INFINITY, .passage = true, .record = record};
+    const struct bead_run_settings settings = {.chain = with->chain,
+                                               .simulate = &simulate,
+                                               .kernels = with->kernels,
+                                               .end = INFINITY,
+                                               .passage = BEAD_PASSAGE_OF_FRONT,
+                                               .record = record};
     struct bead_run *run = NULL;
     enum bead_error err = bead_run_create(&settings, &run, msg);
     while (!err && !(bead_run_time(run) > until))

@@ -29,7 +29,7 @@ struct bead_sensitivity_run {
     const struct bead_kernels *kernels;
     const volatile sig_atomic_t *stop; /* NULL: nobody stops it */
     double accuracy;                   /* asked for; what is found here may take more, or less */
-    bool passage;                      /* the front's arrival has ended the run */
+    bool passage;                      /* the run has ended by itself, at no time that is given */
 };
 
 /* Derivatives of all these peaks, each with arrays of its own (bead_sensitivity_free). A peak that the chain has at rest, and one

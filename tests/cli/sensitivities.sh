@@ -50,10 +50,10 @@ ok "only the striker has a velocity" test "$(awk -F, 'NR > 1 && $9 != "" {print 
 ok "... F goes as v^(6/5)" near "$(awk -F, '$1 == "long" && $2 == 18 && $5 == 0 {printf "%.12g", 0.443 * $9 / $3}' given.csv)" 1.2 1e-7
 ok "peaks have a deviation" grep -qx 'chain,contact,peak_force_N,time_s,state,deviation_N' peaks.csv
 ok "... beads have it beside their uncertainty" grep -qx 'chain,bead,peak_force_N,time_s,state,uncertainty_N,deviation_N' beads.csv
-ok "... that follows from the derivatives" near "$(number peaks.csv long 18 6)" "$(deviation long 18)" 1e-4
-ok "... in the other chain" near "$(number peaks.csv short 4 6)" "$(deviation short 4)" 1e-4
+ok "... that follows from the derivatives" near "$(number peaks.csv long 18 6)" "$(deviation long 18)" 3e-4
+ok "... in the other chain" near "$(number peaks.csv short 4 6)" "$(deviation short 4)" 3e-4
 ok "... of the mean of two contacts less than of one" near "$(number beads.csv short 5 7)" "$(number peaks.csv short 4 6)" 0.5
-ok "a force that the end cuts off has none" test "$(awk -F, '$1 == "long" && $5 == "open" {print $6}' peaks.csv | sort -u)" = nan
+ok "... every peak of a run that ends by itself has one" test "$(awk -F, 'NR > 1 && !($6 > 0)' peaks.csv | wc -l)" -eq 0
 ok "other instructions" exits 0 "$beadsim" pair.yaml -o portable --instructions portable --threads 1
 ok "... the same bits" cmp given.csv portable/given.csv
 ok "... of deviations" cmp peaks.csv portable/peaks.csv
