@@ -39,15 +39,7 @@ void bead_text_escape(const char *text, char *out, size_t size)
 
 void bead_text_magnetism(double magnetism, char *out, size_t size)
 {
-    char number[32];
-    snprintf(number, sizeof number, "%.2f", magnetism);
-    for (char *end = number + strlen(number) - 1; strchr(number, '.') && (*end == '0' || *end == '.'); end--) {
-        bool point = *end == '.';
-        *end = '\0';
-        if (point)
-            break;
-    }
-    snprintf(out, size, BEAD_SYMBOL("M") " = %s", number);
+    snprintf(out, size, BEAD_SYMBOL("M") " = %.3g", magnetism);
 }
 
 struct writer {

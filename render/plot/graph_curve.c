@@ -235,11 +235,16 @@ static bool is_rising(const struct bead_series *series)
     return true;
 }
 
+size_t graph_cloud(const struct bead_series *series)
+{
+    return series->mark == BEAD_MARK_POINTS && !is_rising(series) ? series->count : 0;
+}
+
 double graph_point_size(const struct bead_series *series, const struct graph_cell *cell, const struct bead_look *look)
 {
     double size = graph_full_point(look), least = fmax(0.7 * look->line, 0.4 * size);
-    if (series->mark == BEAD_MARK_POINTS && !is_rising(series))
-        return fmax(least, size * fmin(1, sqrt(many_points / (double)(series->count + 1))));
+    if (graph_cloud(series) > 0)
+        return fmax(least, size * fmin(1, sqrt(many_points / (double)(cell->most_points + 1))));
     double spacing = series->count > 1 ? cell->plot.width / (double)(series->count - 1) : cell->plot.width;
     return fmax(series->mark == BEAD_MARK_POINTS ? 0.5 * least : 0, fmin(size, 0.35 * spacing));
 }

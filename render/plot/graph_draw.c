@@ -16,9 +16,10 @@ double graph_title_size(const struct bead_look *look)
     return title_size * look->title;
 }
 
-void graph_ruler_style(cairo_t *cr, const struct bead_look *look)
+void graph_ruler_style(cairo_t *cr, const struct bead_look *look, const struct bead_ruler *ruler)
 {
-    double dashes[] = {5 * look->line, 3 * look->line};
+    const double on = ruler->vertical ? 5 : 1.2, off = ruler->vertical ? 3 : 2.2; /* thresholds, plateaus */
+    double dashes[] = {on * look->line, off * look->line};
     graph_set_colour(cr, look->faint);
     cairo_set_line_width(cr, look->line);
     cairo_set_dash(cr, dashes, 2, 0);
@@ -43,7 +44,7 @@ static void draw_ruler(cairo_t *cr, const struct bead_look *look, const struct g
         cairo_move_to(cr, plot->x, plot->y + (1 - place) * plot->height);
         cairo_rel_line_to(cr, plot->width, 0);
     }
-    graph_ruler_style(cr, look);
+    graph_ruler_style(cr, look, ruler);
     cairo_stroke(cr);
     cairo_set_dash(cr, NULL, 0, 0);
 }
@@ -90,7 +91,6 @@ static void graph_draw_words(cairo_t *cr, const struct bead_look *look, const st
     style.colour = graph_mix(look->ink, look->faint, 0.6);
     for (size_t r = 0; r < cell->panel->ruler_count; r++) {
         const struct graph_word *word = &cell->words[r];
-        style.upwards = word->upwards;
         if (word->state == GRAPH_WORD_PLACED)
             bead_text_draw(cr, &style, word->box.x, word->box.y, word->markup);
     }

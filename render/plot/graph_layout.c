@@ -64,6 +64,18 @@ static bool word_cell(struct graph_cell *cell, const struct bead_graph *graph, c
     return good && make_head(cell, lettered ? letter : index == 0 ? frame->letter : "");
 }
 
+static size_t largest_cloud(const struct bead_graph *graph)
+{
+    size_t most = 0;
+    for (size_t p = 0; p < graph->panel_count; p++) {
+        for (size_t s = 0; s < graph->panels[p].series_count; s++) {
+            const size_t points = graph_cloud(&graph->panels[p].series[s]);
+            most = points > most ? points : most;
+        }
+    }
+    return most;
+}
+
 static enum bead_error graph_prepare(struct graph_layout *l, struct bead_message *msg)
 {
     const struct bead_graph *graph = l->graph;
@@ -78,6 +90,7 @@ static enum bead_error graph_prepare(struct graph_layout *l, struct bead_message
     for (size_t p = 0; good && p < graph->panel_count; p++) {
         struct graph_cell *cell = &l->cells[p];
         cell->panel = &graph->panels[p];
+        cell->most_points = largest_cloud(graph);
         cell->row = p / l->columns;
         cell->column = p % l->columns;
         bool lowest = p + l->columns >= graph->panel_count;
@@ -410,6 +423,17 @@ static bool raise_axes(struct graph_layout *l, struct graph_cell *cell)
     return true;
 }
 
+/* The words of all rulers stand in one kind of place: beside their lines, or in legends. */
+static void move_words(struct graph_layout *l)
+{
+    for (size_t p = 0; p < l->graph->panel_count; p++) {
+        for (size_t r = 0; r < l->cells[p].panel->ruler_count; r++) {
+            if (l->cells[p].words[r].markup)
+                l->cells[p].words[r].state = GRAPH_WORD_IN_LEGEND;
+        }
+    }
+}
+
 /* Places words and legend in a panel. *moved: something has to go outside. */
 static enum bead_error furnish(struct graph_layout *l, struct graph_cell *cell, bool *moved, struct bead_message *msg)
 {
@@ -420,6 +444,8 @@ static enum bead_error furnish(struct graph_layout *l, struct graph_cell *cell, 
     if (err)
         return err;
     bool words = graph_words_place(cell, l->look, &mask);
+    if (words)
+        move_words(l);
     if (!words && cell->legend.count > 0 && !cell->legend_outside && !graph_legend_place(&cell->legend, l->look, &mask)) {
         cell->legend_outside = !raise_axes(l, cell);
         words = true;

@@ -161,7 +161,7 @@ static void draw_sample(const struct graph_entry *entry, const struct bead_look 
     double length = sample_length * em;
     bool line = entry->ruler || entry->series->mark != BEAD_MARK_POINTS;
     if (entry->ruler)
-        graph_ruler_style(cr, look);
+        graph_ruler_style(cr, look, entry->ruler);
     else
         graph_stroke_style(cr, look, entry->series);
     cairo_new_path(cr);

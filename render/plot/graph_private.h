@@ -40,7 +40,6 @@ enum graph_word_state { GRAPH_WORD_NONE, GRAPH_WORD_PLACED, GRAPH_WORD_IN_LEGEND
 struct graph_word {
     char *markup;
     enum graph_word_state state;
-    bool upwards;
     struct graph_box box;
 };
 
@@ -55,6 +54,7 @@ struct graph_cell {
     struct graph_word *words;    /* [ruler_count] */
     char **labels;               /* [series_count], markup; NULL: none */
     struct graph_legend legend;  /* inside */
+    size_t most_points;          /* of the largest cloud of all panels: clouds have equal points */
     bool legend_outside, raised; /* raised: the y axis ends higher, to have room for the legend */
 };
 
@@ -117,13 +117,16 @@ void graph_set_colour(cairo_t *cr, struct bead_rgb colour);
 struct bead_rgb graph_mix(struct bead_rgb a, struct bead_rgb b, double part);
 double graph_title_size(const struct bead_look *look);
 struct bead_text_style graph_text(const struct bead_look *look);
+/* Points of a series that is a cloud, not one value for each x; 0: it is none. */
+size_t graph_cloud(const struct bead_series *series);
 /* Radius of points: the full size, and the size in a panel. */
 double graph_full_point(const struct bead_look *look);
 double graph_point_size(const struct bead_series *series, const struct graph_cell *cell, const struct bead_look *look);
 void graph_draw_point(cairo_t *cr, const struct bead_look *look, const struct bead_series *series, double x, double y, double size);
 void graph_stroke_style(cairo_t *cr, const struct bead_look *look, const struct bead_series *series);
 void graph_draw_series(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series);
-void graph_ruler_style(cairo_t *cr, const struct bead_look *look);
+/* Dashes for a threshold, at a value of x; dots for a plateau. */
+void graph_ruler_style(cairo_t *cr, const struct bead_look *look, const struct bead_ruler *ruler);
 /* Draws curves, points and rulers; the mask of covered cells is made with it as well. */
 void graph_draw_contents(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell);
 void graph_draw_all(cairo_t *cr, const struct graph_layout *layout);

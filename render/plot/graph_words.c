@@ -138,18 +138,13 @@ static bool try_word(struct graph_word *word, const struct graph_cell *cell, con
     return false;
 }
 
-/* Words along vertical rulers are rotated if they do not fit horizontally. */
 static bool place_word(struct graph_word *word, const struct graph_cell *cell, const struct bead_look *look,
                        const struct bead_ruler *ruler, const struct graph_mask *mask)
 {
     double width, height;
     struct bead_text_style style = graph_text(look);
     bead_text_size(NULL, &style, word->markup, &width, &height);
-    word->upwards = false;
-    if (try_word(word, cell, look, ruler, width, height, mask))
-        return true;
-    word->upwards = ruler->vertical;
-    return ruler->vertical && try_word(word, cell, look, ruler, height, width, mask);
+    return try_word(word, cell, look, ruler, width, height, mask);
 }
 
 bool graph_words_place(struct graph_cell *cell, const struct bead_look *look, struct graph_mask *mask)

@@ -332,6 +332,13 @@ static enum bead_error check_paths(const struct bead_reader *reader, const struc
 
 /* ---- reading ---- */
 
+/* Chains have panels of their own, but for plots of peaks. */
+static bool side_by_side(const struct bead_reader *reader, const struct bead_output *output)
+{
+    const bool peaks = output->kind == BEAD_OUTPUT_PLOT && output->curves.show == BEAD_SHOW_PEAKS;
+    return reader->scene->chain_count > 1 && !peaks;
+}
+
 /* The size of the style, of panels, or of the kind of file, where the output asks for none. */
 static enum bead_error settle_size(const struct bead_reader *reader, const struct bead_at *at, struct bead_output *output)
 {
@@ -346,7 +353,7 @@ static enum bead_error settle_size(const struct bead_reader *reader, const struc
     if (paper->style == BEAD_STYLE_AUTO && vector)
         size = several_panels;
     else if (paper->style == BEAD_STYLE_PAPER)
-        size = output->still.panel_count > 0 ? several_panels : reader->scene->chain_count > 1 ? page_wide : one_column;
+        size = output->still.panel_count > 0 ? several_panels : side_by_side(reader, output) ? page_wide : one_column;
     paper->size_is_length = size != screen;
     memcpy(paper->size, size, sizeof paper->size);
     struct bead_at where = bead_at_key(at, "size");

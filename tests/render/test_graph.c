@@ -65,6 +65,18 @@ static void assert_nothing_hidden(const struct graph_layout *layout, const char 
     }
 }
 
+/* The words of all rulers stand beside their lines, or all in legends. */
+static void assert_words_in_one_place(const struct graph_layout *layout, const char *what)
+{
+    size_t words[3] = {0};
+    for (size_t p = 0; p < layout->graph->panel_count; p++) {
+        for (size_t r = 0; r < layout->cells[p].panel->ruler_count; r++)
+            words[layout->cells[p].words[r].state]++;
+    }
+    if (words[GRAPH_WORD_PLACED] > 0 && words[GRAPH_WORD_IN_LEGEND] > 0)
+        fail_msg("%s: %zu words beside their lines, %zu in legends", what, words[GRAPH_WORD_PLACED], words[GRAPH_WORD_IN_LEGEND]);
+}
+
 static void assert_readable(const struct bead_graph *graph, const struct bead_look *look, int width, int height, const char *what)
 {
     static struct texts texts;
@@ -78,6 +90,7 @@ static void assert_readable(const struct bead_graph *graph, const struct bead_lo
     free_canvas(&c);
     struct graph_layout layout = lay_out(graph, look, width, height);
     assert_nothing_hidden(&layout, what);
+    assert_words_in_one_place(&layout, what);
     graph_layout_free(&layout);
 }
 
@@ -134,6 +147,35 @@ static void test_words_never_collide(void **state)
             assert_readable(&graph, &look, sizes[s].width, sizes[s].height, what);
         }
     }
+}
+
+/* Clouds of few and of many points: equal marks in all panels, as large as the largest cloud bears. */
+static void test_clouds_have_equal_points(void **state)
+{
+    (void)state;
+    enum { MANY = 900, FEW = 40 };
+    static double x[MANY], y[MANY];
+    struct bead_series series[2];
+    struct bead_panel panels[2] = {0};
+    struct bead_look look;
+    for (int i = 0; i < MANY; i++) {
+        x[i] = i / 20;
+        y[i] = (i * 7 + i / 20) % 31;
+    }
+    for (int p = 0; p < 2; p++) {
+        series[p] = (struct bead_series){.x = x, .y = y, .count = p ? MANY : FEW, .mark = BEAD_MARK_POINTS};
+        panels[p] =
+            (struct bead_panel){.x = {"x", "", NAN, NAN}, .y = {"y", "", NAN, NAN}, .series = &series[p], .series_count = 1};
+    }
+    bead_look_screen(&look, 1280, 720, false);
+    const struct bead_graph both = {.panels = panels, .panel_count = 2}, alone = {.panels = panels, .panel_count = 1};
+    struct graph_layout layout = lay_out(&both, &look, 1280, 720), one = lay_out(&alone, &look, 1280, 720);
+    const double few = graph_point_size(&series[0], &layout.cells[0], &look),
+                 many = graph_point_size(&series[1], &layout.cells[1], &look);
+    assert_true(few == many);
+    assert_true(few < 0.8 * graph_point_size(&series[0], &one.cells[0], &look));
+    graph_layout_free(&layout);
+    graph_layout_free(&one);
 }
 
 /* Numbers of any size, long names, large type. */
@@ -429,11 +471,17 @@ static void test_markup(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_shared_axes_are_shared),          cmocka_unit_test(test_ranges_that_make_no_sense),
-        cmocka_unit_test(test_bad_ranges_and_sizes_are_errors), cmocka_unit_test(test_words_never_collide),
-        cmocka_unit_test(test_words_of_odd_axes_never_collide), cmocka_unit_test(test_headings_have_room),
-        cmocka_unit_test(test_legends_without_room_go_outside), cmocka_unit_test(test_long_names_leave_room_for_plots),
-        cmocka_unit_test(test_legends_of_parts_stay_inside),    cmocka_unit_test(test_markup),
+        cmocka_unit_test(test_shared_axes_are_shared),
+        cmocka_unit_test(test_ranges_that_make_no_sense),
+        cmocka_unit_test(test_bad_ranges_and_sizes_are_errors),
+        cmocka_unit_test(test_clouds_have_equal_points),
+        cmocka_unit_test(test_words_never_collide),
+        cmocka_unit_test(test_words_of_odd_axes_never_collide),
+        cmocka_unit_test(test_headings_have_room),
+        cmocka_unit_test(test_legends_without_room_go_outside),
+        cmocka_unit_test(test_long_names_leave_room_for_plots),
+        cmocka_unit_test(test_legends_of_parts_stay_inside),
+        cmocka_unit_test(test_markup),
     };
     return cmocka_run_group_tests_name("graphs", tests, NULL, NULL);
 }

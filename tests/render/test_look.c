@@ -252,6 +252,8 @@ static void test_escapes(void **state)
     assert_string_equal(out, "x??y z");
     bead_text_magnetism(0.2, out, sizeof out);
     assert_string_equal(strstr(out, "</i>"), "</i></span> = 0.2");
+    bead_text_magnetism(14.0 / 15, out, sizeof out); /* the digits of legends */
+    assert_non_null(strstr(out, " = 0.933"));
     bead_text_magnetism(1, out, sizeof out);
     assert_string_equal(strstr(out, "</i>"), "</i></span> = 1");
     bead_text_magnetism(0, out, sizeof out);

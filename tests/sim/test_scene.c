@@ -33,6 +33,22 @@ static void everything_has_a_default_but_a_chain_and_an_output(void **state)
     bead_scene_free(scene);
 }
 
+/* One column wide, but for chains side by side and for panels. */
+static void papers_are_as_wide_as_they_need(void **state)
+{
+    (void)state;
+    struct bead_scene *scene = parse("chains: [{name: a, beads: [{bead: brass}]}, {name: b, beads: [{bead: brass}]}]\n"
+                                     "outputs:\n"
+                                     "  - {image: a.png, style: paper}\n"
+                                     "  - {plot: b.png, style: paper, show: peaks}\n"
+                                     "  - {plot: c.png, style: paper, show: setup}\n"
+                                     "  - {image: d.png, style: paper, panels: [[{chain: a}, {chain: b}]]}\n");
+    static const double width[] = {0.178, 0.086, 0.178, 0.178};
+    for (size_t i = 0; i < 4; i++)
+        assert_true(scene->outputs[i].paper.size_is_length && scene->outputs[i].paper.size[0] == width[i]);
+    bead_scene_free(scene);
+}
+
 static void outputs_have_the_defaults_of_their_kind(void **state)
 {
     (void)state;
@@ -416,6 +432,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(everything_has_a_default_but_a_chain_and_an_output),
+        cmocka_unit_test(papers_are_as_wide_as_they_need),
         cmocka_unit_test(outputs_have_the_defaults_of_their_kind),
         cmocka_unit_test(outputs_mean_what_they_say),
         cmocka_unit_test(the_contract_s_example_is_read),
