@@ -5,11 +5,11 @@
 #include <string.h>
 
 #include "render/draw/chain_axis.h"
+#include "render/draw/smooth_curve.h"
 #include "render/view/camera.h"
 #include "render/view/moving_labels.h"
 #include "render/view/panel.h"
 #include "render/view/profile_scan.h"
-#include "render/view/smooth_curve.h"
 #include "render/view/views.h"
 
 /* Heights are rounded to this fraction of a pixel; smaller motion is not redrawn. */

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/adjoint/record.h"
 #include "sim/integrate/dense.h"
 #include "sim/integrate/events.h"
-#include "sim/integrate/record.h"
 #include "sim/integrate/stepper.h"
 #include "sim/run/budget.h"
 #include "sim/run/estimate.h"

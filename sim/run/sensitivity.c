@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/adjoint/adjoint.h"
 #include "sim/base/stop.h"
 #include "sim/chain/chain_data.h"
-#include "sim/integrate/adjoint.h"
 #include "sim/run/run.h"
 
 /* How much care is taken: with the run whose states are kept, of which derivatives ask more than peaks, and on the way back. Of

@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "render/view/smooth_curve.h"
+#include "render/draw/smooth_curve.h"
 
 enum { COUNT = 40, PARTS = 8 };
 

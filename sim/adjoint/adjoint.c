@@ -1,11 +1,11 @@
 /* Goes back over the steps of a run for the derivatives of contact forces: see adjoint.h. */
-#include "sim/integrate/adjoint.h"
+#include "sim/adjoint/adjoint.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/integrate/adjoint_nodes.h"
+#include "sim/adjoint/adjoint_nodes.h"
 
 /* Beads on either side that one step reaches. */
 enum { REACH = 8, VECTOR = 8, MARGIN = 3 * REACH };

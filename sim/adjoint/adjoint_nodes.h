@@ -5,12 +5,12 @@
  * and how fast, and what the interpolation makes of them is put right. At the nodes the stiffness of such a contact is the value of
  * a polynomial that has, over the step, the moments of the stiffness itself, so that quadratures of smooth functions do not see the
  * branch point. */
-#ifndef BEADREEL_SIM_INTEGRATE_ADJOINT_NODES_H
-#define BEADREEL_SIM_INTEGRATE_ADJOINT_NODES_H
+#ifndef BEADREEL_SIM_ADJOINT_ADJOINT_NODES_H
+#define BEADREEL_SIM_ADJOINT_ADJOINT_NODES_H
 
+#include "sim/adjoint/record.h"
 #include "sim/integrate/dense.h"
 #include "sim/integrate/events_patch.h"
-#include "sim/integrate/record.h"
 #include "sim/integrate/tableau.h"
 
 enum { BEAD_NODES = 8 }; /* evaluations of the method in a step that does not end with one */

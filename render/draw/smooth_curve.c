@@ -1,5 +1,5 @@
 /* Splines through the values of a profile, a few points to a gap. */
-#include "render/view/smooth_curve.h"
+#include "render/draw/smooth_curve.h"
 
 #include <math.h>
 

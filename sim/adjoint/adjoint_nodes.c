@@ -1,5 +1,5 @@
 /* Finds what adjoints need of a chain at the nodes of a step: see adjoint_nodes.h. */
-#include "sim/integrate/adjoint_nodes.h"
+#include "sim/adjoint/adjoint_nodes.h"
 
 #include <math.h>
 #include <stdlib.h>

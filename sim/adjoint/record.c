@@ -1,5 +1,5 @@
 /* Keeps the states between the steps of a run, for what looks at them again: see record.h. */
-#include "sim/integrate/record.h"
+#include "sim/adjoint/record.h"
 
 #include <stdlib.h>
 #include <string.h>

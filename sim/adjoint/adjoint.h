@@ -15,12 +15,12 @@
  * one K_k and f_k are replaced by polynomials with the same moments (adjoint_nodes.c).
  *
  * Several forces go back together: what they share, the states and stiffnesses at the nodes of each step, is found once. */
-#ifndef BEADREEL_SIM_INTEGRATE_ADJOINT_H
-#define BEADREEL_SIM_INTEGRATE_ADJOINT_H
+#ifndef BEADREEL_SIM_ADJOINT_ADJOINT_H
+#define BEADREEL_SIM_ADJOINT_ADJOINT_H
 
 #include <stdbool.h>
 
-#include "sim/integrate/record.h"
+#include "sim/adjoint/record.h"
 
 /* The sum of the forces of one or two contacts at one time, times a weight; with the derivatives that are found. */
 struct bead_adjoint {

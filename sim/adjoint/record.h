@@ -1,7 +1,7 @@
 /* A record of steps: the states between them, kept so that a stepper can be set to any step again, such as for a sweep backwards.
  */
-#ifndef BEADREEL_SIM_INTEGRATE_RECORD_H
-#define BEADREEL_SIM_INTEGRATE_RECORD_H
+#ifndef BEADREEL_SIM_ADJOINT_RECORD_H
+#define BEADREEL_SIM_ADJOINT_RECORD_H
 
 #include <stddef.h>
 
