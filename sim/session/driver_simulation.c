@@ -236,6 +236,9 @@ static enum bead_error complete(void *context, size_t job, bool calling, struct 
     return err;
 }
 
+/* A contact and a bead beside it share what they are uncertain by, but for rounding: then the contact is named. */
+static const double clearly = 1 + 1e-9;
+
 /* The least certain peak, as a part of itself. */
 static void note_worst(const struct bead_uncertain_peaks kinds[2], struct bead_outcome *outcome)
 {
@@ -243,7 +246,7 @@ static void note_worst(const struct bead_uncertain_peaks kinds[2], struct bead_o
     for (size_t kind = 0; kind < 2; kind++) {
         for (size_t i = 0; i < kinds[kind].count; i++) {
             const double force = kinds[kind].peaks[i].value, u = kinds[kind].uncertainty[i];
-            if (!(u > 0) || u * outcome->worst_force <= outcome->worst_uncertainty * force)
+            if (!(u > 0) || u * outcome->worst_force <= clearly * outcome->worst_uncertainty * force)
                 continue;
             *which[0] = *which[1] = NAN;
             *which[kind] = (double)i;
