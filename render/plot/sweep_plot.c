@@ -10,7 +10,7 @@
 #include "render/plot/graph.h"
 #include "render/plot/sweep_plot.h"
 
-/* Series of one panel: all configurations, or up to MARKS of each magnetism with their own marks; median, mean; for decay, the
+/* Series of one panel: all configurations, or up to MARKS of each magnetism as marks with a key; median, mean; for decay, the
  * means of a magnetism and their exponential. */
 enum { MARKS = 5, SERIES_OF_PLACE = MARKS + 2, SERIES_OF_DECAY = 3, DECAY_PANELS = 2, RULERS = 2 };
 
@@ -81,9 +81,11 @@ static size_t sweep_plot_most_configurations(const struct bead_sweep_statistics 
     return most;
 }
 
-/* A few configurations of every magnetism: each has its own mark. */
-static bool add_marks(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, size_t number)
+/* One of a few configurations of every magnetism. All of a place have its mark, which the first explains. */
+static bool add_marks(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, const char *place, size_t number)
 {
+    char *word = p->words[p->series_count];
+    snprintf(word, sizeof *p->words, "%s%seach configuration", place, *place ? ", " : "");
     double *x = take(p, s->row_count, 2);
     size_t count = 0;
     for (size_t i = 0; x && i < s->row_count; i++) {
@@ -97,19 +99,20 @@ static bool add_marks(struct panel *p, const struct bead_sweep_statistics *s, si
                                                         .count = count,
                                                         .mark = BEAD_MARK_POINTS,
                                                         .colour = colour,
-                                                        .shape = number,
-                                                        .hollow = true};
+                                                        .shape = colour,
+                                                        .hollow = true,
+                                                        .label = number == 0 ? word : NULL};
     return x != NULL;
 }
 
-static bool add_configurations(struct panel *p, const struct bead_sweep_statistics *s, size_t colour)
+static bool add_configurations(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, const char *place)
 {
     size_t most = sweep_plot_most_configurations(s);
     bool good = true;
     if (most > MARKS)
         return add_points(p, s, colour);
     for (size_t k = 0; k < most && good; k++)
-        good = add_marks(p, s, colour, k);
+        good = add_marks(p, s, colour, place, k);
     return good;
 }
 
@@ -172,7 +175,7 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
         err = bead_sweep_statistics(plot->sweep, index, place, plot->output->sweep_curves.threshold, s, msg);
         if (err)
             break;
-        good = good && add_configurations(p, s, place);
+        good = good && add_configurations(p, s, place, name);
         if (good && show != BEAD_SWEEP_MEDIAN)
             good = add_curve(p, s, place, false, name);
         if (good && show != BEAD_SWEEP_MEAN)

@@ -54,6 +54,7 @@ if command -v pdftotext >/dev/null; then
     ok "chains" has made/peaks.pdf "half reversed 1"
     ok "names that are no identifiers stay" has made/peaks.pdf "All Glass-like"
     ok "sweeps" has made/plot.pdf "long sweep"
+    ok "marks have a key" has made/plot.pdf "each configuration"
 else
     skip "pdftotext (poppler-utils)" "names in pictures"
 fi

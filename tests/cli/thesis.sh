@@ -96,6 +96,8 @@ ok "... a row for each bead and time" test "$(wc -l <p/a.csv)" -eq 63
 ok "... the same beside others" bash -c "paste -d, p/a.csv p/b.csv | awk -F, 'NR == 1 && \$3 != \"velocity_m/s\" {exit 1}
     NR > 1 && NR < 64 {d = \$3 - \$6; if (d < 0) d = -d; if (\$1 != \$4 || \$2 != \$5 || d > 1e-4) exit 1; if (\$3 > 0.1) n++} END {exit !(n == 3)}'"
 ok "profiles after the end are refused" fails 2 "$beadsim" scene.yaml -o p --set simulate.until='1 ms' --set outputs.0.at='[0.1 ms, 9 ms]'
+ok "... but extend a run that ends by itself" exits 0 "$beadsim" scene.yaml -o late --set outputs.0.at='[0.1 ms, 9 ms]' --only a.csv
+ok "... and are at their times" grep -q '^0.009,' late/a.csv
 ok "settings find outputs by any of their files" exits 0 "$beadsim" scene.yaml -o q --set outputs.again.csv.field=force --only again.csv
 ok "... and change it" grep -q '^time_s,bead,force_N$' q/again.csv
 finish
