@@ -21,11 +21,52 @@ static void set_ranges(struct bead_still *s)
     }
 }
 
+static bool has_entry(const struct bead_graph *graph, const struct bead_series *wanted)
+{
+    for (size_t p = 0; p < graph->panel_count; p++) {
+        for (size_t i = 0; i < graph->panels[p].series_count; i++) {
+            const struct bead_series *series = &graph->panels[p].series[i];
+            if (series->label && strcmp(series->label, wanted->label) == 0 && graph_look_alike(series, wanted))
+                return true;
+        }
+    }
+    return false;
+}
+
+static bool has_all_entries(const struct bead_graph *graph, const struct bead_graph *wanted)
+{
+    bool all = true;
+    for (size_t p = 0; p < wanted->panel_count; p++) {
+        for (size_t i = 0; all && i < wanted->panels[p].series_count; i++) {
+            const struct bead_series *series = &wanted->panels[p].series[i];
+            all = !series->label || has_entry(graph, series);
+        }
+    }
+    return all;
+}
+
+/* One legend for panels that share it: the first. */
+static bool is_explained(const struct bead_still *s, const struct still_panel *panel, const struct bead_graph *graph)
+{
+    bool explained = false;
+    for (size_t q = 0; !explained && &s->panels[q] < panel; q++) {
+        struct bead_panel plots[PANEL_PLOTS];
+        if (!s->panels[q].plot)
+            continue;
+        struct bead_graph earlier = panel_graph(&s->panels[q], plots);
+        explained = has_all_entries(&earlier, graph);
+    }
+    return explained;
+}
+
 static enum bead_error draw_plot(const struct bead_still *s, const struct still_panel *panel, cairo_t *cr, struct bead_message *msg)
 {
     struct bead_panel plots[PANEL_PLOTS];
     struct bead_graph graph = panel_graph(panel, plots);
-    struct graph_frame frame = {.least = panel->insets, .letter = panel->set.letter, .no_across = panel->set.no_across};
+    struct graph_frame frame = {.least = panel->insets,
+                                .letter = panel->set.letter,
+                                .explained = is_explained(s, panel, &graph),
+                                .no_across = panel->set.no_across};
     struct graph_layout layout;
     enum bead_error err = graph_layout_make(&graph, &s->look, panel->area.width, panel->area.height, &frame, &layout, msg);
     if (err)

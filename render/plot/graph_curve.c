@@ -235,6 +235,12 @@ static bool is_rising(const struct bead_series *series)
     return true;
 }
 
+bool graph_look_alike(const struct bead_series *a, const struct bead_series *b)
+{
+    return a->mark == b->mark && a->colour == b->colour && a->shape == b->shape && a->dashed == b->dashed && a->faint == b->faint &&
+           a->hollow == b->hollow;
+}
+
 size_t graph_cloud(const struct bead_series *series)
 {
     return series->mark == BEAD_MARK_POINTS && !is_rising(series) ? series->count : 0;

@@ -142,18 +142,11 @@ static double wrapped_height(const struct bead_look *look, const char *markup, d
 
 /* ---- legends ---- */
 
-static bool same_text(const char *a, const char *b)
-{
-    return (!a && !b) || (a && b && strcmp(a, b) == 0);
-}
-
 static bool same_entry(const struct graph_entry *a, const struct graph_entry *b)
 {
-    if (!same_text(a->markup, b->markup) || !a->series != !b->series)
+    if (!a->series != !b->series || strcmp(a->markup, b->markup) != 0)
         return false;
-    const struct bead_series *s = a->series, *t = b->series;
-    return !s || (s->mark == t->mark && s->colour == t->colour && s->shape == t->shape && s->dashed == t->dashed &&
-                  s->faint == t->faint && s->hollow == t->hollow);
+    return !a->series || graph_look_alike(a->series, b->series);
 }
 
 static void add_entry(struct graph_legend *legend, struct graph_entry entry)
@@ -186,6 +179,8 @@ static void gather_legends(struct graph_layout *l)
         for (size_t i = 0; i < cell->panel->series_count + cell->panel->ruler_count; i++) {
             struct graph_entry entry = {0};
             size_t r = i - cell->panel->series_count;
+            if (i < cell->panel->series_count && l->frame.explained)
+                continue;
             if (i < cell->panel->series_count) {
                 entry.series = &cell->panel->series[i];
                 entry.markup = cell->labels[i];

@@ -63,6 +63,7 @@ struct graph_frame {
     double margin;            /* around everything */
     struct bead_insets least; /* of plots from the borders */
     const char *letter;       /* of the first panel; "": none */
+    bool explained;           /* the legend of an earlier panel says all that this one's would */
     bool no_across;           /* no labels on the horizontal axes: another panel has them */
 };
 
@@ -117,6 +118,8 @@ void graph_set_colour(cairo_t *cr, struct bead_rgb colour);
 struct bead_rgb graph_mix(struct bead_rgb a, struct bead_rgb b, double part);
 double graph_title_size(const struct bead_look *look);
 struct bead_text_style graph_text(const struct bead_look *look);
+/* Curves that one entry of a legend explains, if they have the same label. */
+bool graph_look_alike(const struct bead_series *a, const struct bead_series *b);
 /* Points of a series that is a cloud, not one value for each x; 0: it is none. */
 size_t graph_cloud(const struct bead_series *series);
 /* Radius of points: the full size, and the size in a panel. */

@@ -24,6 +24,7 @@ outputs:
   - {plot: peaks.pdf, show: peaks}
   - {image: image.pdf, views: [beads, profile, spacetime], size: [1280, 720]}
   - {image: trust.pdf, trust: true}
+  - {plot: panels.pdf, panels: [[{show: sensors, chain: half-reversed_1}], [{show: sensors, chain: All Glass-like}], [{show: peaks}]]}
   - {table: peaks.csv}
 YAML
 cat >sweep.yaml <<'YAML'
@@ -54,6 +55,9 @@ if command -v pdftotext >/dev/null; then
     ok "chains" has made/peaks.pdf "half reversed 1"
     ok "names that are no identifiers stay" has made/peaks.pdf "All Glass-like"
     ok "sweeps" has made/plot.pdf "long sweep"
+    legends() { pdftotext "$1" - | grep -c "^$2\$"; }
+    ok "panels that share a legend have one" [ "$(legends made/panels.pdf A)" -eq 1 ]
+    ok "... others their own" has made/panels.pdf "half reversed 1, M"
     ok "marks have a key" has made/plot.pdf "each configuration"
 else
     skip "pdftotext (poppler-utils)" "names in pictures"
