@@ -92,15 +92,15 @@ void bead_adjoint_nodes_destroy(struct bead_adjoint_nodes *n)
 /* Double integral of the force of a branch point's contact over time counted in steps, and its derivatives, at x. */
 static void kink(const struct bead_branch_point *b, const struct bead_patch_rule *rule, double x, double out[4])
 {
-    const double y = b->side * (x - b->at), p = rule->exponent, s = b->side;
+    const double y = b->side * (x - b->at), p = rule->exponent, s = b->side, g = b->next * y;
     memset(out, 0, 4 * sizeof *out);
     if (!(y > 0))
         return;
     const double power = b->strength * (rule->hertz ? sqrt(y) : bead_pow(y, p - 1));
-    out[0] = power * y * y * y;
-    out[1] = s * power * (p + 2) * y * y;
-    out[2] = power * (p + 2) * (p + 1) * y;
-    out[3] = s * power * (p + 2) * (p + 1) * p;
+    out[0] = power * y * y * y * (1 + g);
+    out[1] = s * power * y * y * (p + 2 + (p + 3) * g);
+    out[2] = power * y * (p + 2) * (p + 1 + (p + 3) * g);
+    out[3] = s * power * (p + 2) * (p + 1) * (p + (p + 3) * g);
 }
 
 /* What interpolation leaves out of that, and its derivative by x. */
@@ -125,7 +125,7 @@ static enum bead_error add_branch(struct bead_adjoint_nodes *n, const struct bea
     return BEAD_OK;
 }
 
-/* The leading term of the motion next to a branch point: d = rate y, f = A (rate y)^p. */
+/* The leading terms of the motion next to a branch point: d = rate y + bend y^2/2, f = A (rate y)^p (1 + p/2 bend/rate y). */
 static void find_kink(const struct bead_adjoint_nodes *n, const double c[6], struct bead_branch_point *b)
 {
     const struct bead_stepper *s = n->stepper;
@@ -135,7 +135,9 @@ static void find_kink(const struct bead_adjoint_nodes *n, const double c[6], str
                 s->chain->law->stiffness(s->table.stiffness[b->contact], s->table.law, fabs(rate));
     if (b->side == 0 || !(rate > 0))
         return;
+    const double bend = 2 * c[2] + x * (6 * c[3] + x * (12 * c[4] + x * 20 * c[5])), ratio = bend / rate;
     double at0[4], at1[4];
+    b->next = fabs(ratio) <= 1 ? 0.5 * p * ratio * (p + 1) / (p + 3) : 0; /* else it bends too soon for two terms */
     b->strength = s->h * s->h * s->chain->law->force(s->table.stiffness[b->contact], s->table.law, rate) / ((p + 1) * (p + 2));
     kink(b, &n->rule, 0, at0);
     kink(b, &n->rule, 1, at1);

@@ -1,7 +1,7 @@
 /* What adjoints need of a chain at the nodes of a step, going back: stiffnesses, and what the forces owe to their coefficients.
  *
  * States between the ends of a step come from septic interpolation. A contact that opens or closes leaves a kink in the motion of
- * its beads, t^{p+2} where its force is d^p, which no interpolation knows: its leading term follows from where the contact opens
+ * its beads, t^{p+2} where its force is d^p, which no interpolation knows: its leading terms follow from where the contact opens
  * and how fast, and what the interpolation makes of them is put right. At the nodes the stiffness of such a contact is the value of
  * a polynomial that has, over the step, the moments of the stiffness itself, so that quadratures of smooth functions do not see the
  * branch point. */
@@ -18,10 +18,11 @@ enum { BEAD_NODES = 8 }; /* evaluations of the method in a step that does not en
 /* A contact that opens or closes in the step, or near it. */
 struct bead_branch_point {
     size_t contact;
-    double at;                    /* in steps from the start */
-    double side;                  /* +1: closed behind it, -1: before; 0: on both sides, nearly open */
-    double weight;                /* h^2 K/m of the stiffness a step's length from it */
-    double strength;              /* kg m: strength y^{p+2}, y from the branch point on, is the double integral of the force */
+    double at;     /* in steps from the start */
+    double side;   /* +1: closed behind it, -1: before; 0: on both sides, nearly open */
+    double weight; /* h^2 K/m of the stiffness a step's length from it */
+    double strength,
+        next; /* kg m, 1: strength (1 + next y) y^{p+2}, y from the branch point on, is the double integral of the force */
     struct bead_polynomial taken; /* what interpolation makes of that */
 };
 

@@ -160,7 +160,7 @@ static void plan_sensitivities(const struct bead_session *s, FILE *out)
     for (size_t i = 0; i < s->made_count; i++) {
         const struct bead_made *m = &s->made[i];
         if (m->sink && m->needs.sensitivities)
-            fprintf(out, "sensitivities of %s: all chains once more, with steps for peaks to 1e-8, and back over them\n", m->path);
+            fprintf(out, "sensitivities of %s: all chains once more, with steps for peaks to 2e-9, and back over them\n", m->path);
         if (m->sink && m->needs.deviation)
             fprintf(out, "deviations of %s: all chains once more, and back over the steps for each peak\n", m->path);
     }
