@@ -10,6 +10,7 @@ chain:
 simulate: {until: 100 us}
 outputs:
   - {table: measures.csv, show: measures}
+  - {table: sensitivities.csv, show: sensitivities}
   - {plot: setup.svg, show: setup}
 YAML
 nm -D "$beadsim" 2>/dev/null | grep -q __asan_ && sanitized=1
@@ -34,6 +35,7 @@ if [ "${sanitized:-}" ]; then
     skip "a build without sanitizers" "allocations that fail"
 else
     ok "a table of measures" each "$beadsim" measures.csv
+    ok "a table of sensitivities" each "$beadsim" sensitivities.csv
     ok "a drawing" each "$beadreel" setup.svg
 fi
 finish
