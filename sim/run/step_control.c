@@ -6,6 +6,10 @@
 
 /* Steps between estimates of omega, which look as far ahead. */
 enum { EVERY = 4 };
+/* Half way to the next, an estimate that allows no more than this part of the step is heeded: a light bead that was struck since
+ * then may have made a contact hard. */
+enum { BETWEEN = EVERY / 2 };
+static const double surprise = 0.7;
 static const double much = 1.1;
 /* No step is longer than this many times the first. */
 static const double growth = 4;
@@ -92,9 +96,11 @@ static double allowed_with_turns(const struct bead_step_control *control, const 
 
 double bead_step_control_next(struct bead_step_control *control, const struct bead_stepper *s)
 {
-    if (s->steps == 0 || s->steps % EVERY != 0)
+    if (s->steps == 0 || s->steps % BETWEEN != 0)
         return control->h;
     double h = allowed(control, s, s->end.v, control->h);
+    if (s->steps % EVERY != 0)
+        return control->h = h < surprise * control->h ? h : control->h;
     /* Much longer steps must look further ahead. */
     if (h > much * control->h)
         h = fmax(control->h, fmin(allowed(control, s, s->end.v, h), allowed_with_turns(control, s, h)));
