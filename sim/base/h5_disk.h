@@ -1,8 +1,8 @@
 /* An HDF5 driver for writing one plain file that never fails, and that can be read whenever its run is killed.
  *
  * A flush of HDF5's own writes its metadata by address: a run killed in between leaves indices that point beyond the end in the
- * superblock. So this driver writes new blocks at once, and holds changes of those that were flushed; a flush then writes these in an
- * order of which each step leaves a file as it was at this flush or at the one before.
+ * superblock. So this driver writes new blocks at once, and holds changes of those that were flushed; a flush then writes these in
+ * an order of which each step leaves a file as it was at this flush or at the one before.
  *
  * When a write fails (a full disk, say), HDF5 1.10 tries again while it closes what is open, fails again, and crashes at
  * exit over the objects it then holds half closed. So this driver keeps the first error for its caller, keeps what

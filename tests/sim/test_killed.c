@@ -21,8 +21,9 @@ static void record(off_t offset, const void *bytes, size_t size)
 {
     if (!recording)
         return;
-    changes = realloc(changes, (change_count + 1) * sizeof *changes);
-    assert_non_null(changes);
+    struct change *grown = realloc(changes, (change_count + 1) * sizeof *changes);
+    assert_non_null(grown);
+    changes = grown;
     struct change *change = &changes[change_count++];
     *change = (struct change){offset, size, malloc(size + 1)};
     assert_non_null(change->bytes);
