@@ -164,8 +164,8 @@ static void test_clouds_have_equal_points(void **state)
     }
     for (int p = 0; p < 2; p++) {
         series[p] = (struct bead_series){.x = x, .y = y, .count = p ? MANY : FEW, .mark = BEAD_MARK_POINTS};
-        panels[p] =
-            (struct bead_panel){.x = {"x", "", NAN, NAN}, .y = {"y", "", NAN, NAN}, .series = &series[p], .series_count = 1};
+        const struct bead_graph_axis axis = {.title = "x", .unit = "", .low = NAN, .high = NAN};
+        panels[p] = (struct bead_panel){.x = axis, .y = axis, .series = &series[p], .series_count = 1};
     }
     bead_look_screen(&look, 1280, 720, false);
     const struct bead_graph both = {.panels = panels, .panel_count = 2}, alone = {.panels = panels, .panel_count = 1};
