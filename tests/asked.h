@@ -45,18 +45,18 @@ static inline struct peaks find_peaks_of(const char *text, const char *simulate,
                                          .simulate = &built.scene->simulate,
                                          .kernels = bead_kernels_find(NULL),
                                          .end = end > 0 ? end : INFINITY,
-                                         .passage = !(end > 0),
+                                         .passage = end > 0 ? BEAD_PASSAGE_NONE : BEAD_PASSAGE_OF_PULSE,
                                          .contact_peaks = true,
                                          .bead_peaks = true,
                                          .tolerance_factor = factor};
     enum bead_error err = bead_run_create(&settings, &run, &msg);
-    while (!err && (end > 0 ? bead_run_time(run) < end : isnan(bead_run_arrival(run))))
+    while (!err && (end > 0 ? bead_run_time(run) < end : isnan(bead_run_over(run))))
         err = bead_run_step(run, &msg);
     struct peaks p = {built.chain->contacts, built.chain->contacts + built.chain->beads, NULL, end};
     p.peak = calloc(p.count, sizeof *p.peak);
     if (err || !p.peak)
         GIVE_UP("%s", err ? msg.text : "out of memory");
-    p.end = end > 0 ? end : bead_run_arrival(run);
+    p.end = end > 0 ? end : bead_run_over(run);
     bead_run_finish(run, p.end, &outcome);
     memcpy(p.peak, outcome.contact_peaks, p.contacts * sizeof *p.peak);
     memcpy(p.peak + p.contacts, outcome.bead_peaks, (p.count - p.contacts) * sizeof *p.peak);
