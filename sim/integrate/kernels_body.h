@@ -91,25 +91,29 @@ static void hertz_stiffness(size_t n, const struct bead_contact_table *table, co
     }
 }
 
+/* The largest of a vector, and 0. */
+static inline double largest_of(lanes x)
+{
+    double most = 0;
+    for (size_t i = 0; i < LANES; i++)
+        most = x[i] > most ? x[i] : most;
+    return most;
+}
+
 static double circles(size_t n, const double *k, const double *w)
 {
-    double lane[8] = {0}, worst = 0;
-    size_t j = 0;
-    for (; j + 8 <= n; j += 8) {
-        for (size_t i = 0; i < 8; i++) {
-            const double *at = k + j + i;
-            const double left = w[j + i], right = w[j + i + 1];
-            double row = at[0] * (left + right) + at[-1] * left + at[1] * right;
-            lane[i] = row > lane[i] ? row : lane[i];
-        }
-    }
-    for (; j < n; j++) {
+    lanes worst = {0};
+    double most = 0;
+    for (size_t j = 0; n < LANES && j < n; j++) {
         double row = k[j] * (w[j] + w[j + 1]) + k[(ptrdiff_t)j - 1] * w[j] + k[j + 1] * w[j + 1];
-        worst = row > worst ? row : worst;
+        most = row > most ? row : most;
     }
-    for (size_t i = 0; i < 8; i++)
-        worst = lane[i] > worst ? lane[i] : worst;
-    return worst;
+    for (size_t i = 0; n >= LANES && i < n; i += LANES) {
+        const double *at = k + vector_at(i, n);
+        const lanes left = load_lanes(w + vector_at(i, n)), right = load_lanes(w + vector_at(i, n) + 1);
+        worst = larger_lanes(load_lanes(at) * (left + right) + load_lanes(at - 1) * left + load_lanes(at + 1) * right, worst);
+    }
+    return n < LANES ? most : largest_of(worst);
 }
 
 static void accelerations(size_t n, const double *f, const double *inverse_mass, double *a)
@@ -191,17 +195,13 @@ static void combine(size_t n, double *y, const double *base, double scale, const
 
 static double largest(size_t n, const double *f)
 {
-    double lane[8] = {0};
-    size_t k = 0;
-    for (; k + 8 <= n; k += 8)
-        for (size_t i = 0; i < 8; i++)
-            lane[i] = f[k + i] > lane[i] ? f[k + i] : lane[i];
-    for (; k < n; k++)
-        lane[0] = f[k] > lane[0] ? f[k] : lane[0];
+    lanes all = {0};
     double most = 0;
-    for (size_t i = 0; i < 8; i++)
-        most = lane[i] > most ? lane[i] : most;
-    return most;
+    for (size_t k = 0; n < LANES && k < n; k++)
+        most = f[k] > most ? f[k] : most;
+    for (size_t i = 0; n >= LANES && i < n; i += LANES)
+        all = larger_lanes(load_lanes(f + vector_at(i, n)), all);
+    return n < LANES ? most : largest_of(all);
 }
 
 static void springs(size_t n, const double *k, const double *r, double *f)
