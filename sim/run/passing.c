@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "sim/integrate/dense.h"
+#include "sim/run/force_curve.h"
 
 /* A pulse is over below this part of its maximum, or at a minimum below the other. */
 static const double over = 0.05, parted = 0.5;
@@ -29,36 +29,24 @@ void bead_passing_begin(struct bead_passing *p, const struct bead_chain *chain)
 
 /* A place within the step just made; forces are less `level`. */
 struct stretch {
-    const struct bead_stepper *stepper;
     const struct bead_passing_place *place;
-    struct bead_polynomial compression[2];
+    struct bead_force_curve both, single[2]; /* of the place, and of each of its contacts */
     double level;
 };
 
 static double force_at(const void *context, double x)
 {
     const struct stretch *p = context;
-    const struct bead_chain *c = p->stepper->chain;
     double force = -p->level;
-    for (size_t i = 0; i < p->place->contacts; i++) {
-        size_t k = p->place->contact[i];
-        double compression = bead_polynomial_value(&p->compression[i], x);
-        force += c->law->force(c->stiffness[k], p->stepper->table.law, compression) - c->static_force[k];
-    }
+    for (size_t i = 0; i < p->place->contacts; i++)
+        force += bead_force_curve_value(&p->single[i], x) - p->both.stepper->chain->static_force[p->place->contact[i]];
     return force;
 }
 
-static double slope_at(const void *context, double x)
+static double rate_at(const void *context, double x)
 {
     const struct stretch *p = context;
-    const struct bead_chain *c = p->stepper->chain;
-    double slope = 0;
-    for (size_t i = 0; i < p->place->contacts; i++) {
-        double compression = bead_polynomial_value(&p->compression[i], x);
-        slope += c->law->stiffness(c->stiffness[p->place->contact[i]], p->stepper->table.law, compression) *
-                 bead_polynomial_slope(&p->compression[i], x);
-    }
-    return slope;
+    return bead_force_curve_rate(&p->both, x);
 }
 
 /* Where in the step the force falls below its level; 1 where it does not. */
@@ -71,8 +59,8 @@ static double find_fall(const struct stretch *p)
 /* Where it has a minimum; NaN: nowhere. */
 static double find_minimum(const struct stretch *p)
 {
-    double at0 = slope_at(p, 0), at1 = slope_at(p, 1);
-    return at0 < 0 && at1 > 0 ? bead_find_root(slope_at, p, at0, at1) : NAN;
+    double at0 = rate_at(p, 0), at1 = rate_at(p, 1);
+    return at0 < 0 && at1 > 0 ? bead_find_root(rate_at, p, at0, at1) : NAN;
 }
 
 static void watch_place(struct bead_passing_place *place, double largest, const struct bead_stepper *s)
@@ -83,9 +71,10 @@ static void watch_place(struct bead_passing_place *place, double largest, const 
     place->most = fmax(place->most, force);
     if (!(place->most > come * largest) || !(force < parted * place->most))
         return;
-    struct stretch p = {.stepper = s, .place = place, .level = over * place->most};
+    struct stretch p = {.place = place, .level = over * place->most};
     for (size_t i = 0; i < place->contacts; i++)
-        p.compression[i] = bead_dense_compression(s, place->contact[i]);
+        p.single[i] = bead_force_curve_of(s, place->contact[i], false);
+    p.both = place->contacts == 1 ? p.single[0] : bead_force_curve_of(s, place->contact[1], true);
     double x = force < p.level ? find_fall(&p) : find_minimum(&p);
     place->passed = s->t0 + x * s->h;
 }
