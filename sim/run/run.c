@@ -2,7 +2,6 @@
 #include "sim/run/run.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,7 +12,6 @@
 #include "sim/run/budget.h"
 #include "sim/run/estimate.h"
 #include "sim/run/front.h"
-#include "sim/run/method_choice.h"
 #include "sim/run/passing.h"
 #include "sim/run/peaks.h"
 #include "sim/run/step_control.h"
@@ -53,74 +51,6 @@ struct bead_run {
     uint64_t checked;          /* step that energy was looked at last */
     uint64_t hash;
 };
-
-enum bead_error bead_run_stepping(const struct bead_chain *chain, const struct bead_simulate *asked, struct bead_stepping *stepping,
-                                  struct bead_message *msg)
-{
-    return bead_run_comparison_stepping(chain, asked, 1, stepping, msg);
-}
-
-double bead_run_tolerance_factor(const struct bead_chain *const *chains, size_t count, const struct bead_simulate *asked)
-{
-    bool fixed = asked->step > 0, room = true;
-    for (size_t i = 0; i < count; i++) {
-        struct bead_method_choice choice;
-        struct bead_message msg;
-        double omega = bead_chain_omega(chains[i], bead_chain_energy(chains[i]));
-        if (bead_choose_method(chains[i], asked, &choice, &msg))
-            continue; /* the run itself says why */
-        room = room && (fixed ? 2 * asked->step * omega <= choice.method->info.theta_max
-                              : bead_method_theta(&choice, 10 * asked->accuracy) < choice.cap);
-    }
-    return fixed ? (room ? 2 : 0.5) : (room ? 10 : 0.1);
-}
-
-enum bead_error bead_run_comparison_stepping(const struct bead_chain *chain, const struct bead_simulate *asked,
-                                             double tolerance_factor, struct bead_stepping *stepping, struct bead_message *msg)
-{
-    struct bead_method_choice choice;
-    const char *file = chain->scene->file;
-    enum bead_error err = bead_choose_method(chain, asked, &choice, msg);
-    if (err)
-        return err;
-    const struct bead_method_info *method = &choice.method->info;
-    double omega = bead_chain_omega(chain, bead_chain_energy(chain)), step = tolerance_factor * asked->step;
-    double theta = bead_method_theta(&choice, tolerance_factor * asked->accuracy);
-    *stepping = (struct bead_stepping){.method = choice.method,
-                                       .step = step > 0 ? step : theta / omega,
-                                       .omega = omega,
-                                       .theta = theta,
-                                       .accuracy = choice.share * tolerance_factor * asked->accuracy,
-                                       .variable = !(step > 0) && (method->variable || chain->spec->damping_coefficient > 0),
-                                       .why = choice.why};
-    /* The bound is generous: a step is hopeless only when it exceeds the limit twice over. */
-    if (step * omega > 2 * method->theta_max)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.step: %.3g s is too long for `%s` to be stable: at most %.3g s", file,
-                         step, method->name, method->theta_max / omega);
-    if (!(stepping->step > 0) || !isfinite(stepping->step))
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.step: no step can be chosen (nothing moves?): give one", file);
-    return BEAD_OK;
-}
-
-/* Peaks that are expected to be off by more than this are worth a warning. */
-static const double poor = 1e-4;
-
-struct bead_long_step bead_run_long_step(const struct bead_chain *chain, const struct bead_simulate *asked)
-{
-    struct bead_long_step step = {""};
-    struct bead_method_choice choice;
-    struct bead_message msg;
-    const double omega = bead_chain_omega(chain, bead_chain_energy(chain));
-    if (!(asked->step > 0) || bead_choose_method(chain, asked, &choice, &msg) ||
-        !(bead_method_error(&choice, asked->step * omega) > poor))
-        return step;
-    snprintf(step.text, sizeof step.text,
-             "%s: simulate.step: steps of %.3g us are too long: for peak forces to %.3g `%s` takes at most %.2g us here; "
-             "leave `step` out, or look at the uncertainties of the peaks",
-             chain->scene->file, 1e6 * asked->step, asked->accuracy, choice.method->info.name,
-             1e6 * bead_method_theta(&choice, asked->accuracy) / omega);
-    return step;
-}
 
 static enum bead_error allocate(struct bead_run *run, struct bead_message *msg)
 {
