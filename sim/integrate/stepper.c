@@ -246,6 +246,17 @@ void bead_stepper_advance_by(struct bead_stepper *s, double h, double t1)
     s->steps++;
 }
 
+void bead_stepper_take_back(struct bead_stepper *s)
+{
+    struct bead_state end = s->start;
+    s->start = s->end;
+    s->end = end;
+    s->t1 = s->t0;
+    if (s->closed)
+        memcpy(s->closed, s->was_closed, s->active);
+    s->steps--;
+}
+
 double bead_stepper_energy(const struct bead_stepper *s, const struct bead_state *state)
 {
     const struct bead_chain *c = s->chain;

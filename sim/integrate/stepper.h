@@ -91,6 +91,8 @@ BEAD_CHECK enum bead_error bead_stepper_branch(const struct bead_stepper *steppe
 void bead_stepper_advance(struct bead_stepper *stepper, double t1);
 /* The same with the length given, so that equal steps are equal to the bit. */
 void bead_stepper_advance_by(struct bead_stepper *stepper, double h, double t1);
+/* The last step is undone: its start is the end again. Not twice in a row. */
+void bead_stepper_take_back(struct bead_stepper *stepper);
 /* Forces and accelerations of displacements u (and velocities v) in the active window. */
 void bead_stepper_evaluate(struct bead_stepper *stepper, const double *u, const double *v, double *f, double *a);
 /* The same for beads from..to - 1 (whole vectors, within the span); forces before them are there. Evaluations are not counted. */

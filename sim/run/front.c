@@ -71,25 +71,37 @@ static double crossing(const struct bead_stepper *s, double level)
     return s->t0 + x * s->h;
 }
 
-static enum bead_error refine(const struct bead_stepper *s, double level, int depth, double *arrival, struct bead_message *msg)
+/* Whether the front arrives within SUBSTEPS steps of length h; the last one made is then the one in which it does. */
+static bool arrives(struct bead_stepper *fine, double h, double level)
 {
-    *arrival = crossing(s, level);
-    if (depth == 0)
-        return BEAD_OK;
+    const size_t last = fine->chain->contacts - 1;
+    const double from = fine->t1;
+    for (int i = 1; i <= SUBSTEPS; i++) {
+        const double to = from + i * h;
+        for (double length = h; fine->t1 < to; length = to - fine->t1) { /* with damping steps end where contacts close */
+            bead_stepper_advance_by(fine, length, to);
+            if (fine->end.f[last] > level)
+                return true;
+        }
+    }
+    return false;
+}
+
+static enum bead_error refine(const struct bead_stepper *s, double level, double *arrival, struct bead_message *msg)
+{
     struct bead_stepper *fine;
     enum bead_error err = bead_stepper_branch(s, &fine, msg);
     if (err)
         return err;
-    size_t last = s->chain->contacts - 1;
-    for (int i = 1; i <= SUBSTEPS; i++) {
-        bead_stepper_advance_by(fine, s->h / SUBSTEPS, s->t0 + i * (s->h / SUBSTEPS));
-        if (fine->end.f[last] > level) {
-            err = refine(fine, level, depth - 1, arrival, msg);
-            break;
-        }
+    *arrival = crossing(s, level);
+    double h = s->h;
+    for (int i = 0; i < REFINEMENTS && arrives(fine, h / SUBSTEPS, level); i++) {
+        *arrival = crossing(fine, level);
+        h = fine->h;
+        bead_stepper_take_back(fine);
     }
     bead_stepper_destroy(fine);
-    return err;
+    return BEAD_OK;
 }
 
 enum bead_error bead_front_watch(struct bead_front *front, const struct bead_stepper *s, struct bead_message *msg)
@@ -102,5 +114,5 @@ enum bead_error bead_front_watch(struct bead_front *front, const struct bead_ste
     double level = part * front->largest_force;
     if (last >= s->active || !(s->end.f[last] > level))
         return BEAD_OK;
-    return refine(s, level, REFINEMENTS, &front->arrival, msg);
+    return refine(s, level, &front->arrival, msg);
 }
