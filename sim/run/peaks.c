@@ -14,7 +14,7 @@ static const double close_call = 1e-3;
 
 /* Vectors go beyond the last bead. */
 enum { PADDING = 16 };
-/* least is lower by this part, for the rounding of the law's inverse. */
+/* least is lower by this part, for rounding. */
 static const double least_part = 1e-9;
 
 struct bead_peaks {
@@ -36,12 +36,10 @@ static struct bead_peak static_peak(const struct bead_chain *chain, bool of_bead
     return (struct bead_peak){force, force > 0 ? 0 : NAN, false};
 }
 
-/* The compression beyond the static one, m, that a maximum above `force` takes in contact k, or a little less. */
-static double least_for(const struct bead_chain *chain, size_t k, double force)
+/* The compression beyond the static one, m, that a maximum above that at compression d takes in contact k, or a little less. */
+static double least_above(const struct bead_chain *chain, size_t k, double d)
 {
-    if (k >= chain->contacts)
-        return 0;
-    return chain->law->compression(chain->stiffness[k], &chain->spec->law, force) * (1 - least_part) - chain->static_compression[k];
+    return d * (1 - least_part) - chain->static_compression[k];
 }
 
 enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_beads, struct bead_span span,
@@ -69,8 +67,10 @@ enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_be
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu beads", beads);
     }
     for (size_t i = 0; i < beads; i++) {
-        p->best[i] = static_peak(stepper->chain, of_beads, i);
-        p->least[i] = stepper->chain->law->one_sided ? least_for(stepper->chain, i, p->best[i].value) : -INFINITY;
+        const struct bead_chain *c = stepper->chain;
+        p->best[i] = static_peak(c, of_beads, i);
+        if (i < c->contacts)
+            p->least[i] = c->law->one_sided ? least_above(c, i, c->static_compression[i]) : -INFINITY;
     }
     return BEAD_OK;
 }
@@ -95,12 +95,18 @@ const struct bead_peak *bead_peaks_found(const struct bead_peaks *peaks)
     return peaks->best;
 }
 
+/* Of a force within the step. */
+struct maximum {
+    double x, value;
+    double compression; /* m, of a single contact */
+};
+
 /* Where contacts open or close nearby within the step, d'' has kinks that the septic smooths over: compressions and their rates at
  * x from the forces themselves, then the vertex of the parabola through them. */
-static void sharpen(const struct bead_stepper *s, const struct bead_force_curve *curve, double *x, double *value)
+static void sharpen(const struct bead_stepper *s, const struct bead_force_curve *curve, struct maximum *most)
 {
-    const double near = 1e-3,
-                 bend = (bead_force_curve_rate(curve, *x + near) - bead_force_curve_rate(curve, *x - near)) / (2 * near);
+    const double near = 1e-3, x = most->x,
+                 bend = (bead_force_curve_rate(curve, x + near) - bead_force_curve_rate(curve, x - near)) / (2 * near);
     double force = 0, rate = 0, d[2];
     bool exact = false;
     if (!(bend < 0))
@@ -109,11 +115,11 @@ static void sharpen(const struct bead_stepper *s, const struct bead_force_curve 
         const size_t k = curve->contact[i];
         const double a = s->chain->stiffness[k];
         const struct bead_law_spec *spec = &s->chain->spec->law;
-        if (bead_events_compression(s->events, s, k, *x, d)) {
+        if (bead_events_compression(s->events, s, k, x, d)) {
             exact = true;
         } else {
-            d[0] = bead_polynomial_value(&curve->compression[i], *x);
-            d[1] = bead_polynomial_slope(&curve->compression[i], *x);
+            d[0] = bead_polynomial_value(&curve->compression[i], x);
+            d[1] = bead_polynomial_slope(&curve->compression[i], x);
         }
         double stiffness = s->chain->law->stiffness(a, spec, d[0]);
         if (curve->count == 1)
@@ -125,8 +131,7 @@ static void sharpen(const struct bead_stepper *s, const struct bead_force_curve 
         force -= 0.5 * rate * rate / bend;
     if (!exact)
         return;
-    *value = curve->part * force;
-    *x = fmin(fmax(*x - rate / bend, 0), 1);
+    *most = (struct maximum){fmin(fmax(x - rate / bend, 0), 1), curve->part * force, d[0]};
 }
 
 /* An upper bound of the force within the step: no compression exceeds both ends by more than its fastest rate allows. Behind the
@@ -159,16 +164,16 @@ static double part_rate(const void *context, double x)
 static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct curve_part *part,
                          double rate0, double rate1, double limit)
 {
-    double x = part->from + part->length * bead_find_root(part_rate, part, rate0, rate1),
-           value = bead_force_curve_value(part->curve, x);
-    if (s->events && x > 0 && value > p->best[index].value * (1 - close_call))
-        sharpen(s, part->curve, &x, &value);
-    double time = s->t0 + x * s->h;
-    if (!(time <= limit && value > p->best[index].value))
+    const double x = part->from + part->length * bead_find_root(part_rate, part, rate0, rate1);
+    struct maximum most = {x, bead_force_curve_value(part->curve, x), bead_polynomial_value(&part->curve->compression[0], x)};
+    if (s->events && x > 0 && most.value > p->best[index].value * (1 - close_call))
+        sharpen(s, part->curve, &most);
+    double time = s->t0 + most.x * s->h;
+    if (!(time <= limit && most.value > p->best[index].value))
         return;
-    p->best[index] = (struct bead_peak){value, time, false};
+    p->best[index] = (struct bead_peak){most.value, time, false};
     if (!p->of_beads)
-        p->least[index] = least_for(s->chain, index, value);
+        p->least[index] = least_above(s->chain, index, most.compression);
 }
 
 /* With damping the force may be largest as the contact closes. */
@@ -206,8 +211,10 @@ static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t
  * as open. */
 static void find_open(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
-    struct bead_force_curve curve = bead_force_curve_of(s, index, p->of_beads);
     struct bead_peak *best = &p->best[index];
+    if (!bead_stepper_damped(s) && force_bound(p, s, index) < best->value)
+        return;
+    struct bead_force_curve curve = bead_force_curve_of(s, index, p->of_beads);
     double x = (limit - s->t0) / s->h, value = bead_force_curve_value(&curve, x);
     if (bead_force_curve_rate(&curve, x) > 0 && value > best->value)
         *best = (struct bead_peak){value, limit, true};
