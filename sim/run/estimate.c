@@ -9,14 +9,31 @@
 /* Contacts this near to one that opens or closes are integrated again with it. */
 enum { NEAR = 2 };
 
-static double difference(const struct bead_stepper *s, const struct bead_tableau *t, size_t bead)
+/* The accelerations that count, and how much. */
+struct terms {
+    size_t count;
+    double coefficient[BEAD_STAGES_MAX];
+    const double *array[BEAD_STAGES_MAX];
+};
+
+static struct terms gather(const struct bead_stepper *s, const struct bead_tableau *t)
+{
+    struct terms terms = {.count = 0};
+    for (size_t i = 0; i < t->stages; i++) {
+        const bool last = t->fsal && i + 1 == t->stages;
+        if (t->bpe[i] == 0)
+            continue;
+        terms.coefficient[terms.count] = t->bpe[i];
+        terms.array[terms.count++] = i == 0 ? s->start.a : last ? s->end.a : s->stage_a[i];
+    }
+    return terms;
+}
+
+static double difference(const struct bead_stepper *s, const struct terms *terms, size_t bead)
 {
     double sum = 0;
-    for (size_t i = 0; i < t->stages; i++) {
-        bool last = t->fsal && i + 1 == t->stages;
-        const double *a = i == 0 ? s->start.a : last ? s->end.a : s->stage_a[i];
-        sum += t->bpe[i] * a[bead];
-    }
+    for (size_t i = 0; i < terms->count; i++)
+        sum += terms->coefficient[i] * terms->array[i][bead];
     return s->h * sum;
 }
 
@@ -28,6 +45,7 @@ double bead_estimate_embedded(const struct bead_stepper *s)
     double worst = 0;
     if (!t)
         return 0;
+    const struct terms terms = gather(s, t);
     if (s->events)
         flagged = bead_events_flagged(s->events, &count);
     for (size_t j = 0; j < s->active; j++) {
@@ -35,7 +53,7 @@ double bead_estimate_embedded(const struct bead_stepper *s)
             next++;
         if (next < count && flagged[next] <= j + NEAR)
             continue;
-        worst = fmax(worst, fabs(difference(s, t, j)));
+        worst = fmax(worst, fabs(difference(s, &terms, j)));
     }
     return worst;
 }

@@ -81,7 +81,9 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a run");
     r->settings = *settings;
     r->front.arrival = NAN;
-    bead_passing_begin(&r->passing, settings->chain);
+    r->passing.time = NAN;
+    if (settings->passage == BEAD_PASSAGE_OF_PULSE)
+        bead_passing_begin(&r->passing, settings->chain);
     const double tolerance_factor = settings->tolerance_factor > 0 ? settings->tolerance_factor : 1;
     const struct bead_span span = settings->peak_span ? *settings->peak_span : (struct bead_span){0, SIZE_MAX};
     enum bead_error err = bead_run_comparison_stepping(settings->chain, settings->simulate, tolerance_factor, &r->stepping, msg);
@@ -222,15 +224,25 @@ static enum bead_error check_energy(struct bead_run *run, double error, struct b
 }
 
 /* At fixed steps only, so that the errors reported do not depend on the outputs. */
+static bool is_noted(const struct bead_run *run)
+{
+    return run->stepper->steps % CHECK_EVERY == 0 || run->stepper->t1 >= run->settings.end;
+}
+
+static void keep_errors(struct bead_run *run, double energy)
+{
+    run->energy_error = fmax(run->energy_error, energy);
+    run->embedded_error = fmax(run->embedded_error, bead_estimate_embedded(run->stepper));
+}
+
 static enum bead_error note_errors(struct bead_run *run, struct bead_message *msg)
 {
-    double error = energy_off(run);
-    run->energy_error = fmax(run->energy_error, error);
+    const double error = energy_off(run);
+    keep_errors(run, error);
     if (run->stepping.variable && error > run->drift_bound) {
         bead_step_control_shorten(&run->control);
         run->drift_bound = 2 * error;
     }
-    run->embedded_error = fmax(run->embedded_error, bead_estimate_embedded(run->stepper));
     return check_energy(run, error, msg);
 }
 
@@ -322,9 +334,7 @@ enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
     look_for_peaks(run);
     if (run->settings.hash)
         hash_state(run);
-    if (s->steps % CHECK_EVERY == 0 || s->t1 >= run->settings.end)
-        return note_errors(run, msg);
-    return BEAD_OK;
+    return is_noted(run) ? note_errors(run, msg) : BEAD_OK;
 }
 
 /* Forces of contacts first..last of the interpolated state, with their static part. */
@@ -406,6 +416,8 @@ void bead_run_finish(struct bead_run *run, double end, struct bead_outcome *outc
 {
     const struct bead_stepper *s = run->stepper;
     double speed = fabs(s->chain->spec->striker_velocity);
+    if (!is_noted(run))
+        keep_errors(run, energy_off(run));
     *outcome = (struct bead_outcome){
         .end = end,
         .front_arrival = run->front.arrival,
@@ -417,8 +429,8 @@ void bead_run_finish(struct bead_run *run, double end, struct bead_outcome *outc
         .energy_end = bead_stepper_energy(s, &s->end),
         .momentum_start = run->momentum_start,
         .momentum_end = bead_stepper_momentum(s, &s->end),
-        .energy_error = fmax(run->energy_error, energy_off(run)),
-        .embedded_error = s->method->tableau && speed > 0 ? fmax(run->embedded_error, bead_estimate_embedded(s)) / speed : NAN,
+        .energy_error = run->energy_error,
+        .embedded_error = s->method->tableau && speed > 0 ? run->embedded_error / speed : NAN,
         .event_error = s->events && speed > 0 ? run->event_error / speed : NAN,
         .contact_peaks = run->contact_peaks ? bead_peaks_found(run->contact_peaks) : NULL,
         .bead_peaks = run->bead_peaks ? bead_peaks_found(run->bead_peaks) : NULL,
