@@ -4,6 +4,7 @@
 #include <libavformat/avformat.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -52,6 +53,43 @@ static void describe(const AVFormatContext *format, const AVStream *stream, cons
         movie->said = (double)format->duration / AV_TIME_BASE;
 }
 
+static bool is_subtitle(const AVStream *stream)
+{
+    return stream->codecpar->codec_type == AVMEDIA_TYPE_SUBTITLE;
+}
+
+/* As libavcodec has it: behind eight commas. */
+static void keep_subtitle(const AVStream *stream, const AVPacket *packet, const AVSubtitle *read, struct decoded *movie)
+{
+    if (movie->subtitles < 2) {
+        double *span = movie->subtitle_span[movie->subtitles];
+        span[0] = (double)packet->pts * av_q2d(stream->time_base);
+        span[1] = span[0] + (double)packet->duration * av_q2d(stream->time_base);
+        const char *text = read->rects[0]->ass;
+        for (int comma = 0; comma < 8; comma++)
+            text = strchr(text, ',') + 1;
+        snprintf(movie->subtitle[movie->subtitles], sizeof movie->subtitle[0], "%s", text);
+    }
+    movie->subtitles++;
+}
+
+static void take_subtitle(const AVStream *stream, AVPacket *packet, struct decoded *movie)
+{
+    const AVCodec *decoder = avcodec_find_decoder(stream->codecpar->codec_id);
+    AVCodecContext *codec = avcodec_alloc_context3(decoder);
+    assert_non_null(codec);
+    assert_true(avcodec_parameters_to_context(codec, stream->codecpar) >= 0);
+    codec->pkt_timebase = stream->time_base;
+    assert_int_equal(avcodec_open2(codec, decoder, NULL), 0);
+    AVSubtitle read = {0};
+    int got = 0;
+    assert_true(avcodec_decode_subtitle2(codec, &read, &got, packet) >= 0);
+    if (got && read.num_rects > 0) /* else nothing is shown for a while */
+        keep_subtitle(stream, packet, &read, movie);
+    avsubtitle_free(&read);
+    avcodec_free_context(&codec);
+}
+
 void decode(const char *path, struct decoded *movie)
 {
     memset(movie, 0, sizeof *movie);
@@ -61,6 +99,10 @@ void decode(const char *path, struct decoded *movie)
     unsigned lists = 0;
     for (unsigned i = 1; i < format->nb_streams; i++) {
         if (format->streams[i]->codecpar->codec_type == AVMEDIA_TYPE_DATA) { /* the chapters of an mp4 file */
+            lists++;
+            continue;
+        }
+        if (is_subtitle(format->streams[i])) {
             lists++;
             continue;
         }
@@ -82,6 +124,8 @@ void decode(const char *path, struct decoded *movie)
     assert_non_null(packet);
     while (av_read_frame(format, packet) >= 0) {
         if (packet->stream_index != 0) {
+            if (is_subtitle(format->streams[packet->stream_index]))
+                take_subtitle(format->streams[packet->stream_index], packet, movie);
             av_packet_unref(packet);
             continue;
         }

@@ -16,6 +16,9 @@ struct decoded {
     unsigned chapters;
     double chapter_start; /* s, of the last */
     char chapter_title[64];
+    size_t subtitles; /* texts; of the first two: from when until when, s, and what */
+    double subtitle_span[2][2];
+    char subtitle[2][128];
     size_t count;
     AVFrame *frame[DECODED_MOST];
     double time[DECODED_MOST]; /* s */

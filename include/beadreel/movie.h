@@ -32,6 +32,11 @@ struct bead_movie_chapter {
     const char *title; /* plain text */
 };
 
+struct bead_movie_subtitle {
+    double start, end; /* s of the movie */
+    const char *text;  /* plain */
+};
+
 struct bead_movie_settings {
     size_t size;       /* of this structure: BEAD_DEFAULT */
     int width, height; /* pixels, 1..16384; odd sizes are an error where the codec needs even ones */
@@ -39,10 +44,13 @@ struct bead_movie_settings {
     enum bead_quality quality;
     const char *title, *comment; /* metadata; may be NULL */
     bool cover;                  /* bead_movie_cover will be called */
-    /* mp4 and mkv: by rising times, the first at 0; borrowed until the movie is closed. */
+    /* mp4, mkv and webm: by rising times, the first at 0; borrowed until the movie is closed. */
     const struct bead_movie_chapter *chapters;
     size_t chapter_count;
     double length; /* s: where the last chapter ends */
+    /* The same containers: by rising times, none before the last has ended; borrowed until the movie is closed. */
+    const struct bead_movie_subtitle *subtitles;
+    size_t subtitle_count;
 };
 
 struct bead_movie;

@@ -157,43 +157,61 @@ static int add_cover(const struct bead_av *av, AVFormatContext *to)
     return 0;
 }
 
-static int copy_packets(const struct bead_av *av, AVFormatContext *from, AVFormatContext *to)
+/* Each packet behind those of other tracks that begin earlier: readers find together what is shown together. */
+static int copy_packets(const struct bead_av *av, AVFormatContext *from, AVFormatContext *to, struct bead_tracks *tracks)
 {
     AVPacket *packet = av->av_packet_alloc();
+    const AVRational unit = to->streams[0]->time_base;
     int code = packet ? 0 : AVERROR(ENOMEM);
     while (code >= 0) {
         code = av->av_read_frame(from, packet);
         if (code < 0)
             break;
-        av->av_packet_rescale_ts(packet, from->streams[0]->time_base, to->streams[0]->time_base);
+        av->av_packet_rescale_ts(packet, from->streams[0]->time_base, unit);
         packet->pos = -1;
-        code = av->av_write_frame(to, packet);
+        if (packet->dts == AV_NOPTS_VALUE) /* of Matroska; pictures are shown in the order of the file */
+            packet->dts = packet->pts;
+        code = bead_tracks_write(av, tracks, to, packet->dts, unit);
+        if (code >= 0)
+            code = av->av_write_frame(to, packet);
         av->av_packet_unref(packet);
         if (code >= 0)
             code = to->pb->error;
     }
     av->av_packet_free(&packet);
-    return code == AVERROR_EOF ? from->pb->error : code;
+    if (code == AVERROR_EOF)
+        code = from->pb->error;
+    return code >= 0 ? bead_tracks_write(av, tracks, to, INT64_MAX, unit) : code;
 }
 
-static int copy_all(const struct bead_av *av, AVFormatContext *from, AVFormatContext *to, AVDictionary **options, AVPacket *cover)
+static int write_cover(const struct bead_av *av, AVFormatContext *to, AVPacket *cover)
+{
+    cover->stream_index = (int)to->nb_streams - 1;
+    return av->av_write_frame(to, cover);
+}
+
+static int copy_all(const struct bead_av *av, AVFormatContext *from, AVFormatContext *to, AVDictionary **options,
+                    const struct bead_av_beside *beside)
 {
     int code = copy_stream(av, from->streams[0], to);
-    if (code >= 0 && cover)
+    if (code >= 0)
+        code = bead_tracks_open(av, beside->tracks, to);
+    if (code >= 0 && beside->cover)
         code = add_cover(av, to);
     if (code >= 0)
         code = av->avformat_write_header(to, options);
     if (code >= 0)
-        code = copy_packets(av, from, to);
-    if (code >= 0 && cover)
-        code = av->av_write_frame(to, cover);
+        code = copy_packets(av, from, to, beside->tracks);
+    if (code >= 0 && beside->cover)
+        code = write_cover(av, to, beside->cover);
     if (code >= 0)
         code = av->av_write_trailer(to);
     av->avio_flush(to->pb);
     return code >= 0 ? to->pb->error : code;
 }
 
-int bead_av_copy(const struct bead_av *av, int from, AVFormatContext *to, int descriptor, AVDictionary **options, AVPacket *cover)
+int bead_av_copy(const struct bead_av *av, int from, AVFormatContext *to, int descriptor, AVDictionary **options,
+                 const struct bead_av_beside *beside)
 {
     struct again again = {av, descriptor};
     AVIOContext *reader = bead_av_file_wrap(av, from, false);
@@ -208,7 +226,7 @@ int bead_av_copy(const struct bead_av *av, int from, AVFormatContext *to, int de
         code = av->avformat_open_input(&grown, NULL, NULL, NULL); /* frees it on failure, but not its pb */
     }
     if (code >= 0)
-        code = grown->nb_streams == 1 ? copy_all(av, grown, to, options, cover) : AVERROR_INVALIDDATA;
+        code = grown->nb_streams == 1 ? copy_all(av, grown, to, options, beside) : AVERROR_INVALIDDATA;
     to->opaque = NULL;
     if (grown)
         av->avformat_close_input(&grown);

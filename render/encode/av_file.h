@@ -6,6 +6,7 @@
 
 #include "beadreel/error.h"
 #include "render/encode/libav.h"
+#include "render/encode/tracks.h"
 
 /* Open `part` as bead_file_open does, and empty it. On failure no new file is left. Errors: IO. */
 BEAD_CHECK enum bead_error bead_av_file_create(const char *part, int *descriptor, struct bead_message *msg);
@@ -15,9 +16,14 @@ AVIOContext *bead_av_file_wrap(const struct bead_av *av, int descriptor, bool wr
 /* Free it without flushing, and set *context to NULL. NULL and pointers to NULL are allowed. */
 void bead_av_file_unwrap(const struct bead_av *av, AVIOContext **context);
 
-/* The movie that `from` holds and the PNG packet `cover` (NULL: none) in stream 1 into the file `to`, in the same container with
- * other options, without encoding. `to` knows its metadata, but neither streams nor file yet. Returns 0 or libav's negative number.
- */
-int bead_av_copy(const struct bead_av *av, int from, AVFormatContext *to, int descriptor, AVDictionary **options, AVPacket *cover);
+/* What comes to the pictures in the finished file; NULL: none. */
+struct bead_av_beside {
+    struct bead_tracks *tracks;
+    AVPacket *cover; /* PNG */
+};
+/* The movie that `from` holds, and what comes to it, into the file `to`, in the same container with other options, without
+ * encoding. `to` knows its metadata, but neither streams nor file yet. Returns 0 or libav's negative number. */
+int bead_av_copy(const struct bead_av *av, int from, AVFormatContext *to, int descriptor, AVDictionary **options,
+                 const struct bead_av_beside *beside);
 
 #endif

@@ -2,6 +2,7 @@
 #include "render/encode/movie_private.h"
 
 #include "render/encode/file_comment.h"
+#include "render/encode/subtitles.h"
 
 #include <math.h>
 #include <string.h>
@@ -61,13 +62,20 @@ static const struct bead_codec codecs[] = {
      .plain_options = "movflags=+faststart",
      .presets = h264,
      .chapters = true,
+     .subtitles = &bead_subtitles_mp4,
      .covers = true},
     {.info = {"mkv", "H.264 in Matroska; lossless: FFV1"},
      .way = &bead_movie_libav,
      .muxer = "matroska",
      .chapters = true,
+     .subtitles = &bead_subtitles_mkv,
      .presets = h264_or_ffv1},
-    {.info = {"webm", "VP9, plays in browsers (lossless: RGB)"}, .way = &bead_movie_libav, .muxer = "webm", .presets = vp9},
+    {.info = {"webm", "VP9, plays in browsers (lossless: RGB)"},
+     .way = &bead_movie_libav,
+     .muxer = "webm",
+     .chapters = true,
+     .subtitles = &bead_subtitles_webm,
+     .presets = vp9},
     {.info = {"gif", "animated GIF, 255 colours, at most 50 frames a second"},
      .way = &bead_movie_libav,
      .muxer = "gif",

@@ -12,6 +12,8 @@
 #include "render/encode/libav.h"
 #include "render/encode/movie_private.h"
 #include "render/encode/pictures.h"
+#include "render/encode/subtitles.h"
+#include "render/encode/tracks.h"
 
 enum {
     KEY_INTERVAL = 300 /* encoded frames from one that players can jump to, to the next */,
@@ -27,6 +29,7 @@ struct bead_encoder {
     size_t now;                    /* the one added last */
     AVPacket *packet, *held;       /* a packet waits in `held` until the time of the next tells its duration */
     AVPacket *cover;               /* written at the end; NULL: none */
+    struct bead_tracks tracks;     /* likewise */
     int file;                      /* descriptor of the part; -1: none */
     int unflushed;                 /* packets */
     AVRational frame_time;         /* s: unit of all times here */
@@ -160,7 +163,6 @@ static enum bead_error libav_cover(struct bead_movie *movie, const uint8_t *png,
     if (!e->cover || bytes > INT_MAX / 2 || e->av.av_new_packet(e->cover, (int)bytes) < 0)
         return no_memory(movie, msg);
     memcpy(e->cover->data, png, bytes);
-    e->cover->stream_index = 1;
     e->cover->flags = AV_PKT_FLAG_KEY;
     e->cover->pts = e->cover->dts = 0;
     return BEAD_OK;
@@ -405,13 +407,14 @@ static int copy_plain(struct bead_movie *movie, int descriptor)
     if (code >= 0)
         code = parse_options(&e->av, movie->codec->plain_options, &options);
     if (code >= 0)
-        code = bead_av_copy(&e->av, e->file, plain, descriptor, &options, e->cover);
+        code = bead_av_copy(&e->av, e->file, plain, descriptor, &options, &(struct bead_av_beside){&e->tracks, e->cover});
     e->av.av_dict_free(&options);
     e->av.avformat_free_context(plain);
     return code;
 }
 
-/* Fragments are for the unfinished file: players seek faster in a plain one. */
+/* Fragments are for the unfinished file: players seek faster in a plain one. Tracks beside the pictures are only in the finished
+ * file. */
 static enum bead_error make_plain(struct bead_movie *movie, struct bead_message *msg)
 {
     int descriptor;
@@ -427,6 +430,13 @@ static enum bead_error make_plain(struct bead_movie *movie, struct bead_message 
     if (close(descriptor) != 0 && code >= 0)
         code = AVERROR(errno);
     return code < 0 ? fail(movie, "the file cannot be finished", code, msg) : BEAD_OK;
+}
+
+static enum bead_error make_tracks(struct bead_movie *movie, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    int code = bead_subtitles_make(&e->av, movie->codec->subtitles, &movie->settings, &e->tracks);
+    return code < 0 ? fail(movie, "no subtitles", code, msg) : BEAD_OK;
 }
 
 static enum bead_error close_part(struct bead_movie *movie, struct bead_message *msg)
@@ -446,7 +456,9 @@ static enum bead_error libav_finish(struct bead_movie *movie, bool complete, str
     enum bead_error err = last_frame(movie, msg);
     if (!err)
         err = end_part(movie, msg);
-    if (!err && complete && movie->codec->plain_options)
+    if (!err && complete)
+        err = make_tracks(movie, msg);
+    if (!err && complete && (movie->codec->plain_options || movie->encoder->tracks.count > 0))
         err = make_plain(movie, msg);
     return err ? err : close_part(movie, msg);
 }
@@ -457,6 +469,7 @@ static void libav_destroy(struct bead_movie *movie)
     if (!e)
         return;
     bead_pictures_close(&e->pictures);
+    bead_tracks_free(&e->av, &e->tracks);
     e->av.av_packet_free(&e->cover);
     e->av.av_packet_free(&e->held);
     e->av.av_packet_free(&e->packet);

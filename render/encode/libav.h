@@ -19,6 +19,7 @@
 #endif
 
 #define BEAD_AVUTIL_FUNCTIONS(X) \
+    X(av_compare_ts)             \
     X(av_d2q)                    \
     X(av_dict_copy)              \
     X(av_dict_count)             \
@@ -55,7 +56,9 @@
     X(avcodec_find_encoder_by_name)    \
     X(avcodec_free_context)            \
     X(avcodec_open2)                   \
+    X(avcodec_parameters_alloc)        \
     X(avcodec_parameters_copy)         \
+    X(avcodec_parameters_free)         \
     X(avcodec_parameters_from_context) \
     X(avcodec_receive_packet)          \
     X(avcodec_send_frame)

@@ -10,6 +10,7 @@
 #include "beadreel/movie.h"
 
 struct bead_encoder; /* libav's part */
+struct bead_subtitle_format;
 
 /* A way to write frames. */
 struct bead_movie_way {
@@ -52,10 +53,11 @@ struct bead_codec {
     const char *ending;        /* BEAD_ENDING_BYTES that end a growing file for those who read it; NULL: it needs none */
     enum bead_error (*comment)(int descriptor, const char *text, struct bead_message *msg); /* NULL: the muxer writes it */
     const struct bead_preset *presets;                                                      /* by enum bead_quality */
-    int delay_unit; /* 1/s: of the muxer's option final_delay; 0: durations are the packets' own */
-    bool chapters;  /* the container has chapters */
-    bool covers;    /* the container has room for a picture beside the movie */
-    int most_fps;   /* 1/s: more are thinned out, because players slow such files down; 0: no limit */
+    int delay_unit;                               /* 1/s: of the muxer's option final_delay; 0: durations are the packets' own */
+    bool chapters;                                /* the container has chapters */
+    const struct bead_subtitle_format *subtitles; /* NULL: it has none */
+    bool covers;                                  /* the container has room for a picture beside the movie */
+    int most_fps;                                 /* 1/s: more are thinned out, because players slow such files down; 0: no limit */
 };
 
 /* By the extension of `path`, in any case of letters; NULL: none. */

@@ -23,11 +23,10 @@ double bead_caption_height(const struct bead_look *look)
     return ceil(line_height * font_size(look));
 }
 
-/* s of the motion. */
-static double end_of(const struct bead_movie_asked *movie, const struct bead_film_clock *clock, size_t i)
+double bead_caption_end(const struct bead_movie_asked *movie, const struct bead_film_clock *clock, size_t caption)
 {
-    const struct bead_caption *c = &movie->captions[i];
-    bool last = i + 1 == movie->caption_count;
+    const struct bead_caption *c = &movie->captions[caption];
+    bool last = caption + 1 == movie->caption_count;
     double next = last ? INFINITY : c[1].at;
     if (!isnan(c->until))
         return fmin(c->until, next);
@@ -41,7 +40,7 @@ size_t bead_captions_find(const struct bead_movie_asked *movie, const struct bea
     size_t found = SIZE_MAX;
     for (size_t i = 0; i < movie->caption_count && movie->captions[i].at <= time; i++)
         found = i;
-    return found != SIZE_MAX && time < end_of(movie, clock, found) ? found : SIZE_MAX;
+    return found != SIZE_MAX && time < bead_caption_end(movie, clock, found) ? found : SIZE_MAX;
 }
 
 enum bead_error bead_captions_check(const struct bead_output *output, const struct bead_scene *scene, double end, const char *unit,

@@ -12,6 +12,8 @@
 /* The caption at a time of the motion; SIZE_MAX: none. A caption stays until the
  * next one or until its own end. The last one, if it has no end, stays as long as it takes to read, at least 2.5 s of the film. */
 size_t bead_captions_find(const struct bead_movie_asked *movie, const struct bead_film_clock *clock, double time);
+/* Until when a caption stays, s of the motion; INFINITY: to the end of the film. */
+double bead_caption_end(const struct bead_movie_asked *movie, const struct bead_film_clock *clock, size_t caption);
 /* Lines that the longest caption needs in a frame of that width: at most 2, or 0 without captions. */
 int bead_captions_lines(const struct bead_movie_asked *movie, const struct bead_look *look, int width);
 /* Height of a line, px. */
@@ -19,7 +21,7 @@ double bead_caption_height(const struct bead_look *look);
 /* Centred in `rect`, in as many lines as fit; a long caption gets smaller type and is cut as a last resort. */
 void bead_caption_draw(cairo_t *cr, const struct bead_look *look, const char *text, struct bead_rect rect);
 
-/* The text without its marks, for lists of chapters. */
+/* The text without its marks, for chapters and subtitles. */
 void bead_caption_plain(const char *text, char *out, size_t size);
 
 /* Checks that the movie shows the times of captions and poster, for runs whose end the scene does not give. `end`: the last time

@@ -1,4 +1,4 @@
-/* The comment and the chapters of a movie's file. The sink makes them once the times are known. */
+/* The comment, the chapters and the subtitles of a movie's file. The sink makes them once the times are known. */
 #include "render/movie/movie_notes.h"
 
 #include <stdio.h>
@@ -6,8 +6,6 @@
 #include <string.h>
 
 #include "render/movie/captions.h"
-
-enum { CHAPTER_ROOM = 256 };
 
 static char *make_comment(const struct bead_scene *scene)
 {
@@ -19,33 +17,55 @@ static char *make_comment(const struct bead_scene *scene)
     return comment;
 }
 
-/* Chapters begin with the captions. */
-static void fill_chapters(const struct bead_movie_asked *movie, const char *title, const struct bead_movie_times *times,
-                          struct bead_movie_notes *notes)
+/* When a caption is seen, s of the film; the end is not after the beginning where it is not. */
+static void find_span(const struct bead_movie_asked *movie, size_t caption, const struct bead_movie_times *times, double span[2])
 {
+    double until = bead_caption_end(movie, &times->film, caption), length = (double)times->frames / movie->fps;
+    span[0] = bead_movie_film_time(times, movie->captions[caption].at, movie->fps);
+    span[1] = until < times->time[1] ? bead_movie_film_time(times, until, movie->fps) : length;
+}
+
+/* Chapters begin with the captions. */
+static void fill(const struct bead_movie_asked *movie, const char *title, const struct bead_movie_times *times,
+                 struct bead_movie_notes *notes)
+{
+    char *text = notes->text;
     for (size_t i = 0; i < movie->caption_count; i++) {
-        double start = bead_movie_film_time(times, movie->captions[i].at, movie->fps);
-        char *text = notes->text + i * CHAPTER_ROOM;
-        if (i == 0 && start > 0)
+        double span[2];
+        find_span(movie, i, times, span);
+        if (!(span[1] > span[0]))
+            continue;
+        if (notes->chapter_count == 0 && span[0] > 0)
             notes->chapters[notes->chapter_count++] = (struct bead_movie_chapter){0, title[0] ? title : "Beginning"};
-        bead_caption_plain(movie->captions[i].text, text, CHAPTER_ROOM);
-        notes->chapters[notes->chapter_count++] = (struct bead_movie_chapter){start, text};
+        size_t size = strlen(movie->captions[i].text) + 1;
+        bead_caption_plain(movie->captions[i].text, text, size);
+        notes->chapters[notes->chapter_count++] = (struct bead_movie_chapter){span[0], text};
+        notes->subtitles[notes->subtitle_count++] = (struct bead_movie_subtitle){span[0], span[1], text};
+        text += size;
     }
+}
+
+static bool reserve(const struct bead_movie_asked *movie, struct bead_movie_notes *notes)
+{
+    size_t captions = movie->caption_count, bytes = 0;
+    for (size_t i = 0; i < captions; i++)
+        bytes += strlen(movie->captions[i].text) + 1;
+    if (captions == 0)
+        return true;
+    notes->chapters = calloc(captions + 1, sizeof *notes->chapters);
+    notes->subtitles = calloc(captions, sizeof *notes->subtitles);
+    notes->text = malloc(bytes);
+    return notes->chapters && notes->subtitles && notes->text;
 }
 
 enum bead_error bead_movie_notes_make(const struct bead_output *output, const struct bead_scene *scene,
                                       const struct bead_movie_times *times, struct bead_movie_notes *notes,
                                       struct bead_message *msg)
 {
-    size_t captions = output->movie.caption_count;
     *notes = (struct bead_movie_notes){.comment = make_comment(scene)};
-    if (captions > 0) {
-        notes->chapters = calloc(captions + 1, sizeof *notes->chapters);
-        notes->text = calloc(captions, CHAPTER_ROOM);
-    }
-    if (!notes->comment || (captions > 0 && (!notes->chapters || !notes->text)))
+    if (!notes->comment || !reserve(&output->movie, notes))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the notes of a movie");
-    fill_chapters(&output->movie, scene->title, times, notes);
+    fill(&output->movie, scene->title, times, notes);
     return BEAD_OK;
 }
 
@@ -53,6 +73,7 @@ void bead_movie_notes_free(struct bead_movie_notes *notes)
 {
     free(notes->comment);
     free(notes->chapters);
+    free(notes->subtitles);
     free(notes->text);
     *notes = (struct bead_movie_notes){.comment = NULL};
 }

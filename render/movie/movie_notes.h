@@ -1,4 +1,4 @@
-/* What a movie's file says beside its pictures: what made it, and its chapters. */
+/* What a movie's file says beside its pictures: what made it, its chapters and subtitles. */
 #ifndef BEADREEL_RENDER_MOVIE_MOVIE_NOTES_H
 #define BEADREEL_RENDER_MOVIE_MOVIE_NOTES_H
 
@@ -9,7 +9,9 @@ struct bead_movie_notes {
     char *comment;                       /* version and scene */
     struct bead_movie_chapter *chapters; /* one for each caption, and what is before the first; NULL: no captions */
     size_t chapter_count;
-    char *text; /* of the chapters */
+    struct bead_movie_subtitle *subtitles; /* one for each caption that is shown */
+    size_t subtitle_count;
+    char *text; /* of both */
 };
 
 /* Errors: MEMORY; what is there then is freed with bead_movie_notes_free. */

@@ -83,6 +83,8 @@ static struct bead_movie_settings movie_settings_of(const struct bead_sink *s)
                                         .comment = s->notes.comment,
                                         .chapters = s->notes.chapters,
                                         .chapter_count = s->notes.chapter_count,
+                                        .subtitles = s->notes.subtitles,
+                                        .subtitle_count = s->notes.subtitle_count,
                                         .length = (double)s->times.frames / s->output->movie.fps,
                                         .cover = s->output->movie.poster && s->output->movie.poster[0]};
 }

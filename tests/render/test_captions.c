@@ -217,17 +217,17 @@ static void posters_are_covers(void **state)
     release_chain(&poster);
 }
 
-/* A chapter for each caption, and one for the card before them; titles without marks. */
+/* A chapter for each caption, and one for the card before them; titles without marks. A subtitle as long as each is seen. */
 static void captions_are_chapters(void **state)
 {
     (void)state;
-    static const char *const names[] = {"a.mp4", "a.mkv"};
-    for (size_t k = 0; k < 2; k++) {
+    static const char *const names[] = {"a.mp4", "a.mkv", "a.webm"};
+    for (size_t k = 0; k < 3; k++) {
         char path[256], text[400];
         struct decoded movie;
         snprintf(text, sizeof text,
-                 "movie: %s, card: 2 s, captions: [{at: 0 ms, text: One}, {at: 0.5 ms, text: \"*F*_{max} is\\\\_here\", pause: 1 "
-                 "s}], " SMALL,
+                 "movie: %s, card: 2 s, captions: [{at: 0 ms, text: A < B & C, until: 0.25 ms}, "
+                 "{at: 0.5 ms, text: \"*F*_{max} is\\\\_here\", pause: 1 s}], " SMALL,
                  names[k]);
         struct built built = build_chain(text);
         draw_output(&built, pulse_down_the_chain);
@@ -238,14 +238,41 @@ static void captions_are_chapters(void **state)
         assert_true(fabs(movie.chapter_start - 2.5) < 0.04);
         assert_string_equal(movie.chapter_title, "Fmax is_here");
         assert_int_equal(movie.count, 80); /* card, motion, pause at 20 frames a second */
+        assert_int_equal(movie.subtitles, 2);
+        assert_string_equal(movie.subtitle[0], "A < B & C");
+        assert_string_equal(movie.subtitle[1], "Fmax is_here");
+        const double spans[2][2] = {{2, 2.25}, {2.5, 4}};
+        for (int i = 0; i < 4; i++)
+            assert_true(fabs(movie.subtitle_span[i / 2][i % 2] - spans[i / 2][i % 2]) < 0.04);
         decoded_free(&movie);
         release_chain(&built);
     }
 }
 
+/* What has passed when the film begins is not in it. */
+static void passed_captions_are_left_out(void **state)
+{
+    (void)state;
+    char path[256];
+    struct decoded movie;
+    struct built built = build_chain("movie: a.mkv, from: 0.4 ms, captions: [{at: 0 ms, text: Passed}, {at: 0.2 ms, text: Still "
+                                     "there}, {at: 0.7 ms, text: Later}], " SMALL);
+    draw_output(&built, pulse_down_the_chain);
+    in_directory("a.mkv", path, sizeof path);
+    decode(path, &movie);
+    remove(path);
+    assert_int_equal(movie.chapters, 2);
+    assert_int_equal(movie.subtitles, 2);
+    assert_string_equal(movie.subtitle[0], "Still there");
+    assert_true(movie.subtitle_span[0][0] == 0 && fabs(movie.subtitle_span[0][1] - 0.5) < 0.04);
+    decoded_free(&movie);
+    release_chain(&built);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(passed_captions_are_left_out),
         cmocka_unit_test(captions_come_and_go),
         cmocka_unit_test(long_captions_stay_longer),
         cmocka_unit_test(long_captions_take_two_lines),
