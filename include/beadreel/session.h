@@ -33,6 +33,7 @@ struct bead_progress {
     const char *item; /* "chains" */
 };
 
+struct bead_chain; /* chain.h */
 struct bead_sweep;
 struct bead_sweep_sink; /* sweep.h */
 
@@ -75,7 +76,8 @@ BEAD_API BEAD_CHECK enum bead_error bead_session_run(struct bead_session *sessio
 struct bead_result {
     const char *path;
     uint64_t bytes, items;
-    const char *makers; /* "painted by ..., encoded by ..."; NULL or "": nothing to tell */
+    const char *makers;      /* "painted by ..., encoded by ..."; NULL or "": nothing to tell */
+    const char *name, *kind; /* as in the scene: "force.png", "image"; of a movie's poster "poster" */
 };
 BEAD_API size_t bead_session_results(const struct bead_session *session, const struct bead_result **results);
 
@@ -99,6 +101,7 @@ BEAD_API const char *bead_session_time_unit(const struct bead_session *session);
 BEAD_API const char *bead_session_warning(const struct bead_session *session, size_t index);
 /* False where `simulate: {verify: true}` asked for more than could be had; a warning says what. */
 BEAD_API bool bead_session_verified(const struct bead_session *session);
+BEAD_API const struct bead_chain *const *bead_session_chains(const struct bead_session *session, size_t *count);
 BEAD_API const struct bead_outcome *bead_session_outcomes(const struct bead_session *session, size_t *chain_count);
 /* The sweep of a scene or file that has one, else NULL. */
 BEAD_API const struct bead_sweep *bead_session_sweep(const struct bead_session *session);

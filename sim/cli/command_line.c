@@ -144,6 +144,13 @@ static enum bead_error set_sheet(struct command *command, const char *value, str
     return check_draws(command, "sheet", msg);
 }
 
+static enum bead_error set_json(struct command *command, const char *value, struct bead_message *msg)
+{
+    (void)value, (void)msg;
+    command->json = true;
+    return BEAD_OK;
+}
+
 static enum bead_error set_shard(struct command *command, const char *value, struct bead_message *msg)
 {
     char *slash = NULL, *end = NULL;
@@ -210,7 +217,9 @@ static const struct option_row rows[] = {
      instruction_words, set_instructions},
     {"canvas", 0, "NAME", "what paints beads: osmesa (the default), else egl, else plain, which is the fastest; all look the same",
      NULL, set_canvas},
-    {"progress", 0, "HOW", "how to show progress on stderr: auto (default), plain, json or none", progress_words, set_progress},
+    {"progress", 0, "HOW", "how to show progress on stderr: auto (default), plain, json (the result is JSON, too) or none",
+     progress_words, set_progress},
+    {"json", 0, NULL, "print the result, the plan or the description as one JSON object", NULL, set_json},
     {"help", 'h', NULL, "show this help", NULL, set_help},
     {"version", 'V', NULL, "show the version and the licence", NULL, set_version},
 };

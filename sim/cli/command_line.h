@@ -52,6 +52,7 @@ struct command {
     const char *input, *output, *instructions, *canvas, *configuration;
     bool allow_outside;
     bool sheet;
+    bool json;
     const char **settings, **only, **parts; /* owned arrays; parts: files to merge */
     size_t setting_count, only_count, part_count;
     size_t shard, shards; /* 0, 0: all */
@@ -70,6 +71,9 @@ void command_print_man(const struct command_program *program, FILE *out);
 void command_print_words(const struct command_program *program, FILE *out);
 void command_print_version(const struct command_program *program, FILE *out);
 
+/* The exit status: that of the error, or 128 + N where signal N stopped the run. */
+int command_status(enum bead_error err, int signal);
+
 /* The actions. Errors: those of session.h, scene.h, trajectory.h; IO where stdout fails. */
 enum bead_error command_run(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
 enum bead_error command_plan(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
@@ -85,6 +89,16 @@ enum bead_error command_list_equations(FILE *out, struct bead_message *msg); /* 
 enum bead_error command_list_measures(FILE *out, struct bead_message *msg);
 enum bead_error command_list_thresholds(FILE *out, struct bead_message *msg);
 enum bead_error command_list_keys(FILE *out, struct bead_message *msg); /* of scenes: unit, range, default */
+
+/* Is the result to be JSON on stdout? */
+bool command_is_json(const struct command *command);
+/* That of a run: one line on stdout. `session` is NULL where it could not be opened. */
+void command_print_result(const struct bead_session *session, enum bead_error err, int status, double seconds,
+                          const struct bead_message *msg);
+struct json;
+/* "runs": an object for each chain, with its outcome. */
+void command_write_runs(struct json *json, const struct bead_chain *const *chains, const struct bead_outcome *outcomes,
+                        size_t count);
 
 /* Progress on stderr. */
 struct command_meter {

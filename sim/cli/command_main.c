@@ -70,6 +70,11 @@ static enum bead_error act(const struct command *command, struct bead_message *m
     return err ? err : command_run(command, &stop_signal, msg);
 }
 
+int command_status(enum bead_error err, int signal)
+{
+    return err == BEAD_ERROR_STOPPED && signal ? 128 + signal : bead_error_status(err);
+}
+
 /* One line, whatever is in the message. */
 static void complain(const char *program, const char *text)
 {
@@ -94,6 +99,8 @@ int command_main(const struct command_program *program, int argc, char **argv)
         err = bead_fail(&msg, BEAD_ERROR_MEMORY, "out of memory");
     if (!err)
         err = command_parse(&command, argc, argv, &msg);
+    if (err && command_is_json(&command))
+        command_print_result(NULL, err, command_status(err, 0), 0, &msg);
     if (!err)
         err = act(&command, &msg);
     if ((fflush(stdout) || ferror(stdout)) && !err)
@@ -101,13 +108,7 @@ int command_main(const struct command_program *program, int argc, char **argv)
     free(command.settings);
     free(command.only);
     free(command.parts);
-    int number = stop_signal;
-    if (err == BEAD_ERROR_STOPPED && number) {
-        snprintf(msg.text, sizeof msg.text, "stopped by signal %d (%s)", number, strsignal(number));
-        complain(program->name, msg.text);
-        return 128 + number;
-    }
     if (err)
         complain(program->name, msg.text[0] ? msg.text : bead_error_text(err));
-    return bead_error_status(err);
+    return command_status(err, stop_signal);
 }

@@ -7,6 +7,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "sim/cli/json.h"
+
 #define REDRAW    0.1 /* s between redraws of a terminal's line */
 #define SAY_EVERY 3   /* s between plain lines */
 
@@ -74,20 +76,19 @@ static void write_plain(const struct command_meter *meter, double done, double l
 static void write_json(const struct command_meter *meter, double done, double left, double elapsed,
                        const struct bead_progress *progress)
 {
-    fputs("{\"what\": \"", stderr);
-    for (const unsigned char *c = (const unsigned char *)meter->what; *c; c++)
-        if (*c == '"' || *c == '\\' || *c < ' ')
-            fprintf(stderr, "\\u%04x", *c);
-        else
-            fputc(*c, stderr);
-    fprintf(stderr, "\", \"done\": %.4f, \"elapsed_s\": %.3f", done, elapsed);
+    struct json json = {.out = stderr};
+    json_open(&json, NULL, '{');
+    json_text(&json, "what", meter->what);
+    json_number(&json, "done", round(1e4 * done) / 1e4);
+    json_number(&json, "elapsed_s", round(1e3 * elapsed) / 1e3);
     if (left >= 0)
-        fprintf(stderr, ", \"left_s\": %.3f", left);
+        json_number(&json, "left_s", round(1e3 * left) / 1e3);
     if (progress->item)
-        fprintf(stderr, ", \"%s\": %.0f", progress->item, progress->items);
+        json_number(&json, progress->item, round(progress->items));
     if (isfinite(progress->time))
-        fprintf(stderr, ", \"time_s\": %.9g", progress->time);
-    fputs("}\n", stderr);
+        json_number(&json, "time_s", progress->time);
+    json_close(&json, '}');
+    fputc('\n', stderr);
 }
 
 void command_meter_tell(void *context, const struct bead_progress *progress)

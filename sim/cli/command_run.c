@@ -145,32 +145,41 @@ static void print_skipped(const struct command *command, const struct bead_sessi
     putchar('\n');
 }
 
-static enum bead_error play(const struct command *command, struct bead_session *session, struct command_meter *meter, double began,
-                            struct bead_message *msg)
+static void print_text(const struct command *command, const struct bead_session *session, double seconds, bool stopped)
 {
-    enum bead_error err = bead_session_run(session, msg);
-    command_meter_clear(meter);
-    if (err && err != BEAD_ERROR_STOPPED)
-        return err;
     const struct bead_result *results = NULL;
+    const char *warning = NULL;
     size_t count = bead_session_results(session, &results);
     uint64_t bytes = 0;
     for (size_t i = 0; i < count; i++)
         bytes += results[i].bytes;
     print_results(results, count);
-    if (err)
-        return err;
+    if (stopped)
+        return;
     print_skipped(command, session);
-    print_summary(session, count, bytes, command_clock() - began);
+    print_summary(session, count, bytes, seconds);
     fflush(stdout);
-    const char *warning = NULL, *last = NULL;
     for (size_t i = 0; (warning = bead_session_warning(session, i)); i++) {
         if (bead_session_verified(session) || bead_session_warning(session, i + 1))
             fprintf(stderr, "%s: warning: %s\n", command->program->name, warning);
-        last = warning;
     }
+}
+
+/* Runs it, and prints the results as text where text is wanted. */
+static enum bead_error play(const struct command *command, struct bead_session *session, struct command_meter *meter, double began,
+                            struct bead_message *msg)
+{
+    enum bead_error err = bead_session_run(session, msg);
+    command_meter_clear(meter);
+    if (!command_is_json(command) && (!err || err == BEAD_ERROR_STOPPED))
+        print_text(command, session, command_clock() - began, err != BEAD_OK);
+    if (err || bead_session_verified(session))
+        return err;
     /* All is written; the last warning says what could not be verified. */
-    return bead_session_verified(session) ? BEAD_OK : bead_fail(msg, BEAD_ERROR_NUMBERS, "%s", last);
+    size_t last = 0;
+    while (bead_session_warning(session, last + 1))
+        last++;
+    return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s", bead_session_warning(session, last));
 }
 
 enum bead_error command_run(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg)
@@ -185,9 +194,12 @@ enum bead_error command_run(const struct command *command, const volatile sig_at
     job.progress_context = &meter;
     enum bead_error err = bead_session_open(&job, &session, msg);
     command_meter_clear(&meter);
-    if (err)
-        return err;
-    err = play(command, session, &meter, began, msg);
+    if (!err)
+        err = play(command, session, &meter, began, msg);
+    if (err == BEAD_ERROR_STOPPED && *stop)
+        bead_fail(msg, err, "stopped by signal %d (%s)", (int)*stop, strsignal(*stop));
+    if (command_is_json(command))
+        command_print_result(session, err, command_status(err, *stop), command_clock() - began, msg);
     bead_session_close(session);
     return err;
 }

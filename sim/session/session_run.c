@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "beadreel/file.h"
+#include "sim/scene/output_kinds.h"
 #include "sim/session/session_data.h"
 
 static enum bead_error play(struct bead_session *s, struct bead_driver *p, struct bead_passed *passed, struct bead_message *msg)
@@ -85,7 +86,10 @@ static enum bead_error collect_outcomes(struct bead_session *s, struct bead_mess
 static void add_result(struct bead_session *s, const struct bead_made *m, const char *path)
 {
     struct bead_result *r = &s->results[s->result_count++];
-    *r = (struct bead_result){.path = path, .makers = m->type->makers ? m->type->makers(m->sink) : NULL};
+    *r = (struct bead_result){.path = path,
+                              .makers = m->type->makers ? m->type->makers(m->sink) : NULL,
+                              .name = m->output->path,
+                              .kind = bead_output_key(m->output->kind)};
     if (m->type->result)
         m->type->result(m->sink, &r->bytes, &r->items);
 }
@@ -120,7 +124,8 @@ static void add_results(struct bead_session *s, const struct bead_made *m)
     add_result(s, m, m->path);
     const char *beside = m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
     if (beside && bytes > 0)
-        s->results[s->result_count++] = (struct bead_result){.path = beside, .bytes = bytes, .items = 1};
+        s->results[s->result_count++] =
+            (struct bead_result){.path = beside, .bytes = bytes, .items = 1, .name = m->output->movie.poster, .kind = "poster"};
 }
 
 /* One that has nothing to leave does not keep others from leaving theirs. */
@@ -233,6 +238,12 @@ const char *bead_session_time_unit(const struct bead_session *s)
 const struct bead_counts *bead_session_counts(const struct bead_session *s)
 {
     return &s->counts;
+}
+
+const struct bead_chain *const *bead_session_chains(const struct bead_session *s, size_t *count)
+{
+    *count = s->chain_count;
+    return s->chains;
 }
 
 const struct bead_outcome *bead_session_outcomes(const struct bead_session *s, size_t *chain_count)

@@ -9,6 +9,7 @@
 #include "beadreel/sweep.h"
 #include "sim/integrate/stepper.h"
 #include "sim/run/run.h"
+#include "sim/scene/output_kinds.h"
 #include "sim/session/session_data.h"
 
 static const struct bead_sweep_sink *find_sink(const struct bead_job *job, const struct bead_output *output)
@@ -277,7 +278,7 @@ static enum bead_error write_output(struct bead_session *s, struct bead_made *m,
     bool results = bead_session_holds_sweep(m) && !s->sweep_read;
     if (!m->asked || (!results && !m->sweep_type))
         return BEAD_OK;
-    *r = (struct bead_result){.path = m->path};
+    *r = (struct bead_result){.path = m->path, .name = m->output->path, .kind = bead_output_key(m->output->kind)};
     const struct bead_sweep_settings settings = settings_of(s);
     enum bead_error err = BEAD_OK;
     if (!results && m->sweep_type->run)

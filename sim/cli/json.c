@@ -1,0 +1,94 @@
+/* JSON as text: see json.h. */
+#include "sim/cli/json.h"
+
+#include <math.h>
+
+#include "sim/base/number.h"
+
+/* Bytes of the UTF-8 character at `c`; 0: it is none. Overlong forms, surrogates and what lies beyond U+10FFFF are none. */
+static size_t character(const unsigned char *c)
+{
+    static const struct {
+        unsigned char first[2], second[2];
+        size_t bytes;
+    } forms[] = {{{0x20, 0x7F}, {0, 0}, 1},       {{0xC2, 0xDF}, {0x80, 0xBF}, 2}, {{0xE0, 0xE0}, {0xA0, 0xBF}, 3},
+                 {{0xE1, 0xEC}, {0x80, 0xBF}, 3}, {{0xED, 0xED}, {0x80, 0x9F}, 3}, {{0xEE, 0xEF}, {0x80, 0xBF}, 3},
+                 {{0xF0, 0xF0}, {0x90, 0xBF}, 4}, {{0xF1, 0xF3}, {0x80, 0xBF}, 4}, {{0xF4, 0xF4}, {0x80, 0x8F}, 4}};
+    for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
+        size_t n = forms[i].bytes, good = 1;
+        if (c[0] < forms[i].first[0] || c[0] > forms[i].first[1])
+            continue;
+        if (n > 1)
+            good += c[1] >= forms[i].second[0] && c[1] <= forms[i].second[1];
+        while (good > 1 && good < n && (c[good] & 0xC0) == 0x80)
+            good++;
+        return good == n ? n : 0;
+    }
+    return 0;
+}
+
+static void quote(FILE *out, const char *text)
+{
+    fputc('"', out);
+    for (const unsigned char *c = (const unsigned char *)text; *c;) {
+        const size_t bytes = character(c);
+        if (*c < ' ' || *c == '"' || *c == '\\' || *c == 0x7F)
+            fprintf(out, "\\u%04x", *c);
+        else if (bytes == 0)
+            fputs("\\ufffd", out);
+        else
+            fwrite(c, 1, bytes, out);
+        c += bytes ? bytes : 1;
+    }
+    fputc('"', out);
+}
+
+static void begin(struct json *json, const char *key)
+{
+    if (json->more)
+        fputs(", ", json->out);
+    json->more = true;
+    if (key) {
+        quote(json->out, key);
+        fputs(": ", json->out);
+    }
+}
+
+void json_open(struct json *json, const char *key, char bracket)
+{
+    begin(json, key);
+    fputc(bracket, json->out);
+    json->more = false;
+}
+
+void json_close(struct json *json, char bracket)
+{
+    fputc(bracket, json->out);
+    json->more = true;
+}
+
+void json_text(struct json *json, const char *key, const char *text)
+{
+    if (!text) {
+        json_null(json, key);
+        return;
+    }
+    begin(json, key);
+    quote(json->out, text);
+}
+
+void json_number(struct json *json, const char *key, double value)
+{
+    if (!isfinite(value)) {
+        json_null(json, key);
+        return;
+    }
+    begin(json, key);
+    bead_write_number(json->out, value);
+}
+
+void json_null(struct json *json, const char *key)
+{
+    begin(json, key);
+    fputs("null", json->out);
+}

@@ -1,0 +1,21 @@
+/* Writes JSON (RFC 8259) to a stream, a value at a time; commas come by themselves. */
+#ifndef BEADREEL_SIM_CLI_JSON_H
+#define BEADREEL_SIM_CLI_JSON_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+struct json {
+    FILE *out;
+    bool more; /* the next value stands behind another one */
+};
+
+/* `key` is that of a value in an object, NULL in lists and at the top. */
+void json_open(struct json *json, const char *key, char bracket);     /* '{' or '[' */
+void json_close(struct json *json, char bracket);                     /* '}' or ']' */
+void json_text(struct json *json, const char *key, const char *text); /* NULL: null; bytes that are no UTF-8 become U+FFFD */
+void json_number(struct json *json, const char *key, double value);   /* shortest that reads back; NaN, infinite: null */
+void json_null(struct json *json, const char *key);
+
+#endif

@@ -1,0 +1,71 @@
+#!/bin/bash
+# What programs read: the result of a run, as one line of JSON on stdout.
+source "$(dirname "$0")/../shell.bash"
+cd "$T" || exit 1
+cat >scene.yaml <<'YAML'
+chains:
+  - {name: a, beads: [{bead: brass, count: 12}]}
+  - {name: "b \"two\"", beads: [{bead: ptfe, count: 8}]}
+outputs:
+  - {table: peaks.csv, show: peaks}
+  - {image: "folder/µ.png", size: [480, 320]}
+  - {movie: m.mp4, size: [320, 240], duration: 0.2 s, fps: 10, poster: p.png}
+YAML
+
+# is EXPRESSION : of the line in out, `j`, which holds in Python.
+is() {
+    [ "$(wc -l <out)" -eq 1 ] || { echo "not one line:"; cat out; return 1; }
+    python3 -c '
+import json, sys
+def wrong(word): raise ValueError(word)
+j = json.loads(open("out", encoding="utf-8").read(), parse_constant=wrong)
+sys.exit(0 if eval(sys.argv[1]) else str(j))' "$1"
+}
+keys='["status", "exit", "seconds", "outputs", "skipped", "runs", "sweep", "warnings", "errors"]'
+if ! command -v python3 >/dev/null; then
+    skip python3 "the result as JSON"
+    finish
+fi
+
+ok "--progress json" exits 0 "$beadreel" scene.yaml -o all --progress json
+ok "... ends with the result" is "list(j) == $keys and j['status'] == 'done' and j['exit'] == 0"
+ok "... which names outputs, files and kinds" is '[(o["name"], o["path"], o["kind"]) for o in j["outputs"]] == [
+    ("peaks.csv", "all/peaks.csv", "table"), ("folder/µ.png", "all/folder/µ.png", "image"), ("m.mp4", "all/m.mp4", "movie"),
+    ("p.png", "all/p.png", "poster")]'
+ok "... with their sizes" is '[o["bytes"] for o in j["outputs"]] == [__import__("os").path.getsize(o["path"]) for o in j["outputs"]]'
+ok "... each chain" is '[r["chain"] for r in j["runs"]] == ["a", "b \"two\""]'
+ok "... the peak known least well" is '0 < j["runs"][0]["worst_peak"]["uncertainty_N"] <= 1.0001e-6 * j["runs"][0]["worst_peak"]["force_N"]'
+ok "... and its run" is 'j["runs"][1]["method"] == "rkn8" and 0 < j["runs"][1]["front_arrival_s"] <= j["runs"][1]["end_s"] and j["runs"][0]["steps"] > 10'
+ok "... and nothing that is wrong" is 'j["warnings"] == j["errors"] == [] and j["sweep"] is None'
+ok "... while stderr has JSON only" bash -c "! grep -v '^{.*}$' err"
+ok "--json is the same" exits 0 "$beadsim" scene.yaml -o data --json
+ok "... with what beadsim skips" is 'j["skipped"] == ["folder/µ.png", "m.mp4"] and len(j["outputs"]) == 1'
+ok "... and no progress" test ! -s err
+
+ok "a wrong scene" exits 2 "$beadreel" scene.yaml -o none --json --set chains.1.beads.0.bead=brsas
+ok "... says where" is 'list(j) == '"$keys"' and j["status"] == "failed" and j["exit"] == 2 and j["errors"] == [
+    {"file": "--set", "line": 1, "column": 23, "message": "chains.1.beads.0.bead: there is no material `brsas`; did you mean `brass`?"}]'
+ok "... to people, too" says 'did you mean `brass`?'
+cp scene.yaml a:7:b.yaml
+echo 'simulate: {until: 0}' >>a:7:b.yaml
+ok "a file's name with colons" exits 2 "$beadreel" a:7:b.yaml -o none --json
+ok "... is told from the place" is '[(e["file"], e["line"], e["column"]) for e in j["errors"]] == [("a:7:b.yaml", 8, 19)]'
+ok "no scene" exits 2 "$beadreel" nothing --json
+ok "... has no place" is 'j["errors"][0]["file"] is None and j["errors"][0]["line"] is None and "nothing" in j["errors"][0]["message"]'
+ok "a wrong command line" exits 2 "$beadreel" --json --threads x
+ok "... as well" is 'j["exit"] == 2 and "--threads" in j["errors"][0]["message"]'
+cp scene.yaml "$(printf 'bad\351.yaml')"
+ok "a name that is no UTF-8" exits 2 "$beadreel" "$(printf 'bad\351.yaml')" --json --set x=1
+ok "... does no harm" is 'j["errors"] and j["exit"] == 2'
+ok "a run that cannot be verified" exits 1 "$beadreel" scene.yaml -o verify --only peaks.csv --json --set simulate='{verify: true, accuracy: 1e-14}'
+ok "... failed, with its file" is 'j["status"] == "failed" and j["exit"] == 1 and len(j["outputs"]) == 1 and j["warnings"] and j["errors"]'
+ok "a sweep" exits 0 "$beadsim" sweep -o sweep --json --set sweep.cells=6 --set sweep.configurations=2 --only force.csv
+ok "... counts its chains" is 'j["sweep"]["computed"] == j["sweep"]["known"] == j["sweep"]["chains"] > 4 and j["runs"] == []'
+stopped() {
+    "$beadsim" scene.yaml -o stop --only peaks.csv --json --set simulate='{until: 10 s, method: rk4, step: 0.1 us}' >out 2>err &
+    sleep 0.3 && kill -TERM $! && wait $!
+    [ $? -eq 143 ]
+}
+ok "a stopped run" stopped
+ok "... says so" is 'j["status"] == "stopped" and j["exit"] == 143 and "signal 15" in j["errors"][0]["message"]'
+finish
