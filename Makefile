@@ -1,6 +1,7 @@
 # Beadreel: `make help` lists what there is.
 PREFIX  ?= /usr/local
 LIBDIR  ?= $(PREFIX)/lib
+ZSHDIR  ?= $(PREFIX)/share/zsh/site-functions
 DESTDIR ?=
 BUILD   ?= build
 DEMO    ?= demo
@@ -29,7 +30,7 @@ endif
 # Debian packages (12 and 13): to build, to build and run the tests, and what .ci/run uses beyond those.
 BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libpng-dev \
              libegl-dev libavformat-dev libavcodec-dev libavutil-dev libcairo2-dev libpango1.0-dev libfontconfig-dev fonts-stix fonts-lato
-TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py man-db mandoc
+TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py man-db mandoc zsh fish
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
 WISHED_DEPS = libosmesa6
 CI_DEPS    = clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr
@@ -299,7 +300,7 @@ SHARE  = $(DESTDIR)$(PREFIX)/share
 
 install: all ## install to PREFIX (default /usr/local), below DESTDIR
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(PREFIX)/include/beadreel
-	install -d $(SHARE)/man/man1 $(SHARE)/man/man5 $(SHARE)/bash-completion/completions
+	install -d $(SHARE)/man/man1 $(SHARE)/man/man5
 	install -m 755 $(PROGRAMS) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 include/beadreel/*.h $(DESTDIR)$(PREFIX)/include/beadreel
 	for l in beadsim beadreel; do \
@@ -318,15 +319,19 @@ install: all ## install to PREFIX (default /usr/local), below DESTDIR
 	    > $(DESTDIR)$(LIBDIR)/pkgconfig/beadreel.pc
 	for a in $(ASSETS); do install -D -m 644 assets/$$a $(SHARE)/beadreel/$$a || exit 1; done
 	for m in $(MANUALS); do install -m 644 $$m $(SHARE)/man/man$${m##*.} || exit 1; done
+	install -d $(SHARE)/bash-completion/completions $(DESTDIR)$(ZSHDIR) $(SHARE)/fish/vendor_completions.d
 	install -m 644 assets/completions/beadreel.bash $(SHARE)/bash-completion/completions/beadreel
 	ln -sf beadreel $(SHARE)/bash-completion/completions/beadsim
+	install -m 644 assets/completions/_beadreel $(DESTDIR)$(ZSHDIR)
+	install -m 644 assets/completions/beadreel.fish $(SHARE)/fish/vendor_completions.d
+	ln -sf beadreel.fish $(SHARE)/fish/vendor_completions.d/beadsim.fish
 
 uninstall: ## remove what `make install` put there
 	rm -f $(DESTDIR)$(PREFIX)/bin/beadsim $(DESTDIR)$(PREFIX)/bin/beadreel
 	rm -f $(foreach l,beadsim beadreel,$(DESTDIR)$(LIBDIR)/lib$(l).a $(DESTDIR)$(LIBDIR)/lib$(l).so $(DESTDIR)$(LIBDIR)/lib$(l).so.*)
 	rm -f $(DESTDIR)$(LIBDIR)/pkgconfig/beadsim.pc $(DESTDIR)$(LIBDIR)/pkgconfig/beadreel.pc
 	rm -f $(foreach m,$(MANUALS),$(SHARE)/man/man$(subst .,,$(suffix $(m)))/$(notdir $(m)))
-	rm -f $(SHARE)/bash-completion/completions/beadsim $(SHARE)/bash-completion/completions/beadreel
+	rm -f $(foreach p,beadsim beadreel,$(SHARE)/bash-completion/completions/$(p) $(SHARE)/fish/vendor_completions.d/$(p).fish) $(DESTDIR)$(ZSHDIR)/_beadreel
 	rm -rf $(DESTDIR)$(PREFIX)/include/beadreel $(SHARE)/beadreel
 
 clean: ## remove what was built

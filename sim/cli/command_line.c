@@ -337,10 +337,11 @@ void command_print_man(const struct command_program *program, FILE *out)
     }
 }
 
-/* For the shell's completion: a line for each option, "--name -n", its argument where it has one, and the values it may have. */
+/* For the completion of shells: a line for each option, "--name -n", its argument where it has one, the values it may have; a tab; help. */
 void command_print_words(const struct command_program *program, FILE *out)
 {
     const char *words[WORDS];
+    char text[256];
     for (size_t i = 0; i < ROWS; i++) {
         if (!offered(program, &rows[i]))
             continue;
@@ -349,7 +350,7 @@ void command_print_words(const struct command_program *program, FILE *out)
         const size_t count = allowed(program, &rows[i], words);
         for (size_t w = 0; w < count; w++)
             fprintf(out, " %s", words[w]);
-        fputc('\n', out);
+        fprintf(out, "\t%s\n", row_help(program, &rows[i], text, sizeof text));
     }
 }
 
