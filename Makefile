@@ -1,6 +1,7 @@
 # Beadreel: `make help` lists what there is.
 PREFIX  ?= /usr/local
-LIBDIR  ?= $(PREFIX)/lib
+# Debian's own directory of libraries below /usr; elsewhere plain lib.
+LIBDIR  ?= $(PREFIX)/lib$(if $(filter /usr,$(PREFIX)),$(addprefix /,$(shell $(CC) -print-multiarch 2>/dev/null)))
 ZSHDIR  ?= $(PREFIX)/share/zsh/site-functions
 DESTDIR ?=
 BUILD   ?= build
@@ -221,6 +222,8 @@ $(BENCHES) $(STRESSES): $(BUILD)/tests/%: tests/%.c $(STATIC)
 test: all $(TESTS) $(EXAMPLES) $(FAIL_ALLOC) ## unit tests and tests of the programs; ends with `N passed, M failed`
 	@tests/run.sh $(BUILD)
 
+check: test ## the same
+
 compile: all $(TESTS) $(EXAMPLES) $(BENCHES) $(STRESSES) $(FAIL_ALLOC) ## everything, tests and benchmarks too, without running it
 
 fresh: ## README's commands on a bare Debian: make fresh SUITE=bookworm|trixie (root, debootstrap; minutes)
@@ -298,7 +301,8 @@ doc: ## the man pages as HTML, into build/doc
 ASSETS = $(shell cd assets && find . -type f ! -name '*.png' ! -path './man/*' ! -path './completions/*' ! -path './gallery/*' ! -path './findings/*' | sed 's,^\./,,')
 SHARE  = $(DESTDIR)$(PREFIX)/share
 
-install: all ## install to PREFIX (default /usr/local), below DESTDIR
+# Everything at its place below DESTDIR, an empty directory.
+staged:
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(PREFIX)/include/beadreel
 	install -d $(SHARE)/man/man1 $(SHARE)/man/man5
 	install -m 755 $(PROGRAMS) $(DESTDIR)$(PREFIX)/bin
@@ -326,13 +330,31 @@ install: all ## install to PREFIX (default /usr/local), below DESTDIR
 	install -m 644 assets/completions/beadreel.fish $(SHARE)/fish/vendor_completions.d
 	ln -sf beadreel.fish $(SHARE)/fish/vendor_completions.d/beadsim.fish
 
-uninstall: ## remove what `make install` put there
-	rm -f $(DESTDIR)$(PREFIX)/bin/beadsim $(DESTDIR)$(PREFIX)/bin/beadreel
-	rm -f $(foreach l,beadsim beadreel,$(DESTDIR)$(LIBDIR)/lib$(l).a $(DESTDIR)$(LIBDIR)/lib$(l).so $(DESTDIR)$(LIBDIR)/lib$(l).so.*)
-	rm -f $(DESTDIR)$(LIBDIR)/pkgconfig/beadsim.pc $(DESTDIR)$(LIBDIR)/pkgconfig/beadreel.pc
-	rm -f $(foreach m,$(MANUALS),$(SHARE)/man/man$(subst .,,$(suffix $(m)))/$(notdir $(m)))
-	rm -f $(foreach p,beadsim beadreel,$(SHARE)/bash-completion/completions/$(p) $(SHARE)/fish/vendor_completions.d/$(p).fish) $(DESTDIR)$(ZSHDIR)/_beadreel
-	rm -rf $(DESTDIR)$(PREFIX)/include/beadreel $(SHARE)/beadreel
+# What came, and which directories were new: `uninstall` removes just these.
+INSTALLED = $(PREFIX)/share/beadreel/installed
+install: all ## install to PREFIX (default /usr/local), libraries to LIBDIR, below DESTDIR
+	@set -e; stage=$$(mktemp -d); trap 'rm -rf "$$stage"' EXIT; \
+	$(MAKE) -s staged DESTDIR="$$stage" && cd "$$stage" && touch ".$(INSTALLED)"; \
+	{ cat "$(DESTDIR)$(INSTALLED)" 2>/dev/null || true; \
+	  find . -mindepth 1 ! -type d -printf '%P\n' -o -type d -printf '%P/\n' | while read -r n; do case $$n in \
+	      /) ;; */) [ -d "$(DESTDIR)/$$n" ] || echo "$$n" ;; *) echo "$$n" ;; esac; done; } | LC_ALL=C sort -u >"$$stage.list"; \
+	mv "$$stage.list" ".$(INSTALLED)"; mkdir -p "$(DESTDIR)/"; \
+	tar -cf - . | tar -xf - -C "$(DESTDIR)/" --no-same-owner --no-overwrite-dir --keep-directory-symlink
+	@echo "Installed below $(DESTDIR)$(PREFIX)."
+	@$(if $(DESTDIR),,echo "Programs find the shared libraries in $(LIBDIR) once ldconfig has run (as root), or with LD_LIBRARY_PATH=$(LIBDIR).")
+
+uninstall: ## remove what `make install` put there, and the directories that it made
+	@cd "$(DESTDIR)/" && list=$$(LC_ALL=C sort -r ".$(INSTALLED)" 2>/dev/null) || { echo "Nothing is installed below $(DESTDIR)$(PREFIX)."; exit 0; }; \
+	echo "$$list" | while read -r n; do case $$n in \
+	    */) rmdir --ignore-fail-on-non-empty "$$n" || true ;; \
+	    *.py) c=$${n%/*}/__pycache__ m=$${n##*/}; rm -f "$$n" "$$c/$${m%py}"*.pyc; rmdir --ignore-fail-on-non-empty "$$c" 2>/dev/null || true ;; \
+	    *) rm -f "$$n" ;; esac; done
+
+dist: ## the sources of the last commit, the same bytes each time: build/beadreel-VERSION.tar.gz
+	@mkdir -p $(BUILD)
+	@git archive --prefix=beadreel-$(VERSION)/ -o $(BUILD)/beadreel-$(VERSION).tar HEAD
+	@gzip -9nf $(BUILD)/beadreel-$(VERSION).tar
+	@echo $(BUILD)/beadreel-$(VERSION).tar.gz
 
 clean: ## remove what was built
 	rm -rf $(BUILD) $(BUILD)-asan $(BUILD)-tsan $(BUILD)-fuzz $(BUILD)-undefined-fuzz $(BUILD)-coverage
@@ -342,6 +364,6 @@ sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan tsan coverage counted fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
+.PHONY: staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan tsan coverage counted fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -131,6 +131,36 @@ chain: {striker: {bead: large-steel, velocity: 1 m/s}, beads: [{bead: large-stee
 outputs: [{table: peaks.csv, show: peaks}]
 YAML
 ok "... and runs" bash -c "cd '$T' && BEADREEL_ASSETS='$root/share/beadreel' ./minimal small.yaml . | grep 'peak force'"
-ok "make uninstall" quiet make --no-print-directory BUILD="$BUILD" DESTDIR="$T/root" uninstall
-ok "... leaves no file" bash -c "[ -z \"\$(find '$T/root' -type f -o -type l)\" ]"
+in_root() { quiet make --no-print-directory -o all BUILD="$BUILD" DESTDIR="$T/root" "$@"; }
+ok "make install says that ldconfig may be needed" bash -c "
+    make --no-print-directory -o all BUILD='$BUILD' PREFIX='$T/home' DESTDIR= install | grep -q 'ldconfig' && [ -x '$T/home/bin/beadreel' ]"
+multiarch() {
+    quiet make --no-print-directory -o all BUILD="$BUILD" PREFIX=/usr DESTDIR="$T/usr" install &&
+        [ -e "$T/usr/usr/lib/$(${CC:-cc} -print-multiarch)/pkgconfig/beadsim.pc" ]
+}
+ok "... libraries of /usr lie where Debian has them" multiarch
+ok "make install again" in_root install
+ok "make uninstall" in_root uninstall
+ok "... leaves no file and no directory" empty "$T/root"
+ok "make uninstall where nothing is" in_root uninstall
+kept() { # what was there before, and what others put there
+    mkdir -p "$root/bin" && touch "$T/root/etc" && in_root install || return 1
+    touch "$root/share/man/man1/other.1" && in_root uninstall || return 1
+    [ "$(cd "$T/root" && find . -mindepth 1 | sort | tr '\n' ' ')" = "$(cd "$T/root" &&
+        printf '%s\n' ./etc "${root#"$T/root"}"{/bin,/share/man/man1/other.1} | sed 's,^/,./,' |
+        while read -r n; do while [ "$n" != . ]; do echo "$n"; n=$(dirname "$n"); done; done | sort -u | tr '\n' ' ')" ]
+}
+ok "... leaves what is not its own" kept
+
+# The archive of the sources: all that git has, and it builds.
+dist_is_whole() {
+    quiet make --no-print-directory BUILD="$T/dist" dist && mkdir "$T/sources" && tar xf "$T"/dist/beadreel-*.tar.gz -C "$T/sources" || return 1
+    (cd "$T"/sources/beadreel-* && find . -type f -o -type l | sed 's,^\./,,' | LC_ALL=C sort) | diff - <(git ls-tree -r --name-only HEAD | LC_ALL=C sort)
+}
+if git rev-parse -q --verify HEAD >/dev/null 2>&1; then
+    ok "make dist has every file" dist_is_whole
+    ok "... which compile" bash -c "cd '$T'/sources/beadreel-* && make --no-print-directory BUILD=b b/sim/chain/law.o"
+else
+    skip "a git checkout" "make dist has every file"
+fi
 finish
