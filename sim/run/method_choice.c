@@ -19,6 +19,9 @@ static const double smooth_theta = 1, smooth_order = 8, smooth_cap = 2.2, far_fr
 
 /* With damping steps follow the state, which takes shorter ones than a bound for the whole run. */
 static const double damped_part = 0.7;
+/* Where the damping's exponent a is below 1 its force has an infinite slope at every turn of a contact, which leaves the order 1 +
+ * a. Steps are those of other damping at this accuracy. */
+static const double steep_accuracy = 1e-3;
 
 /* Errors add up on the way along a chain, and grow behind the front where it is disordered: with contacts that open, chains of more
  * than `usual_beads` are stepped for an accuracy smaller by this power of their length, up to about as many beads as the longest
@@ -47,6 +50,17 @@ static bool never_opens(const struct bead_chain *chain)
     for (bead_contact_walk_start(&w, chain, true); never && bead_contact_walk_next(&w);)
         never = energy < far_from_opening * opening_energy(&w);
     return never;
+}
+
+static void allow_for_damping(const struct bead_chain *chain, struct bead_method_choice *choice)
+{
+    const double a = chain->spec->damping_exponent;
+    choice->theta *= damped_part;
+    if (!(a < 1))
+        return;
+    const double order = 1 + a;
+    choice->theta *= bead_pow(steep_accuracy / row_accuracy, 1 / choice->order - 1 / order);
+    choice->order = order;
 }
 
 /* The method that `auto` picks, and why. */
@@ -95,7 +109,7 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
                          file, name, chain->law->name);
     *choice = (struct bead_method_choice){method, method->info.theta, method->info.theta_order, method->info.theta_cap, 1, why};
     if (chain->spec->damping_coefficient > 0)
-        choice->theta *= damped_part;
+        allow_for_damping(chain, choice);
     if (method->events && chain->law->one_sided)
         choice->share = share;
     if (!any || !method->tableau)
