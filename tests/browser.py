@@ -21,12 +21,21 @@ function look(source, width, height) {
     const context = canvas.getContext('2d');
     context.drawImage(source, 0, 0, width, height);
     const data = context.getImageData(0, 0, width, height).data, colours = new Set();
-    let brightest = 0;
+    let brightest = 0, clear = 0, opaque = 0;
     for (let i = 0; i < data.length; i += 4) {
+        clear += data[i + 3] == 0;
+        opaque += data[i + 3] == 255;
         colours.add((data[i] >> 3) << 10 | (data[i + 1] >> 3) << 5 | data[i + 2] >> 3);
         brightest = Math.max(brightest, data[i], data[i + 1], data[i + 2]);
     }
-    return {data, colours: colours.size, brightest};
+    return {data, colours: colours.size, brightest, clear, opaque};
+}
+/* Files named so have nothing behind what they show; the corner is empty. */
+function transparent(name, shown) {
+    if (/^clear/.test(name))
+        tell(shown.data[3] == 0 && shown.clear > 100 && shown.opaque > 100, `${name} is transparent: ${shown.clear} pixels are, ${shown.opaque} are opaque`);
+    else
+        tell(shown.opaque > 0.98 * shown.data.length / 4, `${name} is opaque`); /* the edges of drawings may lie within pixels */
 }
 function differ(a, b) {
     let count = 0;
@@ -55,6 +64,7 @@ async function film(name) {
          `${name} reaches its end, ${video.currentTime.toFixed(2)} of ${video.duration.toFixed(2)} s`);
     tell(last.brightest > 200 && last.colours > 50, `${name} is not black: ${last.colours} colours, up to ${last.brightest}`);
     tell(differ(first, last) > 100, `${name} moves: ${differ(first, last)} pixels differ between its ends`);
+    transparent(name, last);
     video.remove();
 }
 async function animation(name, type) {
@@ -76,6 +86,7 @@ async function animation(name, type) {
     tell(track.repetitionCount === Infinity, `${name} loops for ever`);
     tell(differ(a, b) > 100, `${name} moves: ${differ(a, b)} pixels differ between its frames 0 and ${half}`);
     tell(b.colours > 20 && b.brightest > 200, `${name} is not black half way`);
+    transparent(name, b);
     image.remove();
 }
 async function still(name) {
@@ -83,6 +94,7 @@ async function still(name) {
     image.src = name;
     await image.decode();
     const shown = look(image, image.naturalWidth, image.naturalHeight);
+    transparent(name, shown);
     tell(image.naturalWidth > 100 && shown.colours > 50, `${name} opens: ${image.naturalWidth} x ${image.naturalHeight}, ${shown.colours} colours`);
 }
 (async () => {

@@ -113,6 +113,8 @@ void decode(const char *path, struct decoded *movie)
     assert_int_equal(format->nb_streams, 1 + lists + movie->covers);
     const AVStream *stream = format->streams[0];
     const AVCodec *decoder = avcodec_find_decoder(stream->codecpar->codec_id);
+    if (av_dict_get(stream->metadata, "alpha_mode", NULL, 0)) /* libavcodec's own does not know it */
+        decoder = avcodec_find_decoder_by_name("libvpx-vp9");
     assert_non_null(decoder);
     describe(format, stream, decoder, movie);
     AVCodecContext *codec = avcodec_alloc_context3(decoder);

@@ -105,6 +105,7 @@ static const struct expected all[] = {
     {"high.webm", BEAD_QUALITY_HIGH, "vp9", 38},         {"lossless.webm", BEAD_QUALITY_LOSSLESS, "vp9", 0},
     {"standard.gif", BEAD_QUALITY_STANDARD, "gif", 0},   {"standard.apng", BEAD_QUALITY_STANDARD, "apng", 0},
     {"draft.png", BEAD_QUALITY_DRAFT, "apng", 0},        {"lossless.PNG", BEAD_QUALITY_LOSSLESS, "apng", 0},
+    {"lossless.mov", BEAD_QUALITY_LOSSLESS, "png", 0},
 };
 enum { ALL = sizeof all / sizeof *all };
 

@@ -18,7 +18,7 @@ struct bead_rgb {
 };
 
 struct bead_look {
-    bool dark;
+    bool dark, clear;          /* clear: nothing is painted behind what is drawn */
     char family[64];           /* Pango font family: "STIX" on paper, "Lato" on screens */
     double title, label, tick; /* font sizes, px */
     double line;               /* width of axes and curves, px */
@@ -35,6 +35,10 @@ BEAD_API void bead_look_screen(struct bead_look *look, int width, int height, bo
 BEAD_API void bead_look_film(struct bead_look *look, int width, int height, bool dark, bool large);
 /* Screen look for a projector: larger type, thicker lines. */
 BEAD_API void bead_look_slide(struct bead_look *look, int width, int height, bool dark);
+
+/* Paint all of the page, or a rectangle of a panel, in the look's colours; nothing where it is clear. */
+BEAD_API void bead_look_paint(const struct bead_look *look, cairo_t *cr);
+BEAD_API void bead_look_paint_panel(const struct bead_look *look, cairo_t *cr, double x, double y, double width, double height);
 
 /* Colour of the curve of this number, from 0; six, then again. */
 BEAD_API struct bead_rgb bead_look_curve(const struct bead_look *look, size_t index);

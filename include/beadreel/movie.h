@@ -1,5 +1,6 @@
 /* Movies: frames into a file through libavcodec and libavformat. The container follows the extension:
- * mp4 (H.264), mkv (H.264; lossless: FFV1), webm (VP9), gif, png/apng (APNG); lossless mp4 and webm keep RGB as it is.
+ * mp4 (H.264), mov (ProRes 4444; lossless: PNG), mkv (H.264; lossless: FFV1), webm (VP9), gif, png/apng (APNG); lossless mp4 and
+ * webm keep RGB as it is.
  *
  *   bead_movie_check(path, &settings, &msg);          long before, where there is time to say no
  *   bead_movie_open(path, &settings, &movie, &msg);   writes path.part
@@ -44,10 +45,11 @@ struct bead_movie_settings {
     enum bead_quality quality;
     const char *title, *comment; /* metadata; may be NULL */
     bool cover;                  /* bead_movie_cover will be called */
-    /* mp4, mkv and webm: by rising times, the first at 0; borrowed until the movie is closed. */
+    /* mp4, mov, mkv and webm: by rising times, the first at 0; borrowed until the movie is closed. */
     const struct bead_movie_chapter *chapters;
     size_t chapter_count;
     double length; /* s: where the last chapter ends */
+    bool alpha;    /* frames have alpha, and so has the movie: webm, mov, apng and png */
     /* The same containers: by rising times, none before the last has ended; borrowed until the movie is closed. */
     const struct bead_movie_subtitle *subtitles;
     size_t subtitle_count;

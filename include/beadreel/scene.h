@@ -192,6 +192,7 @@ enum bead_sampling { BEAD_SAMPLING_AREA, BEAD_SAMPLING_MAX };
 enum bead_quality { BEAD_QUALITY_DRAFT, BEAD_QUALITY_STANDARD, BEAD_QUALITY_HIGH, BEAD_QUALITY_LOSSLESS };
 enum bead_style { BEAD_STYLE_AUTO, BEAD_STYLE_PAPER, BEAD_STYLE_SLIDE, BEAD_STYLE_MOVIE };
 enum bead_theme { BEAD_THEME_AUTO, BEAD_THEME_LIGHT, BEAD_THEME_DARK };
+enum bead_background { BEAD_BACKGROUND_THEME, BEAD_BACKGROUND_NONE };
 enum bead_follow { BEAD_FOLLOW_ALL, BEAD_FOLLOW_FRONT };
 enum bead_layout {
     BEAD_LAYOUT_AUTO,
@@ -246,6 +247,7 @@ struct bead_paper {
     double dpi; /* of lengths, and of rasters in vector files */
     enum bead_style style;
     enum bead_theme theme;
+    enum bead_background background; /* what is painted behind it all */
 };
 
 /* Pictures, image and plot, of one or several panels. */

@@ -62,7 +62,7 @@ uint64_t bead_frame_hash(const struct bead_frame *frame)
     for (int y = 0; y < frame->height; y++) {
         const uint8_t *row = frame->pixels + (size_t)y * frame->stride;
         for (int x = 0; x < frame->width; x++) {
-            for (int c = 0; c < 3; c++)
+            for (int c = 0; c < (frame->alpha ? 4 : 3); c++)
                 hash = (hash ^ row[4 * x + c]) * 0x100000001b3u;
         }
     }

@@ -95,6 +95,23 @@ void bead_look_slide(struct bead_look *look, int width, int height, bool dark)
     look->margin = round(screen_margin * look->label);
 }
 
+void bead_look_paint(const struct bead_look *look, cairo_t *cr)
+{
+    if (look->clear)
+        return;
+    cairo_set_source_rgb(cr, look->background.r, look->background.g, look->background.b);
+    cairo_paint(cr);
+}
+
+void bead_look_paint_panel(const struct bead_look *look, cairo_t *cr, double x, double y, double width, double height)
+{
+    if (look->clear)
+        return;
+    cairo_set_source_rgb(cr, look->panel.r, look->panel.g, look->panel.b);
+    cairo_rectangle(cr, x, y, width, height);
+    cairo_fill(cr);
+}
+
 /* Colours that differ in print and for colour-blind readers: first row on light, second on dark backgrounds. */
 static const struct bead_rgb inks[2][6] = {
     {{0.10, 0.32, 0.60}, {0.80, 0.33, 0.07}, {0.08, 0.49, 0.36}, {0.55, 0.27, 0.60}, {0.70, 0.52, 0.00}, {0.35, 0.37, 0.41}},

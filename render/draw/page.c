@@ -43,7 +43,8 @@ enum bead_error bead_page_find(const struct bead_output *output, const char *fil
     bool screen = output->paper.style == BEAD_STYLE_SLIDE || output->paper.style == BEAD_STYLE_MOVIE;
     bool paper = output->paper.style == BEAD_STYLE_PAPER || (length && !screen);
     double dpi = length || paper ? output->paper.dpi : vector ? screen_dpi : 0;
-    *page = (struct bead_page){(int)size[0], (int)size[1], dpi, paper, vector, length};
+    *page = (struct bead_page){
+        (int)size[0], (int)size[1], dpi, paper, vector, length, output->paper.background == BEAD_BACKGROUND_NONE};
     return BEAD_OK;
 }
 
@@ -55,7 +56,7 @@ const char *bead_page_size(const struct bead_page *page, char words[BEAD_SIZE_WO
     return words;
 }
 
-void bead_page_look(const struct bead_page *page, const struct bead_paper *asked, struct bead_look *look)
+static void set_look(const struct bead_page *page, const struct bead_paper *asked, struct bead_look *look)
 {
     bool automatic = asked->theme == BEAD_THEME_AUTO;
     bool dark = asked->theme == BEAD_THEME_DARK || (automatic && asked->style == BEAD_STYLE_MOVIE);
@@ -79,6 +80,12 @@ void bead_page_look(const struct bead_page *page, const struct bead_paper *asked
         look->accent = screen.accent;
         look->axis = screen.axis;
     }
+}
+
+void bead_page_look(const struct bead_page *page, const struct bead_paper *asked, struct bead_look *look)
+{
+    set_look(page, asked, look);
+    look->clear = page->clear;
 }
 
 /* What the picture shows, in words. */
@@ -119,6 +126,7 @@ static enum bead_error write_raster(const struct bead_page *page, const struct b
     enum bead_error err = bead_frame_create(page->width, page->height, &frame, msg);
     if (err)
         return err;
+    frame.alpha = page->clear;
     bead_warnings_watch();
     err = drawing->raster ? drawing->raster(drawing->context, &frame, msg)
                           : bead_raster_draw(&frame, drawing->draw, drawing->context, msg);

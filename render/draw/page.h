@@ -12,6 +12,7 @@ struct bead_page {
     int width, height;          /* px */
     double dpi;                 /* of these pixels; 0: unknown */
     bool paper, vector, length; /* length: the scene gives its size in mm, not px */
+    bool clear;                 /* nothing is painted behind what is drawn */
 };
 
 /* How far axes, headings and bar reach out of the plots, px. */

@@ -11,6 +11,7 @@
 #include "beadreel/file.h"
 #include "beadreel/picture.h"
 #include "render/draw/notes.h"
+#include "render/draw/straight.h"
 #include "sim/base/large.h"
 
 struct writer {
@@ -24,7 +25,7 @@ struct writer {
 /* What to write: indices with a palette, or a frame. */
 struct image {
     int width, height;
-    const uint8_t *indices; /* NULL: RGB from the frame */
+    const uint8_t *indices; /* NULL: RGB, or RGBA, from the frame */
     const struct bead_frame *frame;
     png_color palette[256];
     int colours;
@@ -93,8 +94,10 @@ static void put_notes(struct writer *w, const struct bead_picture_notes *notes)
 static void put_header(struct writer *w, const struct image *image)
 {
     png_set_IHDR(w->png, w->info, (png_uint_32)image->width, (png_uint_32)image->height, 8,
-                 image->indices ? PNG_COLOR_TYPE_PALETTE : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
+                 image->indices        ? PNG_COLOR_TYPE_PALETTE
+                 : image->frame->alpha ? PNG_COLOR_TYPE_RGBA
+                                       : PNG_COLOR_TYPE_RGB,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (image->indices)
         png_set_PLTE(w->png, w->info, image->palette, image->colours);
     png_set_sRGB_gAMA_and_cHRM(w->png, w->info, PNG_sRGB_INTENT_PERCEPTUAL);
@@ -106,6 +109,16 @@ static void put_header(struct writer *w, const struct image *image)
     png_write_info(w->png, w->info);
 }
 
+static void put_row(const uint8_t *from, size_t width, uint8_t *to)
+{
+    for (size_t x = 0; x < width; x++) { /* four bytes at once; the next pixel overwrites the last one */
+        uint32_t pixel;
+        memcpy(&pixel, from + 4 * x, 4);
+        pixel = __builtin_bswap32(pixel) >> 8;
+        memcpy(to + 3 * x, &pixel, 4);
+    }
+}
+
 static void png_put_rows(struct writer *w, const struct image *image)
 {
     for (int y = 0; y < image->height; y++) {
@@ -114,12 +127,10 @@ static void png_put_rows(struct writer *w, const struct image *image)
             continue;
         }
         const uint8_t *from = image->frame->pixels + (size_t)y * image->frame->stride;
-        for (size_t x = 0; x < (size_t)image->width; x++) { /* four bytes at once; the next pixel overwrites the last one */
-            uint32_t pixel;
-            memcpy(&pixel, from + 4 * x, 4);
-            pixel = __builtin_bswap32(pixel) >> 8;
-            memcpy(w->row + 3 * x, &pixel, 4);
-        }
+        if (image->frame->alpha)
+            bead_straight_rgba(from, (size_t)image->width, w->row);
+        else
+            put_row(from, (size_t)image->width, w->row);
         png_write_row(w->png, w->row);
     }
     png_write_end(w->png, w->info);
@@ -133,7 +144,7 @@ static enum bead_error png_encode(struct writer *w, const struct image *image, F
         return bead_fail(msg, BEAD_ERROR_IO, "%s: %s", part, w->error);
     w->png = png_create_write_struct(PNG_LIBPNG_VER_STRING, w, on_error, on_warning);
     w->info = w->png ? png_create_info_struct(w->png) : NULL;
-    w->row = malloc(3 * (size_t)image->width + 1);
+    w->row = malloc(4 * (size_t)image->width + 1);
     if (!w->info || !w->row)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for a PNG encoder", part);
     png_set_write_fn(w->png, file, on_write, on_flush);
@@ -209,6 +220,8 @@ enum bead_error bead_png_write(const char *path, const struct bead_frame *frame,
     if (err)
         return err;
     struct image image = {.width = frame->width, .height = frame->height, .frame = frame, .notes = notes ? &own : NULL};
+    if (frame->alpha)
+        return bead_file_write(path, png_fill, &image, bytes, msg);
     uint8_t *indices = bead_large_take((size_t)frame->width * (size_t)frame->height);
     if (!indices)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for %d x %d pixels", path, frame->width, frame->height);

@@ -1,10 +1,15 @@
 /* Wraps a frame's pixels in a cairo context, and reports what cairo could not draw. */
 #include "render/draw/raster.h"
 
+cairo_surface_t *bead_raster_surface(const struct bead_frame *frame)
+{
+    return cairo_image_surface_create_for_data(frame->pixels, frame->alpha ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24, frame->width,
+                                               frame->height, (int)frame->stride);
+}
+
 cairo_t *bead_raster_begin(const struct bead_frame *frame)
 {
-    cairo_surface_t *surface =
-        cairo_image_surface_create_for_data(frame->pixels, CAIRO_FORMAT_RGB24, frame->width, frame->height, (int)frame->stride);
+    cairo_surface_t *surface = bead_raster_surface(frame);
     cairo_t *cr = cairo_create(surface);
     cairo_surface_destroy(surface); /* the context keeps it */
     return cr;

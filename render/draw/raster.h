@@ -8,6 +8,8 @@
 
 #include "beadreel/picture.h"
 
+/* A surface of the frame's pixels, which must outlive it. */
+cairo_surface_t *bead_raster_surface(const struct bead_frame *frame);
 /* The frame's pixels must outlive the context. */
 cairo_t *bead_raster_begin(const struct bead_frame *frame);
 /* Destroys the context; everything drawn is in the frame. Errors: GRAPHICS if something was not drawn; `what` names it. */

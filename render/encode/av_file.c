@@ -132,13 +132,13 @@ static int copy_stream(const struct bead_av *av, const AVStream *from, AVFormatC
     AVStream *stream = av->avformat_new_stream(to, NULL);
     if (!stream)
         return AVERROR(ENOMEM);
+    const AVDictionaryEntry *alpha = av->av_dict_get(from->metadata, "alpha_mode", NULL, 0); /* of WebM */
     stream->time_base = from->time_base;
     stream->avg_frame_rate = from->avg_frame_rate;
     int code = av->avcodec_parameters_copy(stream->codecpar, from->codecpar);
     stream->sample_aspect_ratio = stream->codecpar->sample_aspect_ratio = (AVRational){1, 1}; /* not read where they are 1 */
-    stream->codecpar->codec_tag = 0;
-    stream->codecpar->bit_rate = 0; /* of the first fragment only */
-    return code;
+    stream->codecpar->bit_rate = 0;                                                           /* of the first fragment only */
+    return code < 0 ? code : av->av_dict_set(&stream->metadata, "alpha_mode", alpha ? alpha->value : NULL, 0);
 }
 
 /* A picture beside the movie is a stream of its own, of one packet. */
@@ -157,31 +157,57 @@ static int add_cover(const struct bead_av *av, AVFormatContext *to)
     return 0;
 }
 
-/* Each packet behind those of other tracks that begin earlier: readers find together what is shown together. */
-static int copy_packets(const struct bead_av *av, AVFormatContext *from, AVFormatContext *to, struct bead_tracks *tracks)
+/* Two packets of the pictures: one waits until the next tells how long it lasts. */
+struct pair {
+    AVPacket *held, *next;
+};
+
+/* Behind the packets of other tracks that begin earlier: readers find together what is shown together. `end`: of the packet held.
+ */
+static int write_held(const struct bead_av *av, const struct pair *packets, int64_t end, AVFormatContext *to,
+                      struct bead_tracks *tracks)
 {
-    AVPacket *packet = av->av_packet_alloc();
+    AVPacket *packet = packets->held;
+    if (!packet->data)
+        return 0;
+    int code = bead_tracks_write(av, tracks, to, packet->dts, to->streams[0]->time_base);
+    packet->duration = end - packet->dts;
+    if (code >= 0)
+        code = av->av_write_frame(to, packet);
+    av->av_packet_unref(packet);
+    return code >= 0 ? to->pb->error : code;
+}
+
+static int copy_pictures(const struct bead_av *av, AVFormatContext *from, const struct pair *packets, AVFormatContext *to,
+                         const struct bead_av_beside *beside)
+{
     const AVRational unit = to->streams[0]->time_base;
-    int code = packet ? 0 : AVERROR(ENOMEM);
-    while (code >= 0) {
-        code = av->av_read_frame(from, packet);
-        if (code < 0)
-            break;
-        av->av_packet_rescale_ts(packet, from->streams[0]->time_base, unit);
-        packet->pos = -1;
-        if (packet->dts == AV_NOPTS_VALUE) /* of Matroska; pictures are shown in the order of the file */
-            packet->dts = packet->pts;
-        code = bead_tracks_write(av, tracks, to, packet->dts, unit);
-        if (code >= 0)
-            code = av->av_write_frame(to, packet);
-        av->av_packet_unref(packet);
-        if (code >= 0)
-            code = to->pb->error;
+    int code = 0;
+    int64_t end = 0;
+    while (code >= 0 && (code = av->av_read_frame(from, packets->next)) >= 0) {
+        AVPacket *next = packets->next;
+        av->av_packet_rescale_ts(next, from->streams[0]->time_base, unit);
+        next->pos = -1;
+        if (next->dts == AV_NOPTS_VALUE) /* of Matroska; pictures are shown in the order of the file */
+            next->dts = next->pts;
+        code = write_held(av, packets, next->dts, to, beside->tracks);
+        end = next->dts + av->av_rescale_q(1, beside->frame_time, unit); /* the last lasts one frame */
+        av->av_packet_move_ref(packets->held, next);
     }
-    av->av_packet_free(&packet);
     if (code == AVERROR_EOF)
         code = from->pb->error;
-    return code >= 0 ? bead_tracks_write(av, tracks, to, INT64_MAX, unit) : code;
+    if (code >= 0)
+        code = write_held(av, packets, end, to, beside->tracks);
+    return code >= 0 ? bead_tracks_write(av, beside->tracks, to, INT64_MAX, unit) : code;
+}
+
+static int copy_packets(const struct bead_av *av, AVFormatContext *from, AVFormatContext *to, const struct bead_av_beside *beside)
+{
+    struct pair packets = {av->av_packet_alloc(), av->av_packet_alloc()};
+    int code = packets.held && packets.next ? copy_pictures(av, from, &packets, to, beside) : AVERROR(ENOMEM);
+    av->av_packet_free(&packets.held);
+    av->av_packet_free(&packets.next);
+    return code;
 }
 
 static int write_cover(const struct bead_av *av, AVFormatContext *to, AVPacket *cover)
@@ -201,7 +227,7 @@ static int copy_all(const struct bead_av *av, AVFormatContext *from, AVFormatCon
     if (code >= 0)
         code = av->avformat_write_header(to, options);
     if (code >= 0)
-        code = copy_packets(av, from, to, beside->tracks);
+        code = copy_packets(av, from, to, beside);
     if (code >= 0 && beside->cover)
         code = write_cover(av, to, beside->cover);
     if (code >= 0)

@@ -16,10 +16,11 @@ AVIOContext *bead_av_file_wrap(const struct bead_av *av, int descriptor, bool wr
 /* Free it without flushing, and set *context to NULL. NULL and pointers to NULL are allowed. */
 void bead_av_file_unwrap(const struct bead_av *av, AVIOContext **context);
 
-/* What comes to the pictures in the finished file; NULL: none. */
+/* What comes to the pictures in the finished file. */
 struct bead_av_beside {
+    AVRational frame_time; /* s: how long the last picture lasts */
     struct bead_tracks *tracks;
-    AVPacket *cover; /* PNG */
+    AVPacket *cover; /* PNG; NULL: none */
 };
 /* The movie that `from` holds, and what comes to it, into the file `to`, in the same container with other options, without
  * encoding. `to` knows its metadata, but neither streams nor file yet. Returns 0 or libav's negative number. */

@@ -38,11 +38,31 @@ static const struct bead_preset vp9[] = {
     {"libvpx-vp9", AV_PIX_FMT_YUV420P, 1, false, VP9_LEAN "deadline=realtime cpu-used=7 crf=24"},
     {"libvpx-vp9", AV_PIX_FMT_YUV420P, 1, false, VP9_LEAN "deadline=good cpu-used=4 crf=15"},
     {"libvpx-vp9", AV_PIX_FMT_GBRP, 1, false, VP9_LEAN "deadline=realtime cpu-used=8 lossless=1"}};
+static const struct bead_preset vp9_clear[] = {
+    {"libvpx-vp9", AV_PIX_FMT_YUVA420P, 1, false, VP9_LEAN "deadline=realtime cpu-used=8 crf=32"},
+    {"libvpx-vp9", AV_PIX_FMT_YUVA420P, 1, false, VP9_LEAN "deadline=realtime cpu-used=7 crf=24"},
+    {"libvpx-vp9", AV_PIX_FMT_YUVA420P, 1, false, VP9_LEAN "deadline=good cpu-used=4 crf=15"},
+    {NULL}};
+/* ProRes 4444 at constant quantisers (12, 6, 2; in units of 118), which leave flat colours cheap; the vendor is what editors
+ * expect. It is never lossless; PNG is. */
+#define PRORES(quantiser) "profile=4444 vendor=apl0 flags=+qscale global_quality=" quantiser
+static const struct bead_preset prores[] = {{"prores_ks", AV_PIX_FMT_YUV444P10, 4, false, PRORES("1416")},
+                                            {"prores_ks", AV_PIX_FMT_YUV444P10, 4, false, PRORES("708")},
+                                            {"prores_ks", AV_PIX_FMT_YUV444P10, 4, false, PRORES("236")},
+                                            {"png", AV_PIX_FMT_RGB24, 4, false, "pred=sub compression_level=3"}};
+static const struct bead_preset prores_clear[] = {{"prores_ks", AV_PIX_FMT_YUVA444P10, 4, false, PRORES("1416")},
+                                                  {"prores_ks", AV_PIX_FMT_YUVA444P10, 4, false, PRORES("708")},
+                                                  {"prores_ks", AV_PIX_FMT_YUVA444P10, 4, false, PRORES("236")},
+                                                  {"png", AV_PIX_FMT_RGBA, 4, false, "pred=sub compression_level=3"}};
 /* The same pixels at every quality: only the work on the size differs. */
 static const struct bead_preset apng[] = {{"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=1"},
                                           {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=3"},
                                           {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=6"},
                                           {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=6"}};
+static const struct bead_preset apng_clear[] = {{"apng", AV_PIX_FMT_RGBA, 1, false, "pred=sub compression_level=1"},
+                                                {"apng", AV_PIX_FMT_RGBA, 1, false, "pred=sub compression_level=3"},
+                                                {"apng", AV_PIX_FMT_RGBA, 1, false, "pred=sub compression_level=6"},
+                                                {"apng", AV_PIX_FMT_RGBA, 1, false, "pred=sub compression_level=6"}};
 static const struct bead_preset gif[] = {{"gif", AV_PIX_FMT_PAL8, 1, false, ""},
                                          {"gif", AV_PIX_FMT_PAL8, 1, false, ""},
                                          {"gif", AV_PIX_FMT_PAL8, 1, false, ""},
@@ -52,7 +72,7 @@ static const struct bead_preset gif[] = {{"gif", AV_PIX_FMT_PAL8, 1, false, ""},
 #define PNG_END "\0\0\0\0IEND\xae\x42\x60\x82"
 #define APNG                                                                                                               \
     .way = &bead_movie_libav, .muxer = "apng", .muxer_options = "plays=0", .ending = PNG_END, .comment = bead_comment_png, \
-    .presets = apng, .delay_unit = 1
+    .presets = apng, .clear = apng_clear, .delay_unit = 1
 
 static const struct bead_codec codecs[] = {
     {.info = {"mp4", "H.264, plays everywhere (lossless: RGB, not in all players)"},
@@ -64,6 +84,15 @@ static const struct bead_codec codecs[] = {
      .chapters = true,
      .subtitles = &bead_subtitles_mp4,
      .covers = true},
+    {.info = {"mov", "ProRes 4444, for editing; lossless: PNG"},
+     .way = &bead_movie_libav,
+     .muxer = "mov",
+     .muxer_options = "movflags=+empty_moov+default_base_moof+frag_custom",
+     .plain_options = "movflags=+faststart",
+     .presets = prores,
+     .clear = prores_clear,
+     .chapters = true,
+     .subtitles = &bead_subtitles_mp4},
     {.info = {"mkv", "H.264 in Matroska; lossless: FFV1"},
      .way = &bead_movie_libav,
      .muxer = "matroska",
@@ -75,7 +104,8 @@ static const struct bead_codec codecs[] = {
      .muxer = "webm",
      .chapters = true,
      .subtitles = &bead_subtitles_webm,
-     .presets = vp9},
+     .presets = vp9,
+     .clear = vp9_clear},
     {.info = {"gif", "animated GIF, 255 colours, at most 50 frames a second"},
      .way = &bead_movie_libav,
      .muxer = "gif",
@@ -104,6 +134,12 @@ const struct bead_codec *bead_codec_find(const char *path)
             return &codecs[i];
     }
     return NULL;
+}
+
+const struct bead_preset *bead_codec_preset(const struct bead_codec *codec, const struct bead_movie_settings *settings)
+{
+    const struct bead_preset *presets = settings->alpha ? codec->clear : codec->presets;
+    return presets && presets[settings->quality].encoder ? &presets[settings->quality] : NULL;
 }
 
 size_t bead_codec_group(const struct bead_codec *codec, double fps)

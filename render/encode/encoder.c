@@ -120,7 +120,7 @@ static enum bead_error open_codec(struct bead_movie *movie, struct bead_message 
 {
     struct bead_encoder *e = movie->encoder;
     const struct bead_movie_settings *settings = &movie->settings;
-    const struct bead_preset *preset = &movie->codec->presets[settings->quality];
+    const struct bead_preset *preset = bead_codec_preset(movie->codec, settings);
     const struct bead_picture_format pictures = bead_picture_format(settings->width, settings->height, preset->format);
     int code = start_codec(e, preset, &pictures);
     if (code < 0)
@@ -289,7 +289,7 @@ static enum bead_error drain(struct bead_movie *movie, struct bead_message *msg)
 static enum bead_error encode(struct bead_movie *movie, int64_t time, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    const struct bead_preset *preset = &movie->codec->presets[movie->settings.quality];
+    const struct bead_preset *preset = bead_codec_preset(movie->codec, &movie->settings);
     AVFrame *picture = e->pictures.slots[e->now].picture;
     picture->pts = e->last = time;
     e->dirty = false;
@@ -397,6 +397,7 @@ static enum bead_error end_part(struct bead_movie *movie, struct bead_message *m
 static int copy_plain(struct bead_movie *movie, int descriptor)
 {
     struct bead_encoder *e = movie->encoder;
+    const struct bead_av_beside beside = {e->frame_time, &e->tracks, e->cover};
     AVFormatContext *plain = NULL;
     AVDictionary *options = NULL;
     int code = make_format(e, movie, &plain);
@@ -407,7 +408,7 @@ static int copy_plain(struct bead_movie *movie, int descriptor)
     if (code >= 0)
         code = parse_options(&e->av, movie->codec->plain_options, &options);
     if (code >= 0)
-        code = bead_av_copy(&e->av, e->file, plain, descriptor, &options, &(struct bead_av_beside){&e->tracks, e->cover});
+        code = bead_av_copy(&e->av, e->file, plain, descriptor, &options, &beside);
     e->av.av_dict_free(&options);
     e->av.avformat_free_context(plain);
     return code;

@@ -24,6 +24,7 @@
     X(av_dict_copy)              \
     X(av_dict_count)             \
     X(av_dict_free)              \
+    X(av_dict_get)               \
     X(av_dict_parse_string)      \
     X(av_dict_set)               \
     X(av_frame_alloc)            \

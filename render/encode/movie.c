@@ -30,7 +30,44 @@ static enum bead_error unknown_extension(const char *path, struct bead_message *
 /* Formats with a colour for every 2 x 2 pixels need even sizes. */
 static bool needs_even(enum AVPixelFormat format)
 {
-    return format == AV_PIX_FMT_YUV420P;
+    return format == AV_PIX_FMT_YUV420P || format == AV_PIX_FMT_YUVA420P;
+}
+
+/* "webm, mov, apng and png" */
+static void list_clear(char *list, size_t size)
+{
+    const struct bead_codec_info *info;
+    size_t used = 0, count = 0, listed = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        for (size_t i = 0; (info = bead_movie_codec(i)); i++) {
+            char name[16];
+            snprintf(name, sizeof name, ".%s", info->extension);
+            if (!bead_codec_find(name)->clear)
+                continue;
+            if (pass == 0) {
+                count++;
+                continue;
+            }
+            int length = snprintf(list + used, size - used, "%s%s",
+                                  listed == 0           ? ""
+                                  : listed + 1 == count ? " and "
+                                                        : ", ",
+                                  info->extension);
+            used += (size_t)length < size - used ? (size_t)length : size - used - 1;
+            listed++;
+        }
+    }
+}
+
+static enum bead_error check_alpha(const char *path, const struct bead_codec *codec, const struct bead_movie_settings *settings,
+                                   struct bead_message *msg)
+{
+    char list[128] = "";
+    if (!settings->alpha || !codec->presets || bead_codec_preset(codec, settings))
+        return BEAD_OK;
+    list_clear(list, sizeof list);
+    return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %s%s files cannot be transparent (`background: none`); %s files can", path,
+                     codec->clear ? "lossless " : "", codec->info.extension, list);
 }
 
 static enum bead_error check_size(const char *path, const struct bead_codec *codec, const struct bead_movie_settings *settings,
@@ -40,7 +77,7 @@ static enum bead_error check_size(const char *path, const struct bead_codec *cod
     if (w < 1 || h < 1 || w > MOST_PIXELS || h > MOST_PIXELS)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: size %d x %d is not between 1 x 1 and %d x %d", path, w, h, MOST_PIXELS,
                          MOST_PIXELS);
-    if (codec->presets && needs_even(codec->presets[settings->quality].format) && (w % 2 || h % 2))
+    if (codec->presets && needs_even(bead_codec_preset(codec, settings)->format) && (w % 2 || h % 2))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: size %d x %d is odd, and this codec needs even sizes; the nearest is %d x %d",
                          path, w, h, w + w % 2, h + h % 2);
     return BEAD_OK;
@@ -66,12 +103,14 @@ static enum bead_error check(const char *path, const struct bead_movie_settings 
         return unknown_extension(path, msg);
     if ((int)settings->quality < 0 || settings->quality > BEAD_QUALITY_LOSSLESS)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: unknown quality %d", path, (int)settings->quality);
-    enum bead_error err = check_size(path, *codec, settings, msg);
+    enum bead_error err = check_alpha(path, *codec, settings, msg);
+    if (!err)
+        err = check_size(path, *codec, settings, msg);
     if (err)
         return err;
     if (!(settings->fps >= 0.01 && settings->fps <= 1000))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %g frames a second are not between 0.01 and 1000", path, settings->fps);
-    return (*codec)->presets ? check_encoder(path, &(*codec)->presets[settings->quality], msg) : BEAD_OK;
+    return (*codec)->presets ? check_encoder(path, bead_codec_preset(*codec, settings), msg) : BEAD_OK;
 }
 
 static enum bead_error take(struct bead_movie_settings *own, const struct bead_movie_settings *given, struct bead_message *msg)
@@ -115,7 +154,7 @@ enum bead_error bead_movie_open(const char *path, const struct bead_movie_settin
     m->codec = codec;
     m->settings = own;
     if (codec->presets)
-        snprintf(m->encoded_by, sizeof m->encoded_by, "libavcodec (%s)", codec->presets[own.quality].encoder);
+        snprintf(m->encoded_by, sizeof m->encoded_by, "libavcodec (%s)", bead_codec_preset(codec, &own)->encoder);
     if (own.comment && codec->comment && !(m->comment = strdup(own.comment)))
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", path);
     if (!err)
@@ -136,6 +175,9 @@ enum bead_error bead_movie_open(const char *path, const struct bead_movie_settin
 static enum bead_error check_frame(const struct bead_movie *movie, const struct bead_frame *frame, struct bead_message *msg)
 {
     const struct bead_movie_settings *s = &movie->settings;
+    if (frame->alpha != s->alpha)
+        return bead_fail(msg, BEAD_ERROR_CODEC, "%s: a frame %s alpha in a movie %s", movie->path,
+                         frame->alpha ? "with" : "without", s->alpha ? "with" : "without");
     if (frame->width != s->width || frame->height != s->height || !frame->pixels || frame->stride % 64 ||
         frame->stride / 4 < (size_t)frame->width)
         return bead_fail(msg, BEAD_ERROR_CODEC, "%s: a frame of %d x %d (stride %zu) in a movie of %d x %d", movie->path,

@@ -53,8 +53,10 @@ struct bead_codec {
     const char *ending;        /* BEAD_ENDING_BYTES that end a growing file for those who read it; NULL: it needs none */
     enum bead_error (*comment)(int descriptor, const char *text, struct bead_message *msg); /* NULL: the muxer writes it */
     const struct bead_preset *presets;                                                      /* by enum bead_quality */
-    int delay_unit;                               /* 1/s: of the muxer's option final_delay; 0: durations are the packets' own */
-    bool chapters;                                /* the container has chapters */
+    const struct bead_preset
+        *clear;     /* of transparent movies, likewise; without an encoder: of this quality there are none. NULL: at all */
+    int delay_unit; /* 1/s: of the muxer's option final_delay; 0: durations are the packets' own */
+    bool chapters;  /* the container has chapters */
     const struct bead_subtitle_format *subtitles; /* NULL: it has none */
     bool covers;                                  /* the container has room for a picture beside the movie */
     int most_fps;                                 /* 1/s: more are thinned out, because players slow such files down; 0: no limit */
@@ -62,6 +64,8 @@ struct bead_codec {
 
 /* By the extension of `path`, in any case of letters; NULL: none. */
 const struct bead_codec *bead_codec_find(const char *path);
+/* What encodes a movie of such quality, transparent or not; NULL: nothing does. */
+const struct bead_preset *bead_codec_preset(const struct bead_codec *codec, const struct bead_movie_settings *settings);
 /* So many frames are one picture in the file, to stay below its most_fps; usually 1. */
 size_t bead_codec_group(const struct bead_codec *codec, double fps);
 

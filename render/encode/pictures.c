@@ -9,12 +9,14 @@ struct bead_picture_format bead_picture_format(int width, int height, enum AVPix
 {
     struct bead_picture_format f = {width,           height,          pixels,           AVCOL_PRI_BT709,
                                     AVCOL_TRC_BT709, AVCOL_SPC_BT709, AVCOL_RANGE_MPEG, AVCHROMA_LOC_CENTER};
-    if (pixels == AV_PIX_FMT_YUV420P)
+    if (pixels == AV_PIX_FMT_YUV420P || pixels == AV_PIX_FMT_YUVA420P)
+        return f;
+    f.chroma = AVCHROMA_LOC_UNSPECIFIED;
+    if (pixels == AV_PIX_FMT_YUV444P10 || pixels == AV_PIX_FMT_YUVA444P10)
         return f;
     f.transfer = AVCOL_TRC_IEC61966_2_1; /* pixels as they are, which are sRGB */
     f.matrix = AVCOL_SPC_RGB;
     f.range = AVCOL_RANGE_JPEG;
-    f.chroma = AVCHROMA_LOC_UNSPECIFIED;
     return f;
 }
 

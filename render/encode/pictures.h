@@ -20,7 +20,7 @@ struct bead_picture_format {
     enum AVColorRange range;
     enum AVChromaLocation chroma;
 };
-/* BT.709 for 4:2:0, sRGB for everything else. */
+/* BT.709 for YUV, sRGB for everything else. */
 struct bead_picture_format bead_picture_format(int width, int height, enum AVPixelFormat pixels);
 
 struct bead_picture_slot {

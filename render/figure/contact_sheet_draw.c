@@ -150,8 +150,7 @@ enum bead_error contact_sheet_draw(void *context, cairo_t *cr, struct bead_messa
     const struct contact_sheet *s = context;
     const struct bead_field_info *field = bead_field_info(s->output->shown.field);
     enum bead_error err = BEAD_OK;
-    cairo_set_source_rgb(cr, s->look.background.r, s->look.background.g, s->look.background.b);
-    cairo_paint(cr);
+    bead_look_paint(&s->look, cr);
     contact_sheet_intro(s, cr, s->intro.width);
     draw_row_names(s, cr);
     for (size_t i = 0; i < s->image_count && !err; i++) {

@@ -288,10 +288,8 @@ static void figure_draw_bar(const struct bead_figure *f, cairo_t *cr)
 enum bead_error bead_figure_decorate(struct bead_figure *f, cairo_t *cr, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
-    if (!f->part) {
-        cairo_set_source_rgb(cr, f->look.background.r, f->look.background.g, f->look.background.b);
-        cairo_paint(cr);
-    }
+    if (!f->part)
+        bead_look_paint(&f->look, cr);
     bead_figure_line(f, cr);
     for (size_t c = 0; !err && c < f->cell_count; c++) {
         bead_figure_heading(f, &f->cells[c], cr);

@@ -79,6 +79,7 @@ static enum bead_error figure_raster(void *context, struct bead_frame *frame, st
         err = bead_frame_create(frame->width, frame->height, &background, msg);
         if (!err)
             bead_frame_copy(&background, frame, (struct bead_rect){0, 0, frame->width, frame->height});
+        background.alpha = frame->alpha;
     }
     if (!err)
         err = bead_figure_draw(f, frame, f->stills ? &background : frame, msg);

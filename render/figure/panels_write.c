@@ -95,8 +95,7 @@ static enum bead_error panels_decorate(void *context, cairo_t *cr, struct bead_m
 {
     const struct bead_still *s = context;
     enum bead_error err = BEAD_OK;
-    graph_set_colour(cr, s->look.background);
-    cairo_paint(cr);
+    bead_look_paint(&s->look, cr);
     panels_draw_words(s, cr);
     for (size_t p = 0; !err && p < s->count; p++) {
         const struct still_panel *panel = &s->panels[p];
@@ -126,6 +125,7 @@ static enum bead_error panels_draw_frame(void *context, struct bead_frame *frame
         err = bead_frame_create(frame->width, frame->height, &background, msg);
     if (!err)
         bead_frame_copy(&background, frame, (struct bead_rect){0, 0, frame->width, frame->height});
+    background.alpha = frame->alpha;
     for (size_t p = 0; !err && p < s->count; p++) {
         if (s->panels[p].figure)
             err = bead_figure_draw(s->panels[p].figure, frame, &background, msg);

@@ -115,6 +115,7 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
     const struct bead_output *output = c->setup.output;
     bead_look_film(&c->look, c->setup.width, c->setup.height, output->paper.theme != BEAD_THEME_LIGHT,
                    output->movie.type == BEAD_TYPE_LARGE);
+    c->look.clear = output->paper.background == BEAD_BACKGROUND_NONE;
     enum bead_error err = bead_colour_range_map(output, c->setup.chains[0], true, &c->map, msg);
     if (err)
         return err;
@@ -139,7 +140,10 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
         err = create_views(c, msg);
     if (!err)
         err = bead_frame_create(c->setup.width, c->setup.height, &c->frame, msg);
-    return err ? err : bead_frame_create(c->setup.width, c->setup.height, &c->background, msg);
+    if (!err)
+        err = bead_frame_create(c->setup.width, c->setup.height, &c->background, msg);
+    c->frame.alpha = c->background.alpha = c->look.clear;
+    return err;
 }
 
 enum bead_error bead_composer_create(const struct bead_composer_setup *setup, struct bead_composer **composer,
@@ -250,8 +254,7 @@ static enum bead_error draw_background(struct bead_composer *c, struct bead_mess
 {
     cairo_t *cr = bead_raster_begin(&c->background);
     enum bead_error watched = watch_texts(c, cairo_get_target(cr), msg);
-    cairo_set_source_rgb(cr, c->look.background.r, c->look.background.g, c->look.background.b);
-    cairo_paint(cr);
+    bead_look_paint(&c->look, cr);
     enum bead_error err = watched ? watched : decorate_views(c, cr, msg);
     composer_draw_words(c, cr);
     bead_overlay_draw_bar(c, cr);
@@ -267,8 +270,7 @@ enum bead_error bead_composer_open(struct bead_composer *c, struct bead_message 
         err = draw_background(c, msg);
     if (err)
         return err;
-    struct bead_frame *f = &c->frame;
-    c->surface = cairo_image_surface_create_for_data(f->pixels, CAIRO_FORMAT_RGB24, f->width, f->height, (int)f->stride);
+    c->surface = bead_raster_surface(&c->frame);
     c->cr = cairo_create(c->surface);
     if (cairo_status(c->cr) != CAIRO_STATUS_SUCCESS)
         return bead_fail(msg, BEAD_ERROR_GRAPHICS, "drawing: %s", cairo_status_to_string(cairo_status(c->cr)));

@@ -50,6 +50,7 @@ enum bead_error bead_poster_offer(struct bead_poster *p, const struct bead_compo
     enum bead_error err = p->frame.pixels ? BEAD_OK : bead_frame_create(frame->width, frame->height, &p->frame, msg);
     if (err)
         return err;
+    p->frame.alpha = frame->alpha;
     bead_frame_copy(&p->frame, frame, (struct bead_rect){0, 0, frame->width, frame->height});
     p->interest = interest;
     p->taken = true;

@@ -79,6 +79,7 @@ static struct bead_movie_settings movie_settings_of(const struct bead_sink *s)
                                         .height = s->height,
                                         .fps = s->output->movie.fps,
                                         .quality = s->output->movie.quality,
+                                        .alpha = s->output->paper.background == BEAD_BACKGROUND_NONE,
                                         .title = s->context.scene->title[0] ? s->context.scene->title : NULL,
                                         .comment = s->notes.comment,
                                         .chapters = s->notes.chapters,
@@ -370,8 +371,10 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
         err = bead_movie_open(s->path, &settings, &s->movie, msg);
     if (!err)
         err = bead_movie_reserve(s->movie, FRAME_SLOTS, &s->ahead, msg);
-    for (int i = 0; !err && !s->ahead && i < FRAME_SLOTS; i++)
+    for (int i = 0; !err && !s->ahead && i < FRAME_SLOTS; i++) {
         err = bead_frame_create(s->width, s->height, &s->buffer[i], msg);
+        s->buffer[i].alpha = settings.alpha;
+    }
     bead_canvas_prepare(s->context.canvas); /* before our threads start */
     return err ? err : create_pipes(s, msg);
 }

@@ -396,8 +396,7 @@ void bead_card_draw(cairo_t *cr, const struct bead_look *look, const struct bead
         (has_title ? 1.6 * large : 0) + (has_text ? 1.76 * look->title : 0) + 3 * look->title + 1.6 * small * (double)count;
     double wanted = 1.9 * look->title * (double)chains, room = fmax(0, fmin(wanted, 0.9 * height - fixed));
     cairo_save(cr);
-    cairo_set_source_rgb(cr, look->background.r, look->background.g, look->background.b);
-    cairo_paint(cr);
+    bead_look_paint(look, cr);
     card.y = round(fmax(0, 0.46 * (height - fixed - room)));
     if (has_title)
         card_plain(&card, title, large, true, look->ink);

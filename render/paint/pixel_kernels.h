@@ -27,7 +27,8 @@ struct bead_columns {
     struct bead_extents line, area;
     int from[BEAD_COLUMNS / BEAD_COLUMN_GROUP],
         to[BEAD_COLUMNS / BEAD_COLUMN_GROUP]; /* rows that a group of columns reaches into */
-    float over[3], under[3], area_alpha;      /* colours of both: B G R, 0..255 */
+    float over[4], under[4], area_alpha;      /* colours of both: B G R A, 0..255 */
+    int channels;                             /* of them; 3: the fourth byte of pixels stays */
 };
 
 struct bead_pixel_kernels {

@@ -26,8 +26,8 @@ static void curve_columns(const struct bead_columns *k, uint8_t *pixels, size_t 
             words_anywhere *at = (words_anywhere *)(pixels + (size_t)y * stride + 4 * (size_t)x);
             const reals line = covered(&k->line, x, (float)y) / BEAD_SLICES;
             const reals area = k->area_alpha * covered(&k->area, x, (float)y) / BEAD_SLICES;
-            words pixel = *at & 0xff000000;
-            for (int c = 0; c < 3; c++)
+            words pixel = k->channels == 4 ? *at & 0 : *at & 0xff000000;
+            for (int c = 0; c < k->channels; c++)
                 pixel |= mix(mix(*at >> 8 * c & 255, k->under[c], area), k->over[c], line) << 8 * c;
             *at = pixel;
         }

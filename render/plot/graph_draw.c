@@ -107,11 +107,8 @@ static void draw_cell(cairo_t *cr, const struct graph_layout *layout, const stru
 {
     const struct bead_look *look = layout->look;
     const struct bead_rect *plot = &cell->plot;
-    if (look->dark) {
-        graph_set_colour(cr, look->panel);
-        cairo_rectangle(cr, plot->x, plot->y, plot->width, plot->height);
-        cairo_fill(cr);
-    }
+    if (look->dark)
+        bead_look_paint_panel(look, cr, plot->x, plot->y, plot->width, plot->height);
     graph_draw_bands(cr, look, cell);
     if (!look->dark)
         bead_box_draw(cr, look, *plot);
@@ -129,9 +126,11 @@ void graph_draw_all(cairo_t *cr, const struct graph_layout *layout)
     const struct bead_look *look = layout->look;
     double margin = layout->frame.margin;
     struct bead_text_style style = graph_text(look);
-    graph_set_colour(cr, look->background);
-    cairo_rectangle(cr, 0, 0, layout->width, layout->height);
-    cairo_fill(cr);
+    if (!look->clear) {
+        graph_set_colour(cr, look->background);
+        cairo_rectangle(cr, 0, 0, layout->width, layout->height);
+        cairo_fill(cr);
+    }
     for (size_t p = 0; p < layout->graph->panel_count; p++)
         draw_cell(cr, layout, &layout->cells[p]);
     graph_legend_draw(&layout->legend, look, cr);

@@ -198,8 +198,7 @@ enum bead_error bead_schematic_draw(const struct bead_output *output, const stru
     struct bead_drafting d = {sketch, output, context, {0, 0, width, height}};
     double margin = sketch->look->margin;
     d.area = (struct bead_box){margin, margin, width - 2 * margin, height - 2 * margin};
-    bead_sketch_colour(sketch, sketch->look->background);
-    cairo_paint(sketch->cr);
+    bead_look_paint(sketch->look, sketch->cr);
     cairo_set_line_width(sketch->cr, sketch->look->line);
     cairo_set_line_join(sketch->cr, CAIRO_LINE_JOIN_ROUND);
     bool room = drawing && d.area.width > 0 && d.area.height > 0;

@@ -253,9 +253,7 @@ enum bead_error bead_beads_decorate(struct bead_view *v, cairo_t *cr, struct bea
     if (v->lens.scale > 0) {
         const struct bead_rect *r = &v->lens.rect;
         double line = fmax(1, v->look.line);
-        beads_set_colour(cr, v->look.panel, 1);
-        cairo_rectangle(cr, v->area.x + r->x, v->area.y + r->y, r->width, r->height);
-        cairo_fill(cr);
+        bead_look_paint_panel(&v->look, cr, v->area.x + r->x, v->area.y + r->y, r->width, r->height);
         if (v->setup.camera)
             return v->label_y < 0 ? BEAD_OK : move_names(v, msg);
         beads_set_colour(cr, v->look.accent, 0.45);

@@ -82,10 +82,10 @@ static bool paint_column(const struct bead_view *v, int x, double cover, const d
     bool changed = false;
     for (int y = top; y < bottom; y++) {
         size_t at = (size_t)y * frame->stride + 4 * (size_t)x;
-        uint8_t pixel[4] = {0, 0, 0, 255};
-        for (int c = 0; c < 3; c++)
-            pixel[c] = (uint8_t)lround((1 - cover) * background->pixels[at + (size_t)c] + cover * 255 * rgb[2 - c]);
-        changed = changed || memcmp(pixel, frame->pixels + at, 3) != 0;
+        uint8_t pixel[4];
+        for (int c = 0; c < 4; c++)
+            pixel[c] = (uint8_t)lround((1 - cover) * background->pixels[at + (size_t)c] + cover * 255 * (c < 3 ? rgb[2 - c] : 1));
+        changed = changed || memcmp(pixel, frame->pixels + at, frame->alpha ? 4 : 3) != 0;
         memcpy(frame->pixels + at, pixel, 4);
     }
     return changed;

@@ -158,9 +158,9 @@ static void blend(const struct bead_moving_labels *l, struct bead_frame *frame, 
     if (alpha <= 0 || x < 0 || y < 0 || x >= l->strip.width || y >= l->strip.height)
         return;
     uint8_t *p = frame->pixels + (size_t)(l->strip.y + y) * frame->stride + 4 * (size_t)(l->strip.x + x);
-    const double bgr[3] = {colour.b, colour.g, colour.r};
-    for (int c = 0; c < 3; c++)
-        p[c] = (uint8_t)lround(p[c] + alpha * (255 * bgr[c] - p[c]));
+    const double bgra[4] = {colour.b, colour.g, colour.r, 1};
+    for (int c = 0; c < 4; c++)
+        p[c] = (uint8_t)lround(p[c] + alpha * (255 * bgra[c] - p[c]));
 }
 
 /* The mask shifted to x by linear interpolation; row y of the strip is its top. */

@@ -10,9 +10,7 @@ static const double name_gap = 0.65, name_drop = 1.38;
 void bead_panel_fill(cairo_t *cr, const struct bead_view_setup *setup, struct bead_rect plot)
 {
     struct bead_rect panel = bead_panel_rect(setup, plot);
-    cairo_set_source_rgb(cr, setup->look->panel.r, setup->look->panel.g, setup->look->panel.b);
-    cairo_rectangle(cr, panel.x, panel.y, panel.width, panel.height);
-    cairo_fill(cr);
+    bead_look_paint_panel(setup->look, cr, panel.x, panel.y, panel.width, panel.height);
 }
 
 void bead_panel_axis(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot,

@@ -139,10 +139,11 @@ static void set_rows(struct bead_columns *k, int group, const struct extent *row
     k->to[group] = low > high ? k->from[group] : (int)ceilf(high);
 }
 
-static void set_colours(const struct bead_curve *c, struct bead_columns *k)
+static void set_colours(const struct bead_curve *c, const struct bead_frame *frame, struct bead_columns *k)
 {
-    const double line[3] = {c->line.b, c->line.g, c->line.r}, area[3] = {c->area.b, c->area.g, c->area.r};
-    for (int i = 0; i < 3; i++) {
+    const double line[4] = {c->line.b, c->line.g, c->line.r, 1}, area[4] = {c->area.b, c->area.g, c->area.r, 1};
+    k->channels = frame->alpha ? 4 : 3;
+    for (int i = 0; i < 4; i++) {
         k->over[i] = 255 * (float)line[i];
         k->under[i] = 255 * (float)area[i];
     }
@@ -189,7 +190,7 @@ void bead_curve_draw(const struct bead_curve *curve, struct bead_rect rect, int 
     if (background)
         bead_frame_copy(frame, background, (struct bead_rect){rect.x + from, rect.y, to - from, rect.height});
     make_pen(curve, &pen);
-    set_colours(curve, &columns);
+    set_colours(curve, frame, &columns);
     const int offset = (rect.x + from) % GROUP; /* no vector reaches into another row */
     for (int begin = from - offset; begin < to; begin += BLOCK) {
         make_columns(curve, &pen, begin, begin < from ? from : begin, begin + BLOCK < to ? begin + BLOCK : to, rect.height,
@@ -199,7 +200,7 @@ void bead_curve_draw(const struct bead_curve *curve, struct bead_rect rect, int 
 }
 
 /* One disc with a soft edge. */
-static void draw_dot(const double bgr[3], float x, float y, float r, struct bead_rect rect, int from, int to,
+static void draw_dot(const double bgra[4], float x, float y, float r, struct bead_rect rect, int from, int to,
                      struct bead_frame *frame)
 {
     int left = (int)floorf(x - r - 1), right = (int)ceilf(x + r + 1), top = (int)floorf(y - r - 1), bottom = (int)ceilf(y + r + 1);
@@ -210,17 +211,17 @@ static void draw_dot(const double bgr[3], float x, float y, float r, struct bead
         for (int px = left; px < right; px++) {
             float dx = (float)px + 0.5f - x, dy = (float)py + 0.5f - y, cover = r + 0.5f - sqrtf(dx * dx + dy * dy);
             cover = most(0, least(cover, 1));
-            for (int c = 0; c < 3; c++)
-                row[4 * px + c] = (uint8_t)lrintf((float)row[4 * px + c] + cover * (float)(255 * bgr[c] - row[4 * px + c]));
+            for (int c = 0; c < 4; c++)
+                row[4 * px + c] = (uint8_t)lrintf((float)row[4 * px + c] + cover * (float)(255 * bgra[c] - row[4 * px + c]));
         }
     }
 }
 
 void bead_curve_dots(const struct bead_curve *curve, float r, struct bead_rect rect, int from, int to, struct bead_frame *frame)
 {
-    const double bgr[3] = {curve->line.b, curve->line.g, curve->line.r};
+    const double bgra[4] = {curve->line.b, curve->line.g, curve->line.r, 1};
     for (size_t i = 0; i < curve->count; i++) {
         if (curve->x[i] + r + 1 > (float)from && curve->x[i] - r - 1 < (float)to)
-            draw_dot(bgr, curve->x[i], curve->y[i], r, rect, from, to, frame);
+            draw_dot(bgra, curve->x[i], curve->y[i], r, rect, from, to, frame);
     }
 }

@@ -43,7 +43,7 @@ static void recolour(struct bead_view *view, const struct bead_colours *colours)
     bead_colour_table_make(&view->setup.colours, &view->table);
     for (int i = 0; i < 256; i++) {
         const uint8_t *rgb = colours->map->rgb[i];
-        view->colour[i] = (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
+        view->colour[i] = 0xff000000u | (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
     }
 }
 
@@ -164,7 +164,7 @@ static void show_columns(const struct bead_view *v, int from, int to, struct bea
 
 static uint32_t pixel_of(struct bead_rgb c)
 {
-    return (uint32_t)lround(c.r * 255) << 16 | (uint32_t)lround(c.g * 255) << 8 | (uint32_t)lround(c.b * 255);
+    return 0xff000000u | (uint32_t)lround(c.r * 255) << 16 | (uint32_t)lround(c.g * 255) << 8 | (uint32_t)lround(c.b * 255);
 }
 
 /* The bead number, with fraction, at a position along the chain (m). As in the image, bead j covers j - 1/2 to j + 1/2. */

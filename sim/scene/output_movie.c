@@ -9,7 +9,7 @@ static const char *const types[] = {"normal", "large", NULL};
 static const char *const follows[] = {"all", "front", NULL};
 
 static const struct bead_option movie_rows[] = {
-    BEAD_FILE_ROW("movie", "FILE.mp4, .mkv, .webm, .gif, .png or .apng", "waves.mp4"),
+    BEAD_FILE_ROW("movie", "FILE.mp4, .mov, .mkv, .webm, .gif, .png or .apng", "waves.mp4"),
     {.key = "size",
      .type = BEAD_OPTION_CUSTOM,
      .initial = "[1920, 1080]",
@@ -78,7 +78,7 @@ static const struct bead_option movie_rows[] = {
     {.key = "captions",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "a list such as [{at: 0.2 ms, text: The front has left the striker}]",
-     .help = "texts below the picture, in mp4, mkv and webm also chapters and subtitles: see outputs.captions",
+     .help = "texts below the picture, in mp4, mov, mkv and webm also chapters and subtitles: see outputs.captions",
      .example = "[{at: 0.2 ms, text: The front has left the striker}]",
      .read = bead_output_read_captions},
     {.key = "card",
@@ -149,7 +149,7 @@ static const struct bead_option span_rows[] = {
 static const struct bead_option_rows movie_shared[] = {
     {BEAD_OPTIONS(bead_field_row)},   {BEAD_OPTIONS(bead_time_row)},        {BEAD_OPTIONS(span_rows)},
     {BEAD_OPTIONS(bead_beads_row)},   {BEAD_OPTIONS(bead_square_root_row)}, {BEAD_OPTIONS(bead_range_row)},
-    {BEAD_OPTIONS(bead_magnify_row)}, {BEAD_OPTIONS(bead_trust_row)},       {BEAD_OPTIONS(bead_theme_row)},
+    {BEAD_OPTIONS(bead_magnify_row)}, {BEAD_OPTIONS(bead_trust_row)},       {BEAD_OPTIONS(bead_theme_rows)},
     {BEAD_OPTIONS(bead_axes_row)},    {BEAD_OPTIONS(bead_orientation_row)}, {NULL, 0}};
 static const struct bead_options movie_options = {"movie", "a movie; .png is an animated PNG", BEAD_OPTIONS(movie_rows),
                                                   movie_shared, &bead_output_family};

@@ -13,6 +13,7 @@ static const char *const normalisings[] = {"none", "first", "max", NULL};
 static const char *const samplings[] = {"area", "max", NULL};
 static const char *const styles[] = {"auto", "paper", "slide", "movie", NULL};
 static const char *const themes[] = {"auto", "light", "dark", NULL};
+static const char *const backgrounds[] = {"theme", "none", NULL};
 #define FIELD_NAME(id, name, unit, title, place) name,
 static const char *const fields[] = {BEAD_FIELDS(FIELD_NAME) NULL};
 #define FIELD_LISTED(id, name, unit, title, place) name ", "
@@ -103,13 +104,20 @@ const struct bead_option bead_page_rows[3] = {
      .example = "[178 mm, 75 mm]",
      .read = bead_output_read_size},
 };
-const struct bead_option bead_theme_row[1] = {
+const struct bead_option bead_theme_rows[2] = {
     {.key = "theme",
      .type = BEAD_OPTION_CHOICE,
      .offset = BEAD_OF_OUTPUT(paper.theme),
      .initial = "auto",
      .choices = themes,
      .help = "colours of background and text; auto: dark for movies, else light"},
+    {.key = "background",
+     .type = BEAD_OPTION_CHOICE,
+     .offset = BEAD_OF_OUTPUT(paper.background),
+     .initial = "theme",
+     .choices = backgrounds,
+     .help = "what is painted behind it all; none: nothing, the picture is transparent there, in the panels too, and letters and "
+             "lines have the colours of the theme. Stills of all formats can have none, and movies in webm, mov, apng and png"},
 };
 const struct bead_option bead_caption_row[1] = {
     {.key = "caption",
@@ -243,7 +251,7 @@ static const struct bead_option_rows image_shared[] = {{BEAD_OPTIONS(bead_field_
                                                        {BEAD_OPTIONS(bead_colormap_row)},    {BEAD_OPTIONS(image_rows)},
                                                        {BEAD_OPTIONS(bead_range_row)},       {BEAD_OPTIONS(bead_magnify_row)},
                                                        {BEAD_OPTIONS(bead_trust_row)},       {BEAD_OPTIONS(bead_page_rows)},
-                                                       {BEAD_OPTIONS(bead_theme_row)},       {BEAD_OPTIONS(bead_axes_row)},
+                                                       {BEAD_OPTIONS(bead_theme_rows)},      {BEAD_OPTIONS(bead_axes_row)},
                                                        {BEAD_OPTIONS(bead_caption_row)},     {BEAD_OPTIONS(panels_rows)},
                                                        {BEAD_OPTIONS(bead_orientation_row)}, {NULL, 0}};
 static const struct bead_options image_options = {"image", "a field over the chain and time, or a still of other views",
@@ -357,7 +365,7 @@ static const struct bead_option plot_file[] = {
 static const struct bead_option_rows plot_shared[] = {{BEAD_OPTIONS(bead_curves_rows)}, {BEAD_OPTIONS(plot_rows)},
                                                       {BEAD_OPTIONS(bead_time_row)},    {BEAD_OPTIONS(bead_every_row)},
                                                       {BEAD_OPTIONS(bead_trust_row)},   {BEAD_OPTIONS(bead_page_rows)},
-                                                      {BEAD_OPTIONS(bead_theme_row)},   {BEAD_OPTIONS(bead_caption_row)},
+                                                      {BEAD_OPTIONS(bead_theme_rows)},  {BEAD_OPTIONS(bead_caption_row)},
                                                       {BEAD_OPTIONS(panels_rows)},      {NULL, 0}};
 static const struct bead_options plot_options = {
     "plot", "curves of sensors against time, or of peaks along the chain; or a schematic drawing", BEAD_OPTIONS(plot_file),
@@ -423,7 +431,7 @@ static const struct bead_option sheet_rows[] = {
 static const struct bead_option_rows sheet_shared[] = {{BEAD_OPTIONS(bead_field_row)},       {BEAD_OPTIONS(bead_colormap_row)},
                                                        {BEAD_OPTIONS(bead_square_root_row)}, {BEAD_OPTIONS(bead_range_row)},
                                                        {BEAD_OPTIONS(bead_orientation_row)}, {BEAD_OPTIONS(bead_page_rows)},
-                                                       {BEAD_OPTIONS(bead_theme_row)},       {NULL, 0}};
+                                                       {BEAD_OPTIONS(bead_theme_rows)},      {NULL, 0}};
 static const struct bead_options sheet_options = {
     "sheet", "contact sheet of a sweep: small space-time images of many configurations, in rows by magnetism; only these run",
     BEAD_OPTIONS(sheet_rows), sheet_shared, &bead_output_family};
@@ -460,7 +468,7 @@ static const struct bead_option sweep_plot_rows[] = {
 };
 static const struct bead_option_rows sweep_plot_shared[] = {{BEAD_OPTIONS(bead_threshold_row)},
                                                             {BEAD_OPTIONS(bead_page_rows)},
-                                                            {BEAD_OPTIONS(bead_theme_row)},
+                                                            {BEAD_OPTIONS(bead_theme_rows)},
                                                             {BEAD_OPTIONS(bead_caption_row)},
                                                             {NULL, 0}};
 static const struct bead_options sweep_plot_options = {"plot of a sweep", "force against magnetism, or peaks along the chain",

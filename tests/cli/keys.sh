@@ -77,6 +77,7 @@ needs() { # SECTION KEY
     case "$1: $2" in
     'scene: chain' | 'scene: chains' | 'scene: sweep' | 'scene: sweeps') scene=empty ;;
     'chain.beads: bead' | 'chain.beads: sensor') before=('chain.beads=[{bead: brass}]') ;;
+    'outputs (movie): background') before=('outputs=[{movie: m.webm}]') ;;
     'materials.NAME: density') before=('materials={x: {modulus: 1 GPa, poisson: 0.3, radius: 1 mm}}') ;;
     'chain ('*': equation') scene=fput ;;
     'chain (kdv): start') before=(chain.length=200 chain.points=1024) ;;

@@ -8,11 +8,13 @@ chain:
   beads: [{cell: [large-steel, aluminium], count: 16, spins: random, seed: 5}, {bead: small-steel, sensor: first}]
   wall: brass
 outputs:
-  - {movie: film.mp4, size: [480, 270], duration: 1.5 s, fps: 20, poster: poster.png}
+  - {movie: film.mp4, size: [480, 270], duration: 1.5 s, fps: 20, poster: poster.png, captions: [{at: 0.1 ms, text: The front}]}
+  - {movie: [clear.webm, clear.apng], background: none, size: [480, 270], duration: 1.5 s, fps: 20, captions: [{at: 0.1 ms, text: The front}]}
   - {movie: [film.webm, film.gif, film.apng], size: [480, 270], duration: 1.5 s, fps: 20}
   - {image: still.svg, views: [beads, spacetime], at: 0.2 ms}
   - {image: [raster.pdf, raster.png], style: paper, dpi: 300, caption: "Forces of beads, *F*_m"}
   - {plot: [peaks.pdf, peaks.svg], show: peaks, style: paper}
+  - {image: [clear.pdf, clear.svg], style: paper, background: none}
   - {plot: [setup.pdf, setup.svg], show: setup, style: paper}
 YAML
 cd "$T" || exit 1
@@ -32,13 +34,14 @@ take() {
 python=/usr/bin/python3
 browser=$(command -v chromium || command -v google-chrome)
 if [ -n "$browser" ] && "$python" -c 1 2>/dev/null && timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom about:blank >/dev/null 2>&1; then
-    timeout 240 "$python" "$top/tests/browser.py" "$browser" "$T" film.mp4 film.webm film.gif film.apng still.svg peaks.svg setup.svg >found 2>&1
+    timeout 240 "$python" "$top/tests/browser.py" "$browser" "$T" film.mp4 film.webm clear.webm film.gif film.apng clear.apng still.svg clear.svg peaks.svg setup.svg >found 2>&1
     take <found
     ok "the browser's checks came to their end" grep -q '^1\.\.' found
 else
     skip "a Chromium that runs here (chromium, python3)" "a browser plays movies and opens drawings"
 fi
 
+ok "with background: none an SVG has no page" bash -c '! grep "<rect" clear.svg && grep -q "<rect x=.0. y=.0." still.svg'
 embedded() { pdffonts "$1" | tail -n +3 >fonts && [ -s fonts ] && ! awk '{print $(NF - 4)}' fonts | grep -qv yes || { cat fonts; return 1; }; }
 reads() { pdftotext "$1" text && grep -qF -- "$2" text || { cat text; return 1; }; }
 # All pixels of the picture in a PDF file stand in the PNG file, where the plot is.
@@ -72,6 +75,13 @@ if command -v pdffonts >/dev/null && command -v pdftotext >/dev/null && command 
     ok "... its caption" reads raster.pdf "Forces of beads"
     ok "text of a plot" reads peaks.pdf "peak force (N)"
     ok "text of a drawing" reads setup.pdf "first"
+    corner() { pdftocairo -png -transp -singlefile -r 60 "$1" page && ffmpeg -v error -i page.png -vf 'format=rgba,alphaextract,crop=1:1:1:1' -f rawvideo - | od -An -tu1 | tr -d ' '; }
+    if command -v ffmpeg >/dev/null && command -v pdftocairo >/dev/null; then
+        ok "with background: none a PDF is transparent" [ "$(corner clear.pdf)" = 0 ]
+        ok "... and without it is not" [ "$(corner raster.pdf)" = 255 ]
+    else
+        skip "ffmpeg or pdftocairo" "with background: none a PDF is transparent"
+    fi
     if command -v ffmpeg >/dev/null && "$python" -c 1 2>/dev/null; then
         ok "the raster in a PDF has the pixels of the PNG" same_raster
     else

@@ -8,6 +8,35 @@
 #include <signal.h>
 #include <sys/resource.h>
 
+/* Who asks for what cannot be is told what can. */
+static void formats_without_alpha_are_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        enum bead_quality quality;
+        const char *says;
+    } wrong[] = {
+        {"a.mp4", BEAD_QUALITY_HIGH, "mp4 files cannot be transparent (`background: none`); mov, webm, apng and png files can"},
+        {"a.mkv", BEAD_QUALITY_LOSSLESS, "mkv files"},
+        {"a.gif", BEAD_QUALITY_STANDARD, "gif files"},
+        {"a.webm", BEAD_QUALITY_LOSSLESS, "lossless webm files"}};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        struct bead_movie_settings wanted = settings(wrong[i].quality);
+        struct bead_message msg = {""};
+        wanted.alpha = true;
+        assert_int_equal(bead_movie_check(wrong[i].name, &wanted, &msg), BEAD_ERROR_SCENE);
+        if (!strstr(msg.text, wrong[i].says))
+            fail_msg("%s", msg.text);
+    }
+    static const char *const fine[] = {"a.mov", "a.webm", "a.apng", "a.png", "a.hash"};
+    for (size_t i = 0; i < sizeof fine / sizeof *fine; i++) {
+        struct bead_movie_settings wanted = settings(BEAD_QUALITY_STANDARD);
+        wanted.alpha = true;
+        assert_int_equal(bead_movie_check(fine[i], &wanted, NULL), BEAD_OK);
+    }
+}
+
 static void wrong_settings_are_refused(void **state)
 {
     (void)state;
@@ -172,9 +201,13 @@ static void misuse_is_an_error(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(wrong_settings_are_refused),        cmocka_unit_test(scenes_and_codecs_agree),
-        cmocka_unit_test(unwritable_places_are_told),        cmocka_unit_test(full_disk_is_told),
-        cmocka_unit_test(abort_removes_only_the_unfinished), cmocka_unit_test(misuse_is_an_error),
+        cmocka_unit_test(formats_without_alpha_are_refused),
+        cmocka_unit_test(wrong_settings_are_refused),
+        cmocka_unit_test(scenes_and_codecs_agree),
+        cmocka_unit_test(unwritable_places_are_told),
+        cmocka_unit_test(full_disk_is_told),
+        cmocka_unit_test(abort_removes_only_the_unfinished),
+        cmocka_unit_test(misuse_is_an_error),
     };
     return cmocka_run_group_tests_name("movie errors", tests, make_directory, remove_directory);
 }
