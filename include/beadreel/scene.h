@@ -386,7 +386,8 @@ struct bead_scene {
 BEAD_API bool bead_scene_tolerances(const struct bead_scene *scene);
 
 /* Load a scene from a file. `settings` are `key.path=value` overrides (`simulate.step=0.1 us`,
- * `chain.striker.velocity=1 m/s`, `outputs.0.size=[640, 360]`), applied in order. On success
+ * `chain.striker.velocity=1 m/s`, `outputs.0.size=[640, 360]`), applied in order; messages call
+ * them `--set`, or as they begin: `--colormap:outputs.0.colormap=grey`. On success
  * *scene belongs to the caller; on failure it is NULL and the message reads
  * `file:line:column: key: what is wrong and what is allowed`. Errors: SCENE, IO, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_scene_load(const char *path, const char *const *settings, size_t setting_count,

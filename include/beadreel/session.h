@@ -42,7 +42,7 @@ struct bead_job {
     const char *input;           /* scene.yaml, a ready scene's name, a trajectory or a sweep's file (.h5) */
     const char *const *settings; /* key.path=value */
     size_t setting_count;
-    const char *output;      /* -o: a directory (scenes) or a file (trajectories); NULL: "." */
+    const char *output;      /* -o: a directory, or the one file to make, by its ending; NULL: "." */
     const char *const *only; /* names of outputs to make; all others are skipped */
     size_t only_count;
     int threads;                                      /* 0: all cores; 1: everything in one thread; same results for any */
@@ -60,6 +60,8 @@ struct bead_job {
     const volatile sig_atomic_t *stop; /* non-zero: finish files and return STOPPED; may be NULL */
     void (*progress)(void *context, const struct bead_progress *progress); /* may be NULL */
     void *progress_context;
+    const char *const *looks; /* "KEY=VALUE" of the one output that `output` names */
+    size_t look_count;
 };
 
 struct bead_session;

@@ -37,7 +37,7 @@ static struct bead_place place_of(const struct builder *b, yaml_mark_t mark)
 
 static const char *file_name(const struct builder *b)
 {
-    return b->yaml->in_setting ? "--set" : b->yaml->name;
+    return b->yaml->origin ? b->yaml->origin : b->yaml->name;
 }
 
 static enum bead_error wrong(const struct builder *b, yaml_mark_t mark, const char *what)
@@ -294,14 +294,15 @@ enum bead_error bead_yaml_parse(const char *name, const char *text, size_t lengt
 enum bead_error bead_yaml_piece(struct bead_yaml *yaml, const char *text, size_t length, struct bead_place place,
                                 struct bead_node **node, struct bead_message *msg)
 {
-    yaml->in_setting = true;
+    const char *before = yaml->origin;
+    yaml->origin = before ? before : "--set";
     enum bead_error err = build(yaml, text, length, place, node, msg);
     if (!err && !*node && (*node = bead_yaml_node(yaml, BEAD_NODE_SCALAR, place))) {
         /* Nothing, or what YAML takes for a comment: a colour such as #aabbcc. */
         (*node)->text = bead_yaml_text(yaml, text, length);
         (*node)->plain = length == 0;
     }
-    yaml->in_setting = false;
+    yaml->origin = before;
     if (!err && (!*node || ((*node)->kind == BEAD_NODE_SCALAR && !(*node)->text)))
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "--set: out of memory");
     return err;

@@ -26,7 +26,7 @@ struct bead_node {
     enum bead_node_kind kind;
     bool plain;               /* scalar without quotes */
     bool flow;                /* list or map in brackets */
-    bool setting;             /* from a setting of the command line, not from the file */
+    const char *origin;       /* NULL: the file; else the option of the command line that it comes from */
     struct bead_place place;  /* of a setting: its number and the column in it */
     const char *text;         /* scalar, without NUL bytes */
     struct bead_node **items; /* list: elements; map: key, value, key, value, ... */
@@ -41,14 +41,17 @@ BEAD_CHECK enum bead_error bead_yaml_parse(const char *name, const char *text, s
                                            struct bead_message *msg);
 void bead_yaml_free(struct bead_yaml *yaml);
 struct bead_node *bead_yaml_root(const struct bead_yaml *yaml);
-/* `name` for messages about a node: that of the file, or "--set". */
+/* `name` for messages about a node: that of the file, or of the option. */
 const char *bead_yaml_name(const struct bead_yaml *yaml, const struct bead_node *node);
 
-/* Parse a piece of text into a node of this document; its place counts from `place` and it is marked as a setting. */
+/* Parse a piece of text into a node of this document; its place counts from `place` and its origin is --set, where the document has
+ * no other one now. */
 BEAD_CHECK enum bead_error bead_yaml_piece(struct bead_yaml *yaml, const char *text, size_t length, struct bead_place place,
                                            struct bead_node **node, struct bead_message *msg);
-/* Apply setting number `number` (from 1), `key.path=value`. Elements of lists are named by index, by `+` (append), or by the
- * value of one of the keys `naming` (NULL behind the last). Errors: SCENE (`--set:number:column: ...`), MEMORY. */
+/* Apply setting number `number` (from 1), `key.path=value`. One that another option than --set stands for names it:
+ * `--colormap:outputs.0.colormap=grey`, and its columns are those of the value. Elements of lists are named by index, by `+`
+ * (append), or by the value of one of the keys `naming` (NULL behind the last). Errors: SCENE (`--set:number:column: ...`), MEMORY.
+ */
 BEAD_CHECK enum bead_error bead_yaml_set(struct bead_yaml *yaml, const char *setting, size_t number, const char *const *naming,
                                          struct bead_message *msg);
 /* Write the document as text, to be freed with free(). Errors: MEMORY. */

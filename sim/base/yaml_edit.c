@@ -5,14 +5,24 @@
 
 #include "sim/base/yaml_private.h"
 
+static const char set[] = "--set";
+
 /* One setting being applied. */
 struct edit {
     struct bead_yaml *yaml;
-    const char *setting; /* the whole */
+    const char *setting; /* the whole, without its option */
+    const char *origin;  /* "--set" */
     size_t number;
     const char *const *naming; /* keys by the values of which elements of lists are named; NULL behind the last */
     struct bead_message *msg;
 };
+
+/* Of --set the column of the setting, of other options that of their value. */
+static size_t column_of(const struct edit *e, const char *at)
+{
+    const char *value = strchr(e->setting, '=') + 1, *from = strcmp(e->origin, set) == 0 ? e->setting : value;
+    return at > from ? (size_t)(at - from) + 1 : 1;
+}
 
 static enum bead_error wrong(const struct edit *e, const char *at, const char *format, ...) BEAD_PRINTF(3, 4);
 static enum bead_error wrong(const struct edit *e, const char *at, const char *format, ...)
@@ -23,7 +33,7 @@ static enum bead_error wrong(const struct edit *e, const char *at, const char *f
     vsnprintf(what, sizeof what, format, values);
     va_end(values);
     snprintf(path, sizeof path, "%.*s", (int)strcspn(e->setting, "="), e->setting);
-    return bead_fail(e->msg, BEAD_ERROR_SCENE, "--set:%zu:%zu: %s: %s", e->number, (size_t)(at - e->setting) + 1, path, what);
+    return bead_fail(e->msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s: %s", e->origin, e->number, column_of(e, at), path, what);
 }
 
 static enum bead_error out_of_memory(const struct edit *e)
@@ -111,7 +121,7 @@ static enum bead_error find_key(const struct edit *e, struct bead_node *map, con
             return BEAD_OK;
         }
     }
-    struct bead_place place = {e->number, (size_t)(path - e->setting) + 1};
+    struct bead_place place = {e->number, column_of(e, path)};
     struct bead_node *key = bead_yaml_node(e->yaml, BEAD_NODE_SCALAR, place);
     struct bead_node *value = bead_yaml_node(e->yaml, BEAD_NODE_MAP, place);
     if (!key || !value || !(key->text = bead_yaml_text(e->yaml, path, *used)))
@@ -145,28 +155,48 @@ static enum bead_error follow(const struct edit *e, const char *end, struct bead
     return BEAD_OK;
 }
 
-enum bead_error bead_yaml_set(struct bead_yaml *yaml, const char *setting, size_t number, const char *const *naming,
-                              struct bead_message *msg)
+/* Takes the option off a setting that names one. */
+static enum bead_error take_origin(struct edit *e)
 {
-    struct edit e = {yaml, setting, number, naming, msg};
-    const char *equals = strchr(setting, '=');
+    const size_t length = strcspn(e->setting, ":=");
+    if (strncmp(e->setting, "--", 2) != 0 || e->setting[length] != ':')
+        return BEAD_OK;
+    e->origin = bead_yaml_text(e->yaml, e->setting, length);
+    e->setting += length + 1;
+    e->number = 1;
+    return e->origin ? BEAD_OK : out_of_memory(e);
+}
+
+static enum bead_error apply(const struct edit *e)
+{
+    const char *equals = strchr(e->setting, '=');
     char shown[64];
-    if (!equals || equals == setting)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "--set:%zu:1: `%s` is not of the form key.path=value", number,
-                         bead_text_show(setting, shown, sizeof shown));
-    struct bead_node *value = NULL, **slot = &yaml->root;
-    enum bead_error err = bead_yaml_piece(yaml, equals + 1, strlen(equals + 1),
-                                          (struct bead_place){number, (size_t)(equals - setting) + 2}, &value, msg);
-    if (err)
-        return err;
-    yaml->in_setting = true;
-    err = follow(&e, equals, &slot);
-    yaml->in_setting = false;
+    if (!equals || equals == e->setting)
+        return bead_fail(e->msg, BEAD_ERROR_SCENE, "--set:%zu:1: `%s` is not of the form key.path=value", e->number,
+                         bead_text_show(e->setting, shown, sizeof shown));
+    struct bead_node *value = NULL, **slot = &e->yaml->root;
+    enum bead_error err = bead_yaml_piece(e->yaml, equals + 1, strlen(equals + 1),
+                                          (struct bead_place){e->number, column_of(e, equals + 1)}, &value, e->msg);
+    if (!err)
+        err = follow(e, equals, &slot);
     if (err)
         return err;
     *slot = value;
     /* The whole keeps within the depth that recursion relies on. */
-    if (bead_yaml_height(yaml->root) > BEAD_YAML_DEPTH)
-        return wrong(&e, setting, "nested too deeply: at most 32 levels are allowed");
+    if (bead_yaml_height(e->yaml->root) > BEAD_YAML_DEPTH)
+        return wrong(e, e->setting, "nested too deeply: at most 32 levels are allowed");
     return BEAD_OK;
+}
+
+enum bead_error bead_yaml_set(struct bead_yaml *yaml, const char *setting, size_t number, const char *const *naming,
+                              struct bead_message *msg)
+{
+    struct edit e = {yaml, setting, set, number, naming, msg};
+    enum bead_error err = take_origin(&e);
+    if (err)
+        return err;
+    yaml->origin = e.origin;
+    err = apply(&e);
+    yaml->origin = NULL;
+    return err;
 }

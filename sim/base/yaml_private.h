@@ -15,7 +15,7 @@ struct bead_yaml {
     struct bead_node *root;
     struct bead_yaml_chunk *chunks;
     size_t nodes;
-    bool in_setting; /* nodes made now come from a setting */
+    const char *origin; /* of the nodes made now: NULL, or as in bead_node */
 };
 
 /* Zeroed memory that lives as long as the document; NULL where there is none. */

@@ -33,7 +33,7 @@ struct bead_node *bead_yaml_node(struct bead_yaml *yaml, enum bead_node_kind kin
     yaml->nodes++;
     node->kind = kind;
     node->place = place;
-    node->setting = yaml->in_setting;
+    node->origin = yaml->origin;
     return node;
 }
 
@@ -81,7 +81,7 @@ struct bead_node *bead_yaml_root(const struct bead_yaml *yaml)
 
 const char *bead_yaml_name(const struct bead_yaml *yaml, const struct bead_node *node)
 {
-    return node && node->setting ? "--set" : yaml->name;
+    return node && node->origin ? node->origin : yaml->name;
 }
 
 struct bead_node *bead_node_get(const struct bead_node *map, const char *key, struct bead_node **key_node)

@@ -17,6 +17,7 @@ struct option_row {
     const char *help;         /* one line */
     const char *const *words; /* the only values it takes, NULL-terminated; NULL: any, or as `apply` checks */
     enum bead_error (*apply)(struct command *command, const char *value, struct bead_message *msg);
+    const char *separators; /* of what sets a key of the output -o: what stands between the values of a list; "": one value */
 };
 
 static const char *const progress_words[] = {[COMMAND_PROGRESS_AUTO] = "auto",
@@ -197,38 +198,46 @@ static enum bead_error set_version(struct command *command, const char *value, s
 }
 
 static const struct option_row rows[] = {
-    {"output", 'o', "PATH", "directory for the files of a scene (default: the current one), or the file to draw a trajectory into",
-     NULL, set_output},
-    {"set", 0, "KEY=VALUE", "change the scene, as in --set chain.striker.velocity='1 m/s' (repeatable)", NULL, set_setting},
-    {"only", 0, "NAME", "make only this output, named by its file (repeatable)", NULL, set_only},
-    {"plan", 0, NULL, "show what would be computed, what is skipped, and why; compute nothing", NULL, set_plan},
-    {"list", 0, "WHAT", "list %s", NULL, set_list},
-    {"info", 0, "FILE", "describe a scene, a trajectory or the results of a sweep", NULL, set_info},
+    {"output", 'o', "PATH", "directory for the files of a scene (default: this one), or the one file to make, by its ending", NULL,
+     set_output, NULL},
+    {"set", 0, "KEY=VALUE", "change the scene, as in --set chain.striker.velocity='1 m/s' (repeatable)", NULL, set_setting, NULL},
+    {"only", 0, "NAME", "make only this output, named by its file (repeatable)", NULL, set_only, NULL},
+    {"field", 0, "NAME", "of the file -o: what it shows, such as velocity", NULL, NULL, ""},
+    {"colormap", 0, "NAME", "of the file -o: its colours, one of --list colormaps", NULL, NULL, ""},
+    {"range", 0, "LOW:HIGH", "of the file -o: values at the ends of the colours", NULL, NULL, ":,"},
+    {"time", 0, "FROM:TO", "of the file -o: span of time, such as 0.2ms:1ms", NULL, NULL, ":,"},
+    {"beads", 0, "FIRST:LAST", "of the file -o: which beads", NULL, NULL, ":,-"},
+    {"size", 0, "WxH", "of the file -o: in pixels, or as lengths: 86mmx60mm", NULL, NULL, "x,"},
+    {"style", 0, "NAME", "of the file -o: paper, slide or movie", NULL, NULL, ""},
+    {"views", 0, "VIEW,VIEW", "of the file -o: what is drawn, from top to bottom; see --list views", NULL, NULL, ","},
+    {"plan", 0, NULL, "show what would be computed, what is skipped, and why; compute nothing", NULL, set_plan, NULL},
+    {"list", 0, "WHAT", "list %s", NULL, set_list, NULL},
+    {"info", 0, "FILE", "describe a scene, a trajectory or the results of a sweep", NULL, set_info, NULL},
     {"configuration", 0, "N", "run only chain N of a sweep (its scene or its results); NAME:N where there are several sweeps", NULL,
-     set_configuration},
-    {"sheet", 0, NULL, "draw only a contact sheet, of a sweep or of a random chain, into the file -o", NULL, set_sheet},
+     set_configuration, NULL},
+    {"sheet", 0, NULL, "draw only a contact sheet, of a sweep or of a random chain, into the file -o", NULL, set_sheet, NULL},
     {"allow-outside", 0, NULL, "let the scene write outside the directory -o (absolute paths, `..`); for scenes you trust", NULL,
-     set_allow_outside},
-    {"shard", 0, "K/N", "compute part K of N of a sweep into a file of its own: sweep.h5 becomes sweep.KofN.h5", NULL, set_shard},
-    {"merge", 0, NULL, "merge the given parts of a sweep, in any order, into the file -o", NULL, set_merge},
-    {"threads", 0, "N", "use N threads (default 0: all cores); the results do not depend on N", NULL, set_threads},
-    {"instructions", 0, "SET",
-     "compute with portable, or on x86-64 with sse2, avx2 or avx512 (default: the best there is); the results are the same",
-     instruction_words, set_instructions},
+     set_allow_outside, NULL},
+    {"shard", 0, "K/N", "compute part K of N of a sweep into a file of its own: sweep.h5 becomes sweep.KofN.h5", NULL, set_shard,
+     NULL},
+    {"merge", 0, NULL, "merge the given parts of a sweep, in any order, into the file -o", NULL, set_merge, NULL},
+    {"threads", 0, "N", "use N threads (default 0: all cores); the results do not depend on N", NULL, set_threads, NULL},
+    {"instructions", 0, "SET", "portable, or on x86-64 sse2, avx2 or avx512 (default: the best there is); the results are the same",
+     instruction_words, set_instructions, NULL},
     {"canvas", 0, "NAME", "what paints beads: osmesa (the default), else egl, else plain, which is the fastest; all look the same",
-     NULL, set_canvas},
+     NULL, set_canvas, NULL},
     {"progress", 0, "HOW", "how to show progress on stderr: auto (default), plain, json (the result is JSON, too) or none",
-     progress_words, set_progress},
-    {"json", 0, NULL, "print the result, the plan or the description as one JSON object", NULL, set_json},
-    {"help", 'h', NULL, "show this help", NULL, set_help},
-    {"version", 'V', NULL, "show the version and the licence", NULL, set_version},
+     progress_words, set_progress, NULL},
+    {"json", 0, NULL, "print the result, the plan or the description as one JSON object", NULL, set_json, NULL},
+    {"help", 'h', NULL, "show this help", NULL, set_help, NULL},
+    {"version", 'V', NULL, "show the version and the licence", NULL, set_version, NULL},
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
 /* Does this program have the option? One that does not draw has none for drawing. */
 static bool offered(const struct command_program *program, const struct option_row *row)
 {
-    return program->canvases || (row->apply != set_canvas && row->apply != set_sheet);
+    return program->canvases || (row->apply != set_canvas && row->apply != set_sheet && !row->separators);
 }
 
 /* The only values that an option takes, at most WORDS of them; returns how many: 0 where any may be tried. */
@@ -295,6 +304,19 @@ static void print_wrapped(const char *text, FILE *out)
     fprintf(out, "%s\n", text);
 }
 
+/* Of the file -o, in one paragraph. */
+static void print_looks(FILE *out)
+{
+    char text[512] = "";
+    for (size_t i = 0; i < ROWS; i++) {
+        const size_t used = strlen(text);
+        if (rows[i].separators)
+            snprintf(text + used, sizeof text - used, "%s--%s %s", used ? ", " : "", rows[i].name, rows[i].argument);
+    }
+    fputs("  of the file -o:         ", out);
+    print_wrapped(text, out);
+}
+
 void command_print_help(const struct command_program *program, FILE *out)
 {
     char text[256], left[64];
@@ -302,7 +324,7 @@ void command_print_help(const struct command_program *program, FILE *out)
     for (size_t i = 0; i < ROWS; i++) {
         const struct option_row *row = &rows[i];
         char letter[8] = "    ";
-        if (!offered(program, row))
+        if (!offered(program, row) || row->separators)
             continue;
         if (row->letter)
             snprintf(letter, sizeof letter, "-%c, ", row->letter);
@@ -310,6 +332,8 @@ void command_print_help(const struct command_program *program, FILE *out)
         fprintf(out, "  %-22s  ", left);
         print_wrapped(row_help(program, row, text, sizeof text), out);
     }
+    if (program->canvases)
+        print_looks(out);
     fprintf(
         out,
         "\n%s\nExit status: 0: done; 1: the run failed; 2: the command line or the scene is wrong; 128+N: stopped by signal N.\n",
@@ -384,6 +408,47 @@ static enum bead_error unknown_option(char **argv, int found, struct bead_messag
     return bead_fail(msg, BEAD_ERROR_USAGE, "unknown option `%s`%s", word, *near ? near : "; see --help");
 }
 
+/* "0.2ms:1ms" as a scene has it: "[0.2ms, 1ms]"; "30:" is "[30, auto]". What is written as in a scene stays so. Lists of words may
+ * have one alone. */
+static char *listed(const char *value, const char *separators)
+{
+    const bool words = *separators && !separators[1];
+    char *text = NULL;
+    size_t size = 0;
+    if (!*separators || *value == '[' || (!words && !value[strcspn(value, separators)]))
+        return strdup(value);
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
+        return NULL;
+    fputc('[', out);
+    for (const char *at = value;; at++) {
+        const size_t length = strcspn(at, separators);
+        fprintf(out, "%.*s", length ? (int)length : 4, length ? at : "auto");
+        at += length;
+        if (!*at)
+            break;
+        fputs(", ", out);
+    }
+    fputc(']', out);
+    if (fclose(out) == 0)
+        return text;
+    free(text);
+    return NULL;
+}
+
+/* A key of the output that -o names. */
+static enum bead_error add_look(struct command *command, const struct option_row *row, const char *value, struct bead_message *msg)
+{
+    char *list = listed(value, row->separators);
+    char **look = &command->looks[command->look_count];
+    enum bead_error err = check_draws(command, row->name, msg);
+    if (!err && (!list || asprintf(look, "%s=%s", row->name, list) < 0))
+        err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory");
+    command->look_count += !err;
+    free(list);
+    return err;
+}
+
 static enum bead_error take_input(struct command *command, int argc, char **argv, struct bead_message *msg)
 {
     while (command->action == COMMAND_MERGE && optind < argc)
@@ -424,7 +489,7 @@ enum bead_error command_parse(struct command *command, int argc, char **argv, st
         enum bead_error err =
             allowed(command->program, &rows[i], words) > 0 ? check_word(command->program, &rows[i], optarg, msg) : BEAD_OK;
         if (!err)
-            err = rows[i].apply(command, optarg, msg);
+            err = rows[i].separators ? add_look(command, &rows[i], optarg, msg) : rows[i].apply(command, optarg, msg);
         if (err)
             return err;
         if (command->action >= COMMAND_HELP)

@@ -54,7 +54,8 @@ struct command {
     bool sheet;
     bool json;
     const char **settings, **only, **parts; /* owned arrays; parts: files to merge */
-    size_t setting_count, only_count, part_count;
+    char **looks;                           /* owned, and their texts */
+    size_t setting_count, only_count, part_count, look_count;
     size_t shard, shards; /* 0, 0: all */
     int threads;
     enum command_progress progress;

@@ -95,7 +95,8 @@ int command_main(const struct command_program *program, int argc, char **argv)
     command.settings = calloc((size_t)argc + 1, sizeof *command.settings);
     command.only = calloc((size_t)argc + 1, sizeof *command.only);
     command.parts = calloc((size_t)argc + 1, sizeof *command.parts);
-    if (!err && (!command.settings || !command.only || !command.parts))
+    command.looks = calloc((size_t)argc + 1, sizeof *command.looks);
+    if (!err && (!command.settings || !command.only || !command.parts || !command.looks))
         err = bead_fail(&msg, BEAD_ERROR_MEMORY, "out of memory");
     if (!err)
         err = command_parse(&command, argc, argv, &msg);
@@ -108,6 +109,9 @@ int command_main(const struct command_program *program, int argc, char **argv)
     free(command.settings);
     free(command.only);
     free(command.parts);
+    for (size_t i = 0; command.looks && i < command.look_count; i++)
+        free(command.looks[i]);
+    free(command.looks);
     if (err)
         complain(program->name, msg.text[0] ? msg.text : bead_error_text(err));
     return command_status(err, stop_signal);

@@ -22,6 +22,8 @@ static void fill_job(const struct command *command, const volatile sig_atomic_t 
     job->threads = command->threads;
     job->instructions = command->instructions;
     job->canvas = command->canvas;
+    job->looks = (const char *const *)command->looks;
+    job->look_count = command->look_count;
     job->sinks = command->program->sinks;
     job->sweep_sinks = command->program->sweep_sinks;
     job->configuration = command->configuration;

@@ -255,7 +255,7 @@ static enum bead_error read_value(struct bead_reader *reader, const struct bead_
 static enum bead_error read_initial(struct bead_reader *reader, const struct bead_at *up, const struct bead_option *option,
                                     void *settings)
 {
-    struct bead_node word = {.plain = false, .place = up->node->place, .text = option->initial, .setting = up->node->setting};
+    struct bead_node word = {.plain = false, .place = up->node->place, .text = option->initial, .origin = up->node->origin};
     struct bead_at at = {up, option->key, 0, &word};
     if (*option->initial == '[' || *option->initial == '{') {
         struct bead_node *parsed = NULL;
@@ -263,7 +263,7 @@ static enum bead_error read_initial(struct bead_reader *reader, const struct bea
             bead_yaml_piece(reader->scratch, option->initial, strlen(option->initial), up->node->place, &parsed, reader->msg);
         if (err)
             return err;
-        parsed->setting = up->node->setting;
+        parsed->origin = up->node->origin;
         at.node = parsed;
     }
     return read_value(reader, &at, option, settings);

@@ -31,6 +31,11 @@ const char *bead_output_endings(enum bead_output_kind kind);
 /* Does a file end like one of these? */
 bool bead_output_ends_like(const char *endings, const char *path);
 
+/* Output number `index` of the scene alone, as the text of a list of outputs: `[{image: x.png, ...}]`; to be freed. Errors: MEMORY.
+ */
+BEAD_CHECK enum bead_error bead_scene_single_output(const struct bead_scene *scene, size_t index, char **outputs,
+                                                    struct bead_message *msg);
+
 /* What plots and tables can show: one row a value of `show`. */
 struct bead_show_type {
     const char *const *keys;      /* that it takes besides those of all plots and tables */

@@ -265,8 +265,11 @@ static enum bead_error apply_settings(const struct bead_reader *reader, const ch
     for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++)
         naming[2 + kind] = bead_output_key(kind);
     enum bead_error err = BEAD_OK;
-    for (size_t i = 0; i < count && !err; i++)
-        err = bead_yaml_set(reader->yaml, settings[i], i + 1, naming, reader->msg);
+    size_t number = 0; /* of those of --set */
+    for (size_t i = 0; i < count && !err; i++) {
+        number += strncmp(settings[i], "--", 2) != 0;
+        err = bead_yaml_set(reader->yaml, settings[i], number, naming, reader->msg);
+    }
     return err;
 }
 

@@ -407,15 +407,13 @@ static size_t find_list(const struct bead_node *entry)
     return 0;
 }
 
-/* How many files an entry names; 0: an empty list. */
-static size_t files_of(const struct bead_node *entry)
+size_t bead_output_files(const struct bead_node *entry)
 {
     size_t list = find_list(entry);
     return list ? entry->items[list]->count : 1;
 }
 
-/* An output that names several files, {plot: [a.pdf, a.png], ...}, is as many outputs: the entry for one. NULL: no memory. */
-static struct bead_node *entry_of_file(const struct bead_reader *reader, struct bead_node *entry, size_t file)
+struct bead_node *bead_output_entry(const struct bead_reader *reader, struct bead_node *entry, size_t file)
 {
     size_t list = find_list(entry);
     if (!list)
@@ -423,7 +421,7 @@ static struct bead_node *entry_of_file(const struct bead_reader *reader, struct 
     struct bead_node *single = bead_yaml_node(reader->yaml, BEAD_NODE_MAP, entry->place);
     if (!single)
         return NULL;
-    single->setting = entry->setting;
+    single->origin = entry->origin;
     for (size_t i = 0; i < entry->count; i++) {
         if (!bead_yaml_append(reader->yaml, single, i == list ? entry->items[i]->items[file] : entry->items[i]))
             return NULL;
@@ -436,7 +434,7 @@ static enum bead_error count_files(const struct bead_reader *reader, const struc
 {
     *count = 0;
     for (size_t i = 0; i < at->node->count; i++) {
-        size_t files = files_of(at->node->items[i]);
+        size_t files = bead_output_files(at->node->items[i]);
         struct bead_at element = {at, NULL, i, at->node->items[i]};
         if (files == 0)
             return bead_wrong(reader, &element, "names no file: its list is empty");
@@ -463,9 +461,9 @@ enum bead_error bead_scene_read_outputs(struct bead_reader *reader, const struct
         return bead_no_memory(reader);
     scene->output_count = count;
     for (size_t i = 0; i < at->node->count && !err; i++) {
-        size_t files = files_of(at->node->items[i]);
+        size_t files = bead_output_files(at->node->items[i]);
         for (size_t k = 0; k < files && !err; k++) {
-            struct bead_at element = {at, NULL, i, entry_of_file(reader, at->node->items[i], k)};
+            struct bead_at element = {at, NULL, i, bead_output_entry(reader, at->node->items[i], k)};
             err = element.node ? read_output(reader, &element, read++) : bead_no_memory(reader);
         }
     }

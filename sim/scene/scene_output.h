@@ -55,6 +55,11 @@ BEAD_CHECK enum bead_error bead_output_need_modes(const struct bead_reader *read
 BEAD_CHECK enum bead_error bead_output_check_size(const struct bead_reader *reader, const struct bead_at *at,
                                                   const struct bead_paper *paper);
 
+/* An output that names several files, {plot: [a.pdf, a.png], ...}, is as many outputs: how many (0: its list is empty), and the
+ * entry for one of them (NULL: no memory). */
+size_t bead_output_files(const struct bead_node *entry);
+struct bead_node *bead_output_entry(const struct bead_reader *reader, struct bead_node *entry, size_t file);
+
 /* Settings of which a kind has no key. */
 extern const struct bead_output bead_output_automatic;
 /* The settings of an output or panel, which begins as bead_output_automatic, with its kind and place; and their checks. */

@@ -76,18 +76,46 @@ static enum bead_error find_end(struct bead_session *s, struct bead_message *msg
     return err;
 }
 
+/* The scene, or where `-o` names a file, nothing but that. */
+static enum bead_error load_scene(struct bead_session *s, struct bead_message *msg)
+{
+    static const struct bead_file_kind kinds[] = {{BEAD_OUTPUT_IMAGE, NULL},
+                                                  {BEAD_OUTPUT_MOVIE, NULL},
+                                                  {BEAD_OUTPUT_TABLE, NULL},
+                                                  {BEAD_OUTPUT_TRAJECTORY, NULL},
+                                                  {BEAD_OUTPUT_KINDS, NULL}};
+    char path[4096];
+    struct bead_scene *plain = NULL;
+    struct bead_settings settings = {0};
+    enum bead_error err = bead_scene_find(s->job.input, path, sizeof path, msg);
+    if (err)
+        return err;
+    if (!bead_session_names_file(s->job.output)) {
+        if (s->job.look_count > 0)
+            return bead_fail(msg, BEAD_ERROR_USAGE, "--%.*s: of which output? name it with -o FILE, or use --set outputs.N.%s",
+                             (int)strcspn(s->job.looks[0], "="), s->job.looks[0], s->job.looks[0]);
+        return bead_scene_load(path, s->job.settings, s->job.setting_count, &s->scene, msg);
+    }
+    err = bead_scene_load(path, NULL, 0, &plain, msg);
+    if (!err)
+        err = bead_session_single_settings(s, plain, plain->sweep_count > 0 ? bead_sweep_file_kinds : kinds, &settings, msg);
+    if (!err)
+        err = bead_scene_load(path, settings.all, settings.count, &s->scene, msg);
+    bead_session_settings_free(&settings);
+    bead_scene_free(plain);
+    s->job.output = NULL; /* the scene says where */
+    return err;
+}
+
 static enum bead_error open_scene(struct bead_session *s, struct bead_message *msg)
 {
-    char path[4096];
     enum bead_error err = BEAD_OK;
     if (s->job.configuration) {
         err = bead_session_load_configuration(s, msg);
     } else if (s->job.sheet) {
         err = bead_session_load_sheet(s, msg);
     } else {
-        err = bead_scene_find(s->job.input, path, sizeof path, msg);
-        if (!err)
-            err = bead_scene_load(path, s->job.settings, s->job.setting_count, &s->scene, msg);
+        err = load_scene(s, msg);
     }
     if (err)
         return err;
@@ -101,6 +129,8 @@ static enum bead_error open_scene(struct bead_session *s, struct bead_message *m
         err = bead_session_find_resolution(s, msg);
     if (!err)
         err = bead_session_list_outputs(s, msg);
+    if (!err && s->single)
+        err = bead_session_check_single(s, &s->made[0], msg);
     if (!err)
         err = find_end(s, msg);
     return err ? err : bead_session_create_sinks(s, msg);

@@ -7,21 +7,25 @@
 #include "sim/output/trajectory_data.h"
 #include "sim/session/session_data.h"
 
-/* The stored scene has no output of this kind: use the defaults of the kind, changed by the user's settings. */
-static enum bead_error settle_with_default(struct bead_session *s, struct bead_message *msg)
+/* What was computed stays as it was: settings may say how it is shown. */
+static enum bead_error check_settings(const struct bead_session *s, struct bead_message *msg)
 {
-    static const struct bead_file_kind kinds[] = {
-        {BEAD_OUTPUT_IMAGE, NULL}, {BEAD_OUTPUT_MOVIE, NULL}, {BEAD_OUTPUT_TABLE, ", show: sensors"}, {BEAD_OUTPUT_KINDS, NULL}};
-    struct bead_settings settings = {0};
-    char *outputs = NULL;
-    enum bead_error err = bead_session_outputs_for(s->job.output, kinds, &outputs, msg);
-    if (!err)
-        err = bead_session_settings_make(&s->job, outputs, NULL, &settings, msg);
-    if (!err)
-        err = bead_trajectory_settle(s->trajectory, settings.all, settings.count, msg);
-    bead_session_settings_free(&settings);
-    free(outputs);
-    return err;
+    static const char *const shown[] = {"title", "colour", "label", "name"};
+    for (size_t i = 0; i < s->job.setting_count; i++) {
+        const char *setting = s->job.settings[i];
+        const int length = (int)strcspn(setting, "=");
+        char path[200];
+        snprintf(path, sizeof path, "%.*s", length, setting);
+        const char *dot = strrchr(path, '.'), *key = dot ? dot + 1 : path;
+        bool good = strncmp(path, "outputs", 7) == 0;
+        for (size_t k = 0; k < sizeof shown / sizeof *shown; k++)
+            good = good || strcmp(key, shown[k]) == 0;
+        if (!good)
+            return bead_fail(msg, BEAD_ERROR_USAGE,
+                             "--set:%zu:1: %s: has no effect: %s was computed without it; run the scene again", i + 1, path,
+                             s->job.input);
+    }
+    return BEAD_OK;
 }
 
 /* A time range that is asked for is got, or an error. */
@@ -55,8 +59,7 @@ static enum bead_error limit_to_file(struct bead_session *s, struct bead_output 
     return err;
 }
 
-/* `index` is that of the output in the stored scene. */
-static enum bead_error check_stored(const struct bead_session *s, const struct bead_made *m, size_t index, struct bead_message *msg)
+static enum bead_error check_stored(const struct bead_session *s, const struct bead_made *m, struct bead_message *msg)
 {
     unsigned missing = m->needs.fields & ~bead_trajectory_fields(s->trajectory);
     if (m->needs.contact_peaks || m->needs.bead_peaks)
@@ -68,8 +71,8 @@ static enum bead_error check_stored(const struct bead_session *s, const struct b
     if (m->needs.comparison)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED,
                          "%s: `trust` compares two runs, and a trajectory holds one: run the scene, or draw without it: "
-                         "--set outputs.%zu.trust=false",
-                         m->output->path, index);
+                         "--set outputs.0.trust=false",
+                         m->output->path);
     for (size_t f = 0; f < BEAD_FIELD_COUNT; f++) {
         if (missing & BEAD_FIELD_BIT(f))
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED,
@@ -81,31 +84,37 @@ static enum bead_error check_stored(const struct bead_session *s, const struct b
 
 enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead_message *msg)
 {
+    static const struct bead_file_kind kinds[] = {
+        {BEAD_OUTPUT_IMAGE, NULL}, {BEAD_OUTPUT_MOVIE, NULL}, {BEAD_OUTPUT_TABLE, ", show: sensors"}, {BEAD_OUTPUT_KINDS, NULL}};
+    struct bead_settings settings;
     if (!s->job.output)
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s is a trajectory: say what to draw with -o FILE (png, pdf, svg, mp4, ...)",
                          s->job.input);
-    /* The user's settings apply to the output of the stored scene that `-o` names. */
-    enum bead_error err = bead_session_find_again(bead_trajectory_scene(s->trajectory), s->job.output)
-                              ? bead_trajectory_settle(s->trajectory, s->job.settings, s->job.setting_count, msg)
-                              : settle_with_default(s, msg);
+    if (s->job.parts > 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: %s has no sweep that could be parted", s->job.input);
+    enum bead_error err = check_settings(s, msg);
+    if (err)
+        return err;
+    err = bead_session_single_settings(s, bead_trajectory_scene(s->trajectory), kinds, &settings, msg);
+    if (!err)
+        err = bead_trajectory_settle(s->trajectory, settings.all, settings.count, msg);
+    bead_session_settings_free(&settings);
     if (err)
         return err;
     s->source = bead_trajectory_scene(s->trajectory);
     s->chains = bead_trajectory_chains(s->trajectory, &s->chain_count);
     s->end = s->needed = bead_trajectory_end(s->trajectory);
     s->native = *bead_trajectory_grid(s->trajectory);
-    size_t index = 0;
-    err = bead_session_take_again(s, "trajectory", &index, msg);
+    err = bead_session_list_outputs(s, msg);
     if (err)
         return err;
     struct bead_made *m = s->made;
-    m->type = bead_session_find_type(&s->job, m->output);
-    if (!m->type)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: this program does not make such files", s->job.output);
-    err = bead_session_find_resolution(s, msg);
+    err = bead_session_check_single(s, m, msg);
+    if (!err)
+        err = bead_session_find_resolution(s, msg);
     if (!err)
         err = limit_to_file(s, &m->changed, msg);
     if (!err)
         err = bead_session_create_sink(s, m, msg);
-    return err ? err : check_stored(s, m, index, msg);
+    return err ? err : check_stored(s, m, msg);
 }

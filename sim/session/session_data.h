@@ -8,7 +8,7 @@
 /* One output of the scene, in its order. */
 struct bead_made {
     const struct bead_output *output;
-    struct bead_output changed;               /* what replaces it when a trajectory is drawn again */
+    struct bead_output changed;               /* what replaces it where `-o FILE` names it */
     const struct bead_sink_type *type;        /* NULL: this program cannot make it */
     struct bead_sink *sink;                   /* NULL: skipped */
     const struct bead_sweep_sink *sweep_type; /* the same for outputs of sweeps */
@@ -33,6 +33,8 @@ struct bead_session {
     struct bead_scene *scene;           /* own; NULL with a trajectory or a sweep's file */
     struct bead_sweep *sweep;           /* of scenes with sweeps, and their files */
     bool sweep_read;                    /* it comes from a file */
+    const char *single;                 /* the one file to make, where -o names it; else NULL */
+    size_t single_index;                /* of its output in the scene */
     struct bead_trajectory *trajectory; /* NULL with a scene */
     const struct bead_scene *source;    /* either's */
     struct bead_chain **own_chains;
@@ -92,14 +94,14 @@ bool bead_output_needs_end(const struct bead_output *output);
 BEAD_CHECK enum bead_error bead_session_list_outputs(struct bead_session *session, struct bead_message *msg);
 /* Is it the file of all results of a sweep? */
 bool bead_session_holds_sweep(const struct bead_made *made);
-/* Of the stored scene: which output does `-o file` draw again: the one of that name, else the first of that kind. */
-const struct bead_output *bead_session_find_again(const struct bead_scene *scene, const char *file);
-/* That output, number `index` of the source, goes to `-o file` and is the session's only one; `from` names what was read. */
-BEAD_CHECK enum bead_error bead_session_take_again(struct bead_session *session, const char *from, size_t *index,
-                                                   struct bead_message *msg);
+/* Behind the last slash. */
+const char *bead_session_base_name(const char *path);
 /* NULL: this program cannot make it. */
 const struct bead_sink_type *bead_session_find_type(const struct bead_job *job, const struct bead_output *output);
 
+/* session_single.c */
+/* Does `-o` name a file to make, rather than a directory? */
+bool bead_session_names_file(const char *output);
 /* An output that a file alone can ask for, by its ending; more: ", show: sensors" or NULL. */
 struct bead_file_kind {
     enum bead_output_kind kind; /* BEAD_OUTPUT_KINDS: behind the last */
@@ -108,15 +110,29 @@ struct bead_file_kind {
 /* `[{movie: "a.mp4"}]` for a file of the first kind that it ends like; to be freed. Errors: USAGE, MEMORY. */
 BEAD_CHECK enum bead_error bead_session_outputs_for(const char *file, const struct bead_file_kind *kinds, char **outputs,
                                                     struct bead_message *msg);
-/* Settings of a scene: `first` (NULL: none; borrowed), the outputs, then the job's. */
+/* Settings of a scene: `first` (NULL: none; borrowed), the outputs (NULL: those of the scene), what the job's options say of the
+ * first of them, then the job's settings. To be freed only where there was no error. Errors: MEMORY. */
 struct bead_settings {
     const char **all;
     size_t count;
-    char *outputs;
+    char **own;
+    size_t own_count;
 };
 BEAD_CHECK enum bead_error bead_session_settings_make(const struct bead_job *job, const char *outputs, const char *first,
                                                       struct bead_settings *settings, struct bead_message *msg);
 void bead_session_settings_free(struct bead_settings *settings);
+/* Settings that leave nothing but the output of the scene that `-o FILE` means; where it has none (or is NULL), one of `kinds`.
+ * None where the command line changes nothing: session->single_index is the output then. To be freed in any case. Errors: USAGE,
+ * MEMORY. */
+BEAD_CHECK enum bead_error bead_session_single_settings(struct bead_session *session, const struct bead_scene *scene,
+                                                        const struct bead_file_kind *kinds, struct bead_settings *settings,
+                                                        struct bead_message *msg);
+/* Can the program make the file that `-o` names, once its types are known? Errors: USAGE. */
+BEAD_CHECK enum bead_error bead_session_check_single(const struct bead_session *session, const struct bead_made *made,
+                                                     struct bead_message *msg);
+/* The session's only output, which may then be changed, and its poster beside it. Errors: USAGE, MEMORY. */
+BEAD_CHECK enum bead_error bead_session_place_single(const struct bead_session *session, struct bead_made *made,
+                                                     struct bead_message *msg);
 
 /* session_verify.c: warnings; and with `verify` the tolerance at which two runs agree to what was asked, in runs of their own. */
 BEAD_CHECK enum bead_error bead_session_verify(struct bead_session *session, struct bead_message *msg);
@@ -130,6 +146,8 @@ void bead_session_free_sensitivities(struct bead_session *session);
 BEAD_CHECK enum bead_error bead_session_open_trajectory(struct bead_session *session, struct bead_message *msg);
 
 /* session_sweep.c: the scene's sweeps; a sweep's file; one configuration of it as the session's scene; running and planning. */
+/* What `-o FILE` may be of a sweep. */
+extern const struct bead_file_kind bead_sweep_file_kinds[];
 BEAD_CHECK enum bead_error bead_session_open_sweep(struct bead_session *session, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_session_open_sweep_file(struct bead_session *session, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_session_load_sheet(struct bead_session *session, struct bead_message *msg);

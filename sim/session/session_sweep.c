@@ -50,31 +50,17 @@ enum bead_error bead_session_open_sweep(struct bead_session *s, struct bead_mess
         m->sweep_type = results ? NULL : find_sink(&s->job, m->output);
         file = file || (results && m->asked);
         err = find_path(s, m, msg);
+        if (!err)
+            err = results ? BEAD_OK : bead_session_check_single(s, m, msg);
     }
     if (!err && s->job.parts > 0 && !file)
         err = bead_fail(msg, BEAD_ERROR_USAGE, "--shard: the scene has no output {sweep: FILE.h5} for the part's results");
     return err ? err : bead_sweep_create(s->scene, &s->sweep, msg);
 }
 
+const struct bead_file_kind bead_sweep_file_kinds[] = {
+    {BEAD_OUTPUT_PLOT, NULL}, {BEAD_OUTPUT_TABLE, NULL}, {BEAD_OUTPUT_SWEEP, NULL}, {BEAD_OUTPUT_KINDS, NULL}};
 static const struct bead_file_kind sheet_kinds[] = {{BEAD_OUTPUT_SHEET, NULL}, {BEAD_OUTPUT_KINDS, NULL}};
-
-/* Open the file again with an output that its scene does not have. */
-static enum bead_error open_with_default(struct bead_session *s, struct bead_message *msg)
-{
-    static const struct bead_file_kind kinds[] = {{BEAD_OUTPUT_PLOT, NULL}, {BEAD_OUTPUT_TABLE, NULL}, {BEAD_OUTPUT_KINDS, NULL}};
-    struct bead_settings settings = {0};
-    char *outputs = NULL;
-    enum bead_error err = bead_session_outputs_for(s->job.output, s->job.sheet ? sheet_kinds : kinds, &outputs, msg);
-    if (!err)
-        err = bead_session_settings_make(&s->job, outputs, NULL, &settings, msg);
-    if (!err) {
-        bead_sweep_close(s->sweep);
-        err = bead_sweep_open(s->job.input, settings.all, settings.count, &s->sweep, msg);
-    }
-    bead_session_settings_free(&settings);
-    free(outputs);
-    return err;
-}
 
 /* More configurations than sheets have room for. */
 #define OF_CHAIN "sweep={magnetism: all, configurations: 64}"
@@ -108,6 +94,7 @@ enum bead_error bead_session_load_sheet(struct bead_session *s, struct bead_mess
         err = bead_fail(msg, BEAD_ERROR_USAGE, "--sheet: %s has neither a sweep nor one chain of beads", path);
     if (!err)
         err = load_sheet(s, path, outputs, plain->sweep_count > 0 ? NULL : OF_CHAIN, msg);
+    s->single = s->job.output;
     s->job.output = NULL; /* the scene says where */
     bead_scene_free(plain);
     free(outputs);
@@ -125,25 +112,28 @@ enum bead_error bead_session_open_sweep_file(struct bead_session *s, struct bead
     if (s->job.parts > 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: %s is computed already", s->job.input);
     enum bead_error err = bead_sweep_open(s->job.input, NULL, 0, &s->sweep, msg);
-    if (!err && (s->job.sheet || !bead_session_find_again(bead_sweep_scene(s->sweep), s->job.output))) {
-        err = open_with_default(s, msg);
-    } else if (!err && s->job.setting_count > 0) {
+    if (err)
+        return err;
+    struct bead_settings settings;
+    err = bead_session_single_settings(s, s->job.sheet ? NULL : bead_sweep_scene(s->sweep),
+                                       s->job.sheet ? sheet_kinds : bead_sweep_file_kinds, &settings, msg);
+    if (!err) {
         bead_sweep_close(s->sweep);
-        err = bead_sweep_open(s->job.input, s->job.settings, s->job.setting_count, &s->sweep, msg);
+        err = bead_sweep_open(s->job.input, settings.all, settings.count, &s->sweep, msg);
     }
+    bead_session_settings_free(&settings);
     if (err)
         return err;
     s->sweep_read = true;
     s->source = bead_sweep_scene(s->sweep);
-    size_t index;
-    err = bead_session_take_again(s, "sweep", &index, msg);
+    err = bead_session_list_outputs(s, msg);
     if (err)
         return err;
     struct bead_made *m = s->made;
+    m->type = NULL;
     m->sweep_type = find_sink(&s->job, m->output);
-    if (!m->sweep_type)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: this program does not make such files from a sweep", s->job.output);
-    return bead_file_join(".", s->job.output, &m->path, msg);
+    err = bead_session_check_single(s, m, msg);
+    return err ? err : bead_file_join(".", m->output->path, &m->path, msg);
 }
 
 /* "17" or "NAME:17". */
@@ -229,8 +219,13 @@ enum bead_error bead_session_load_configuration(struct bead_session *s, struct b
     }
     if (!err)
         err = bead_sweep_single(sweep, panel, index, outputs, &text, msg);
+    struct bead_settings settings = {0};
     if (!err)
-        err = bead_scene_parse(s->job.input, text, strlen(text), s->job.settings, s->job.setting_count, &s->scene, msg);
+        err = bead_session_settings_make(&s->job, NULL, NULL, &settings, msg);
+    if (!err)
+        err = bead_scene_parse(s->job.input, text, strlen(text), settings.all, settings.count, &s->scene, msg);
+    bead_session_settings_free(&settings);
+    s->single = s->job.output;
     s->job.output = NULL; /* the scene says where */
     free(outputs);
     free(text);

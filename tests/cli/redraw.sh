@@ -1,0 +1,116 @@
+#!/bin/bash
+# One file by its name: of a scene, and of a trajectory or a sweep that is drawn again, with the options for it.
+source "$(dirname "$0")/../shell.bash"
+cd "$T" || exit 1
+cat >scene.yaml <<'YAML'
+chain: {beads: [{bead: large-steel, count: 40}, {bead: small-steel, sensor: A}, {bead: large-steel, count: 30}]}
+simulate: {until: 0.6 ms}
+outputs:
+  - {movie: film.mp4, size: [320, 240], duration: 0.3 s, fps: 10, views: [beads, profile], colormap: magma}
+  - {trajectory: run.h5, every: 5 us}
+  - {plot: sensor.png, show: sensors, size: [640, 400]}
+  - {image: [force.png, force.pdf], size: [640, 400], axes: false}
+YAML
+# same FILE FILE : but for what they say of themselves.
+same() { cmp <(ffmpeg -v error -i "$1" -f rawvideo -pix_fmt rgb24 -) <(ffmpeg -v error -i "$2" -f rawvideo -pix_fmt rgb24 -); }
+differ() { [ -s "$1" ] && [ -s "$2" ] && ! same "$1" "$2"; }
+
+ok "a run" exits 0 "$beadreel" scene.yaml -o run
+
+# ---- drawing again ----
+
+ok "a trajectory" exits 0 "$beadreel" run/run.h5 -o plain/deep/force.png
+ok "... in folders that are made" test -s plain/deep/force.png
+ok "outputs.0 is the file" exits 0 "$beadreel" run/run.h5 -o set/force.png --set outputs.0.colormap=grey
+ok "--colormap is the same" exits 0 "$beadreel" run/run.h5 -o option/force.png --colormap grey
+if command -v ffmpeg >/dev/null; then
+    ok "... in each pixel" same set/force.png option/force.png
+    ok "... and another picture than without" differ set/force.png plain/deep/force.png
+else
+    skip ffmpeg "the pixels"
+fi
+# draws OPTION... : another picture than without.
+draws() { exits 0 "$beadreel" run/run.h5 -o "again.png" "$@" && ! cmp -s again.png plain/deep/force.png && rm again.png; }
+for option in '--range 0:10' '--range [0,10]' '--range 0,10' '--time 0.2ms:0.4ms' '--time 0.2ms:' '--time [0.2ms,auto]' '--beads 30:60' \
+    '--beads 30-60' '--beads [30,60]' '--size 400x300' '--size [400,300]' '--field velocity' '--field velocity --colormap vik' \
+    '--views beads,spacetime --set outputs.0.axes=true' '--style paper --size 86mmx60mm --set outputs.0.axes=true'; do
+    # shellcheck disable=SC2086
+    ok "$option" draws $option
+done
+ok "a film of beads 30 to 60 with another colour map" exits 0 "$beadreel" run/run.h5 -o film.mp4 --beads 30:60 --colormap viridis
+ok "... is one" test -s film.mp4
+ok "a picture for which the scene has none" exits 0 "$beadreel" run/run.h5 -o other.svg --size 86mmx60mm
+ok "the plot of that name" exits 0 "$beadreel" run/run.h5 -o plot/sensor.png
+ok "... is not what has colours" fails 2 "$beadreel" run/run.h5 -o plot/sensor.png --colormap grey
+ok "... and says so" says "--colormap:1:1: outputs.0.colormap: is a key of outputs of kind image, movie, sheet, not of plot"
+ok "a picture of another name" exits 0 "$beadreel" run/run.h5 -o new.png --colormap grey
+ok "... is the first that has the key" [ "$(stat -c %s new.png)" -gt 1000 ]
+
+# wrong MESSAGE ARGUMENT... : nothing is made.
+wrong() {
+    local message=$1
+    shift
+    fails 2 "$beadreel" run/run.h5 -o no/no.png "$@" && says "$message" && [ ! -e no ]
+}
+ok "--only has no effect" wrong "--only force.png: has no effect" --only force.png
+ok "what was computed stays" wrong "--set:1:1: chain.striker.velocity: has no effect: run/run.h5" --set chain.striker.velocity=1
+ok "... the second setting" wrong "--set:2:1: simulate.until: has no effect" --set title=x --set simulate.until=1
+ok "what is shown does not" exits 0 "$beadreel" run/run.h5 -o title.png --set title=x --set chain.label=y
+ok "another output" wrong "--set:1:9: outputs.1.colormap: there is no element 1: there are 1" --set outputs.1.colormap=grey
+ok "an output's number counts from --set, not from options" wrong "--set:2:" --size 64x64 --set title=x --set outputs.0.colour=grey
+ok "no such map" wrong "there is no colour map \`gray\`" --colormap gray
+ok "no such view" wrong "--views:1:2: outputs.0.views.0: " --views beds
+ok "half a range" wrong "--range:1:1: outputs.0.range: " --range 4
+ok "a wrong unit" wrong "--range:1:5: outputs.0.range" --range 0:3m
+ok "no time" wrong "--time:1:1: outputs.0.time: is \`soon\`" --time soon
+ok "beads that are not there" wrong "beads" --beads 90:95
+ok "an empty value" wrong "--size:1:1: outputs.0.size: is nothing" --size ''
+ok "three sizes" wrong "--size:1:1: outputs.0.size: is a list" --size 1x2x3
+ok "a style of films" fails 2 "$beadreel" run/run.h5 -o no.mp4 --style paper
+ok "... which have none" says "not of movie"
+ok "several outputs" wrong "-o names one file, but there are 2 outputs" --set 'outputs=[{image: a.png}, {image: b.png}]'
+ok "a part" wrong "--shard: " --shard 1/2
+ok "beadsim does not draw" fails 2 "$beadsim" run/run.h5 -o no.png
+ok "... and has no colours" fails 2 "$beadsim" run/run.h5 -o a.csv --colormap grey
+ok "... but makes tables" exits 0 "$beadsim" run/run.h5 -o sensors.csv --set outputs.0.time='[0.1 ms, 0.2 ms]'
+
+# ---- a scene ----
+
+ok "one file of a scene" exits 0 "$beadreel" scene.yaml -o one/sub/force.pdf --size 60mmx40mm
+ok "... and nothing else" test "$(find one -type f)" = one/sub/force.pdf
+ok "a film that the scene has not by this name" exits 0 "$beadreel" scene.yaml -o one/film.gif --set outputs.0.duration='0.2 s'
+ok "a table" exits 0 "$beadsim" scene.yaml -o one/peaks.csv
+ok "... of peaks" grep -q '^contact,peak_force_N' one/peaks.csv
+ok "a trajectory of its own" exits 0 "$beadsim" scene.yaml -o one/again.h5
+ok "... which can be drawn again" exits 0 "$beadreel" one/again.h5 -o one/again.png
+ok "the plan of one file" exits 0 "$beadreel" scene.yaml --plan -o one/force.png
+ok "... is that of it alone" test "$(grep -c '^output ' out)" = 1
+ok "an absolute path" exits 0 "$beadreel" scene.yaml -o "$T/absolute/force.png"
+mkdir folder.png
+ok "a directory stays one" exits 0 "$beadreel" scene.yaml -o folder.png --only force.png
+ok "... with the file in it" test -s folder.png/force.png
+ok "beadsim makes no pictures" fails 2 "$beadsim" scene.yaml -o no.png
+ok "... and no directory of that name" test ! -e no.png
+ok "--only besides" fails 2 "$beadreel" scene.yaml -o no.png --only force.png
+ok "options without a file" fails 2 "$beadreel" scene.yaml -o folder --colormap grey
+ok "... ask for one" says "--colormap: of which output? name it with -o FILE, or use --set outputs.N.colormap=grey"
+ok "... or for a file in the plan" fails 2 "$beadreel" scene.yaml --plan --time 0:1ms
+ok "a poster goes along" exits 0 "$beadreel" scene.yaml -o p/film.mp4 --set outputs.0.poster=poster.png
+ok "... beside the film" test -s p/poster.png
+
+# ---- a sweep ----
+
+cat >sweep.yaml <<'YAML'
+sweep: {cells: 6, configurations: 2, magnetism: [0, 1]}
+outputs: [{sweep: sweep.h5}, {plot: force.png, size: [640, 480]}, {table: force.csv}]
+YAML
+ok "one file of a sweep" exits 0 "$beadreel" sweep.yaml -o s/new.pdf --size 86mmx60mm
+ok "... alone" test "$(find s -type f)" = s/new.pdf
+ok "its results" exits 0 "$beadsim" sweep.yaml -o s/sweep.h5
+ok "... drawn again" exits 0 "$beadreel" s/sweep.h5 -o s/force.png --size 400x300
+ok "... with a colour map" fails 2 "$beadreel" s/sweep.h5 -o s/no.png --colormap grey
+ok "... which it has none of" says "--colormap:1:1: outputs.0.colormap: "
+ok "... one chain of it" exits 0 "$beadreel" s/sweep.h5 --configuration 1 -o s/one.png --colormap grey --beads 2:9
+ok "... a sheet of it" exits 0 "$beadreel" --sheet s/sweep.h5 -o s/sheet.png --size 640x480
+ok "... with --only" fails 2 "$beadreel" s/sweep.h5 -o s/no.png --only force.png
+finish
