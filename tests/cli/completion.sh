@@ -50,8 +50,12 @@ fish_knows() {
 command -v fish >/dev/null && ok "fish: every option" fish_knows
 # The words themselves: each option of --help, with its help.
 words_are_options() {
-    diff <("$beadreel" --help | grep -oE -- '^ +(-[a-zA-Z], )?--[a-z-]+' | grep -o -- '--.*') <("$beadreel" --help=words | cut -d' ' -f 1) &&
-        ! "$beadreel" --help=words | grep -vP '^--[a-z-]+ (-[a-zA-Z]|\.\.) [^\t]+\t[^\t]+$'
+    local program
+    for program in beadreel beadsim; do
+        $program --help=words | cut -d' ' -f 1 | sort >"$T/words"
+        $program --help | sed '/^Examples:/q' | grep -oE -- '--[a-z][a-z-]+' | sort -u | diff - "$T/words" || return 1
+    done
+    ! "$beadreel" --help=words | grep -vP '^--[a-z-]+ (-[a-zA-Z]|\.\.) [^\t]+\t[^\t]+$'
 }
 ok "--help=words has every option and its help" words_are_options
 finish
