@@ -2,6 +2,8 @@
 PREFIX  ?= /usr/local
 # Debian's own directory of libraries below /usr; elsewhere plain lib.
 LIBDIR  ?= $(PREFIX)/lib$(if $(filter /usr,$(PREFIX)),$(addprefix /,$(shell $(CC) -print-multiarch 2>/dev/null)))
+# Where Debian's python3 looks for modules.
+PYTHONDIR ?= $(PREFIX)/lib/python3$(if $(filter /usr,$(PREFIX)),,$(shell python3 -c 'import sys; print(".%d" % sys.version_info[1])' 2>/dev/null))/dist-packages
 ZSHDIR  ?= $(PREFIX)/share/zsh/site-functions
 DESTDIR ?=
 BUILD   ?= build
@@ -34,7 +36,7 @@ BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev li
 TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py man-db mandoc zsh fish
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
 WISHED_DEPS = libosmesa6
-CI_DEPS    = clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr
+CI_DEPS    = clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian
 # What `make peers` compares with: large, and left out where missing.
 PEER_DEPS  = lammps python3-scipy
 ARM64_DEPS = debootstrap gcc-aarch64-linux-gnu qemu-user-static
@@ -229,6 +231,15 @@ compile: all $(TESTS) $(EXAMPLES) $(BENCHES) $(STRESSES) $(FAIL_ALLOC) ## everyt
 fresh: ## README's commands on a bare Debian: make fresh SUITE=bookworm|trixie (root, debootstrap; minutes)
 	@tests/fresh.sh $(SUITE)
 
+release-check: ## what stands between this commit and the release TAG=vVERSION
+	@.github/release-check.sh "$(TAG)" "$(VERSION)"
+deb: ## the Debian packages of the last commit, into build/deb (make deps deps-ci)
+	@rm -rf $(BUILD)/deb && mkdir -p $(BUILD)/deb && git clone -q . $(BUILD)/deb/beadreel
+	@cd $(BUILD)/deb/beadreel && env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS dpkg-buildpackage -us -uc -J$$(nproc)
+	@rm -rf $(BUILD)/deb/beadreel && ls $(BUILD)/deb/*.deb
+deb-test: deb ## these packages pass lintian, install on a bare Debian and work there (root, debootstrap; minutes)
+	@tests/packages.sh $(BUILD)/deb
+
 arm64-test: | $(WAIT) ## all results on arm64, in QEMU, have the bits of x86-64 (root, debootstrap; make deps-arm64; 8 minutes of CPU)
 	@tests/arm64.sh $(filter-out gcc pkg-config,$(BUILD_DEPS))
 
@@ -288,7 +299,7 @@ lint: ## formatting, static analysis
 	@echo "clang-format" && clang-format --dry-run -Werror $(FORMATTED)
 	@echo "cppcheck" && cppcheck --quiet --std=c11 --language=c --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
 	    --suppressions-list=tests/cppcheck.txt -j $$(nproc) -i tests/bench/precision_boost.cc -Iinclude -I. -D__linux__ -D__x86_64__ -DBEAD_DATADIR='""' sim render tests
-	@echo "shellcheck" && shellcheck -S warning -e SC2034,SC2154 $(wildcard .ci/run assets/*/*.sh assets/completions/*.bash tests/*.sh tests/*/*.sh tests/*.bash)
+	@echo "shellcheck" && shellcheck -S warning -e SC2034,SC2154 $(wildcard .ci/run .github/*.sh assets/*/*.sh assets/completions/*.bash tests/*.sh tests/*/*.sh tests/*.bash)
 
 MANUALS = $(wildcard assets/man/*.[15])
 man: $(PROGRAMS) ## write options, keys and lists into the man pages again
@@ -298,7 +309,7 @@ doc: ## the man pages as HTML, into build/doc
 	@for m in $(MANUALS); do mandoc -T html -O man=%N.%S.html,toc $$m >$(BUILD)/doc/$${m##*/}.html || exit 1; done
 	@ls $(BUILD)/doc/*.html
 
-ASSETS = $(shell cd assets && find . -type f ! -name '*.png' ! -path './man/*' ! -path './completions/*' ! -path './gallery/*' ! -path './findings/*' | sed 's,^\./,,')
+ASSETS = $(shell cd assets && find . -type f ! -name '*.png' ! -path './man/*' ! -path './completions/*' ! -path './gallery/*' ! -path './findings/*' ! -path './python/*' ! -path './manual/*' | sed 's,^\./,,')
 SHARE  = $(DESTDIR)$(PREFIX)/share
 
 # Everything at its place below DESTDIR, an empty directory.
@@ -329,6 +340,7 @@ staged:
 	install -m 644 assets/completions/_beadreel $(DESTDIR)$(ZSHDIR)
 	install -m 644 assets/completions/beadreel.fish $(SHARE)/fish/vendor_completions.d
 	ln -sf beadreel.fish $(SHARE)/fish/vendor_completions.d/beadsim.fish
+	for m in $(wildcard assets/python/*.py); do install -D -m 644 $$m $(DESTDIR)$(PYTHONDIR)/$${m##*/} || exit 1; done
 
 # What came, and which directories were new: `uninstall` removes just these.
 INSTALLED = $(PREFIX)/share/beadreel/installed
@@ -364,6 +376,6 @@ sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan tsan coverage counted fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
+.PHONY: release-check deb deb-test staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan tsan coverage counted fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
 .DELETE_ON_ERROR:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

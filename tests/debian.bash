@@ -1,4 +1,4 @@
-# Sourced by the scripts that make a Debian system of their own (fresh.sh, arm64.sh): as root, with debootstrap, in a temporary
+# Sourced by the scripts that make a Debian system of their own (fresh.sh, arm64.sh, packages.sh): as root, with debootstrap, in a temporary
 # directory that goes when they end. MIRROR=URL names another mirror than the host's.
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 me=$(basename "$0" .sh)${suite:+ $suite}
@@ -49,4 +49,22 @@ make_root() {
     say "minimal system from $mirror"
     alone debootstrap --variant=minbase "$@" "$suite" "$root" "$mirror" >"$root.log" 2>&1 ||
         { tail -n 20 "$root.log"; say "debootstrap failed" >&2; exit 1; }
+}
+
+# within COMMAND... : in the new system, with the host's devices; nothing of the host's environment.
+within() {
+    # shellcheck disable=SC2016
+    alone bash -c '
+        root=$1; shift
+        mount -t proc proc "$root/proc" && mount --rbind /dev "$root/dev" || exit 1
+        exec chroot "$root" env -i "$@"' - "$root" PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
+        DEBIAN_FRONTEND=noninteractive ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
+        ${no_proxy:+no_proxy="$no_proxy"} "$@"
+}
+
+# The new system's apt is told what the host's is.
+connect() {
+    cp /etc/resolv.conf /etc/hosts "$root/etc/"
+    apt-config dump Acquire | grep -E '^Acquire::(Check|Retries|[a-z]+::(Proxy|Verify|Timeout))' >"$root/etc/apt/apt.conf.d/90host"
+    within apt-get -q update
 }

@@ -9,22 +9,8 @@ source "$(dirname "$0")/debian.bash"
 [[ -n $suite && " $suites " == *" $suite "* ]] || { say "the suite is one of: $suites" >&2; exit 1; }
 mapfile -t commands < <(grep -xE 'make deps [a-z]+' README.md)
 [ ${#commands[@]} -eq 2 ] || { say "README.md has ${#commands[@]} commands 'make deps ...', not 2" >&2; exit 1; }
-# within COMMAND... : in the new system, with the host's devices; nothing of the host's environment.
-within() {
-    # shellcheck disable=SC2016
-    alone bash -c '
-        root=$1; shift
-        mount -t proc proc "$root/proc" && mount --rbind /dev "$root/dev" || exit 1
-        exec chroot "$root" env -i "$@"' - "$root" PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
-        DEBIAN_FRONTEND=noninteractive ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
-        ${no_proxy:+no_proxy="$no_proxy"} "$@"
-}
-
 make_root "$suite"
-# The new system's apt is told what the host's is.
-cp /etc/resolv.conf /etc/hosts "$root/etc/"
-apt-config dump Acquire | grep -E '^Acquire::(Check|Retries|[a-z]+::(Proxy|Verify|Timeout))' >"$root/etc/apt/apt.conf.d/90host"
-within apt-get -q update && within apt-get -q -y install --no-install-recommends make git ca-certificates ||
+connect && within apt-get -q -y install --no-install-recommends make git ca-certificates ||
     { say "make, git and ca-certificates cannot be installed" >&2; exit 1; }
 git clone -q --no-hardlinks . "$root/root/beadreel" || exit 1
 [ -z "$(git status --porcelain)" ] || say "what is not committed is left out"

@@ -163,4 +163,18 @@ if git rev-parse -q --verify HEAD >/dev/null 2>&1; then
 else
     skip "a git checkout" "make dist has every file"
 fi
+
+# debian/ says again what the Makefile and the headers have.
+variable() { make -pn help 2>/dev/null | sed -n "s/^$1 = //p"; }
+same_dependencies() {
+    diff <(variable BUILD_DEPS | tr ' ' '\n' | grep -vxE '|gcc|libc6-dev' | sort) \
+        <(sed -n '/^Build-Depends:/,/^[A-Z]/p' debian/control | grep -oE '^ (lib|fonts|pkg)[a-z0-9.-]+' | tr -d ' ' | sort)
+}
+ok "debian/control needs what BUILD_DEPS names" same_dependencies
+ok "debian/changelog has the version" bash -c \
+    "[ \"\$(sed -n '1s/.*(\(.*\)).*/\1/p' debian/changelog)\" = \"\$(sed -n 's/^#define BEADREEL_VERSION \"\(.*\)\"/\1/p' include/beadreel/api.h)\" ]"
+release_is_checked() { # a tag of another version is found; and nothing of the version is amiss
+    ! make release-check TAG=v9.9 >"$T/out" 2>&1 && prints "the tag is v9.9" && ! grep 'another version' "$T/out"
+}
+ok "make release-check" release_is_checked
 finish

@@ -1,0 +1,42 @@
+#!/bin/bash
+# Debian packages: tests/packages.sh DIRECTORY, or `make deb-test`. Asks lintian of those in the directory, which are for the host's
+# release; installs them on a bare system of it (see debian.bash), uses them there as a plain user, and removes them. Minutes.
+# Ends with `N passed, M failed`; exit status 77: it cannot be tried here.
+set -u
+directory=$(realpath "$1") || exit 1
+suite=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
+source "$(dirname "$0")/debian.bash"
+command -v lintian >/dev/null || cannot "lintian is not installed: run 'make deps-ci' first"
+passed=0 failed=0
+check() { # WHAT COMMAND...
+    local what=$1
+    shift
+    if "$@"; then passed=$((passed + 1)) && say "ok: $what"; else failed=$((failed + 1)) && say "FAILED: $what"; fi
+}
+finish() { echo "$passed passed, $failed failed"; exit $((failed > 0)); }
+
+check "lintian has no errors" lintian --allow-root --fail-on error "$directory"/*.changes
+packages="beadreel libbeadreel0 libbeadreel-dev python3-beadreel"
+all_there() { diff <(for d in "$directory"/*.deb; do dpkg-deb -f "$d" Package; done | grep -v dbgsym | sort) <(printf '%s\n' $packages | sort); }
+check "four packages" all_there
+
+make_root "$suite"
+connect || { say "apt-get update failed" >&2; exit 1; }
+mkdir "$root/deb" && cp "$directory"/*.deb tests/examples/minimal.c "$root/deb"
+add() { within apt-get -q -y install --no-install-recommends "$@" >"$root.log" 2>&1 || { tail -n 20 "$root.log"; return 1; }; }
+visitor() { within setpriv --reuid=visitor --regid=visitor --init-groups env HOME=/home/visitor sh -c "cd && $1"; }
+within useradd --create-home visitor
+check "beadreel installs" add "/deb/$(cd "$root/deb" && echo beadreel_*.deb)"
+check "the demo runs as a plain user" visitor "beadreel clean-vs-delocalised -o x"
+for f in waves.mp4 figure.pdf force.png peaks.csv run.h5; do check "... and makes $f" test -s "$root/home/visitor/x/$f"; done
+check "its manual is there" test -s "$root/usr/share/doc/beadreel/html/index.html"
+# shellcheck disable=SC2046
+check "the other packages install" add $(cd "$root/deb" && printf '/deb/%s\n' *.deb | grep -v dbgsym)
+check "Python has the module" visitor "python3 -c 'import beadreel'"
+check "a compiler installs" add gcc libc6-dev pkg-config
+check "a program compiles with the libraries, and runs" visitor \
+    'cc -o minimal /deb/minimal.c $(pkg-config --cflags --libs beadsim) && ./minimal /usr/share/beadreel/scenes/sensors.yaml out'
+# shellcheck disable=SC2086
+check "the packages go" within apt-get -qq -y purge $packages
+check "... and leave nothing" test -z "$(find "$root/usr" -name '*beadreel*' ! -path '*/lintian/*' | head)"
+finish
