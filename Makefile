@@ -36,7 +36,7 @@ BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev li
 TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py man-db mandoc zsh fish
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
 WISHED_DEPS = libosmesa6
-CI_DEPS    = clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian
+CI_DEPS    = clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian chromium
 # What `make peers` compares with: large, and left out where missing.
 PEER_DEPS  = lammps python3-scipy
 ARM64_DEPS = debootstrap gcc-aarch64-linux-gnu qemu-user-static

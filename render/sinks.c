@@ -4,12 +4,10 @@
 #include "render/figure/still.h"
 #include "render/movie/movie_sink.h"
 #include "render/plot/sweep_plot.h"
+#include "render/report/report.h"
 
 static const struct bead_sink_type *const sinks[] = {
-    &bead_image_sink,
-    &bead_plot_sink,
-    &bead_movie_sink,
-    NULL,
+    &bead_image_sink, &bead_plot_sink, &bead_movie_sink, &bead_report_sink, NULL,
 };
 static const struct bead_sweep_sink *const sweep_sinks[] = {&bead_sweep_plot_sink, &bead_contact_sheet_sink, NULL};
 

@@ -12,7 +12,8 @@
     OUTPUT(PLOT, plot)             \
     OUTPUT(TABLE, table)           \
     OUTPUT(SWEEP, sweep)           \
-    OUTPUT(SHEET, sheet)
+    OUTPUT(SHEET, sheet)           \
+    OUTPUT(REPORT, report)
 
 enum bead_output_kind {
 #define BEAD_OUTPUT_ENUM(ID, name) BEAD_OUTPUT_##ID,

@@ -56,6 +56,10 @@ struct bead_run_context {
     const char *canvas;      /* back end for what is drawn with GL; NULL: the first that works */
     const char *directory;   /* where relative paths of outputs go */
     const volatile sig_atomic_t *stop; /* non-zero: what takes long ends soon, with STOPPED; NULL: never */
+    bool replayed;                     /* samples come from a trajectory: there are no peaks */
+    /* Is that output of the scene made already, in this run? Asked in `end`, by sinks that come last. NULL: nobody knows. */
+    bool (*is_made)(const void *asker, const struct bead_output *output);
+    const void *asker;
     bool claimed; /* the caller holds claims on all files (file.h); else sinks that write as they go claim their own */
 };
 

@@ -83,6 +83,7 @@ static enum bead_error load_scene(struct bead_session *s, struct bead_message *m
                                                   {BEAD_OUTPUT_MOVIE, NULL},
                                                   {BEAD_OUTPUT_TABLE, NULL},
                                                   {BEAD_OUTPUT_TRAJECTORY, NULL},
+                                                  {BEAD_OUTPUT_REPORT, NULL},
                                                   {BEAD_OUTPUT_KINDS, NULL}};
     char path[4096];
     struct bead_scene *plain = NULL;

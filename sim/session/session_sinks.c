@@ -93,6 +93,16 @@ static bool covers(const struct bead_session *s, const struct bead_output *outpu
            s->native.end >= fmin(to, s->end) * (1 - 1e-9) && s->native.every <= coarsest * s->resolution;
 }
 
+static bool is_made(const void *asker, const struct bead_output *output)
+{
+    const struct bead_session *s = asker;
+    for (size_t i = 0; i < s->made_count; i++) {
+        if (s->made[i].output == output)
+            return s->made[i].ended;
+    }
+    return false;
+}
+
 enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
     m->shared = s->trajectory || (m->output != s->keeper && m->output->shown.every == 0 && covers(s, m->output));
@@ -106,6 +116,9 @@ enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_mad
                                        .threads = s->threads,
                                        .canvas = s->job.canvas,
                                        .stop = s->job.stop,
+                                       .replayed = s->trajectory != NULL,
+                                       .is_made = is_made,
+                                       .asker = s,
                                        .claimed = true,
                                        .directory = s->trajectory || !s->job.output ? "." : s->job.output};
     enum bead_error err = m->type->looks_at_beads && m->type->looks_at_beads(m->output) ? bead_session_lay(s, msg) : BEAD_OK;

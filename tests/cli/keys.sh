@@ -65,6 +65,7 @@ base() {
     'outputs (sweep)') scene=sweep prefix=outputs.0. before=('outputs=[{sweep: s.h5}]') ;;
     'outputs (sheet)') scene=sweep prefix=outputs.0. before=('outputs=[{sheet: s.png}]') ;;
     'outputs (trajectory)') prefix=outputs.0. before=('outputs=[{trajectory: r.h5}]') ;;
+    'outputs (report)') prefix=outputs.0. before=('outputs=[{report: r.html}]') ;;
     'outputs (movie)') prefix=outputs.0. before=('outputs=[{movie: m.mp4}]') ;;
     'outputs (image)' | 'outputs (plot)') prefix=outputs.0. before=("outputs=[{$kind: i.png}]") ;;
     'outputs (table)') prefix=outputs.0. ;;

@@ -1,0 +1,162 @@
+/* Peaks, numbers and the scene's text; and everything set going. */
+
+function buildTable(table, head, rows) {
+    const add = (parent, kind, text, scope) => {
+        const cell = document.createElement(kind);
+        cell.textContent = text;
+        if (scope)
+            cell.scope = scope;
+        parent.append(cell);
+    };
+    table.textContent = '';
+    const top = table.createTHead().insertRow(), body = table.createTBody();
+    head.forEach(text => add(top, 'th', text, 'col'));
+    for (const [name, ...values] of rows) {
+        const row = body.insertRow();
+        add(row, 'th', name, 'row');
+        values.forEach(value => add(row, 'td', value));
+    }
+}
+
+/* ---- peaks ---- */
+
+const peakText = (chain, k) => uncertain(chain.peaks.force[k], chain.peaks.uncertainty[k], 'N');
+function showPeaks() {
+    const with_ = chains.filter(c => c.peaks);
+    if (with_.length === 0)
+        return;
+    const high = Math.max(...with_.flatMap(c => c.peaks.force.filter(f => f !== null))), [factor, sign] = prefix(high, 'N');
+    const count = Math.max(...with_.map(c => c.peaks.force.length));
+    element('peaks').hidden = false;
+    drawChart(element('peaks-chart'), {
+        x: {title: 'contact', low: -1, high: count, factor: 1},
+        y: {title: `peak force (${sign}N)`, low: 0, high: 1.06 * high, factor},
+        series: with_.map(c => ({
+            name: chains.length > 1 ? c.name : '', colour: c.colourName(), x: c.peaks.force.map((_, k) => k), y: c.peaks.force,
+            error: c.peaks.uncertainty, points: count > 300 ? 0 : 2.4, hollow: k => c.peaks.open.includes(k), chain: c
+        })),
+        label: 'Peak force of each contact. ' + with_.map(c => `${chainName(c)}: from ${quantity(c.peaks.force[0], 'N')} at the striker to ${quantity(c.peaks.force[c.peaks.force.length - 1], 'N')} at the end`).join('; '),
+        tip: (series, k) => [[`var(${series.colour})`, `${series.name ? series.name + ', ' : ''}contact ${k}`, ''], ['', 'peak', peakText(series.chain, k)], ['', 'at', quantity(series.chain.peaks.time[k], 's')]],
+        pick: k => choose({place: clamp(k, 0, Math.max(...chains.map(c => c.values)) - 1), sample: null}, true)
+    });
+    const open = with_.some(c => c.peaks.open.length > 0);
+    element('peaks-note').textContent = 'Contact k is between beads k and k + 1; the striker is bead 0. Bars are uncertainties, drawn where they are seen.' + (open ? ' Hollow: still rising at the end.' : '');
+    buildTable(element('peaks-table'), ['contact', ...with_.flatMap(c => [`${c.name ? c.name + ': ' : ''}peak force`, 'time'])],
+               Array.from({length: count}, (_, k) => [String(k), ...with_.flatMap(c => k < c.peaks.force.length ? [peakText(c, k) + (c.peaks.open.includes(k) ? ' (open)' : ''), quantity(c.peaks.time[k], 's')] : ['', ''])]));
+}
+
+/* ---- numbers ---- */
+
+/* Rows of the table of numbers: a name, and its value for a chain; rows without any value are left out. */
+const numberRows = [
+    ['beads', c => c.displacement ? String(c.total) : ''],
+    ['points', c => c.displacement ? '' : String(c.total)],
+    ['magnetism M', c => c.magnetism === undefined ? '' : figures(c.magnetism, 4)],
+    ['striker', c => c.striker ? quantity(c.striker, 'm/s').replace(/^(\d+) mm/, (_, n) => `${n / 1000} m`) : ''],
+    ['largest contact force', c => c.peaks ? (k => `${peakText(c, k)} (contact ${k})`)(c.peaks.force.reduce((b, f, k) => f > c.peaks.force[b] ? k : b, 0)) : ''],
+    ['peak force of the last contact', c => c.peaks ? peakText(c, c.peaks.force.length - 1) : ''],
+    ['peak force half way', c => c.peaks ? (k => `${peakText(c, k)} (contact ${k})`)(Math.floor(c.peaks.force.length / 2)) : ''],
+    ['least certain peak', c => {
+        if (!c.peaks || !c.peaks.uncertainty.length)
+            return '';
+        const part = k => c.peaks.uncertainty[k] / c.peaks.force[k] || 0;
+        const k = c.peaks.force.reduce((b, _, i) => part(i) > part(b) ? i : b, 0);
+        return `${peakText(c, k)} (contact ${k})`;
+    }],
+    ['front arrives at the end', c => c.run && c.run.arrival ? quantity(c.run.arrival, data.time.unit, 5) : ''],
+    ['mean speed of the front', c => c.run && c.run.arrival && c.position ? quantity((c.position[c.beads - 1] - c.position[0]) / c.run.arrival, 'm/s', 4) : ''],
+    ['simulated time', c => c.run ? quantity(c.run.end, data.time.unit, 6) : ''],
+    ['method', c => c.run ? c.run.method : ''],
+    ['step', c => c.run && c.run.step ? quantity(c.run.step, data.time.unit) : ''],
+    ['error seen: energy', c => c.run && c.run.energyError !== null ? figures(c.run.energyError, 2) : ''],
+    ['error seen: embedded method', c => c.run && c.run.embeddedError !== null ? figures(c.run.embeddedError, 2) : ''],
+    ['error seen: contact events', c => c.run && c.run.eventError !== null ? figures(c.run.eventError, 2) : '']
+];
+function showNumbers() {
+    const rows = numberRows.map(([name, of]) => [name, ...chains.map(of)]);
+    const names = chains.flatMap(c => c.run ? c.run.measures.map(m => m.name) : []);
+    for (const name of new Set(names)) {
+        rows.push([name, ...chains.map(c => {
+            const found = c.run ? c.run.measures.find(m => m.name === name) : null;
+            return found ? quantity(found.value, found.unit, 5) : '';
+        })]);
+    }
+    buildTable(element('numbers-table'), ['', ...chains.map(c => c.name || 'chain')], rows.filter(([, ...values]) => values.some(v => v)));
+}
+
+/* What the films say in their second line. */
+function showFacts() {
+    const facts = [];
+    const used = chains[0].material ? [...new Set(chains.flatMap(c => c.material))].map(m => data.materials[m].name) : [];
+    if (used.length)
+        facts.push(used.join(' : '));
+    const speeds = new Set(chains.map(c => c.striker));
+    if (speeds.size === 1 && chains[0].striker)
+        facts.push(`striker ${chains[0].striker} m/s`);
+    if (chains[0].displacement && data.magnify !== 1)
+        facts.push(`displacements × ${figures(data.magnify, 3)}`);
+    for (const fact of facts) {
+        const made = document.createElement('b');
+        made.textContent = fact;
+        element('facts').append(made, ' ');
+    }
+}
+
+/* ---- the scene ---- */
+
+function buildCopy() {
+    const button = element('copy'), text = element('scene-text').textContent;
+    button.addEventListener('click', async () => {
+        try {
+            await navigator.clipboard.writeText(text);
+        } catch { /* pages from files may not, but what is selected can be copied */
+            const range = document.createRange();
+            range.selectNodeContents(element('scene-text'));
+            getSelection().removeAllRanges();
+            getSelection().addRange(range);
+            document.execCommand('copy');
+        }
+        button.textContent = 'Copied';
+        say('The scene is copied');
+        setTimeout(() => { button.textContent = 'Copy'; }, 2000);
+    });
+}
+
+function refresh() {
+    layOut();
+    showOne();
+    showPeaks();
+    redraw();
+}
+function startRun() {
+    buildStage();
+    buildControls();
+    buildOne();
+    showFacts();
+    showNumbers();
+    const arrivals = chains.map(c => c.run && c.run.arrival).filter(t => t > 0);
+    const first = arrivals.length ? 0.62 * (Math.min(...arrivals) - data.time.start) / data.time.every : 0.4 * (samples - 1);
+    state.sample = clamp(Math.round(first), 0, samples - 1);
+    play(false);
+    refresh();
+    let wide = innerWidth, high = innerHeight;
+    addEventListener('resize', () => { /* phones resize as they scroll */
+        if (innerWidth === wide && Math.abs(innerHeight - high) < 120)
+            return;
+        wide = innerWidth, high = innerHeight;
+        refresh();
+    });
+    dark.addEventListener('change', refresh);
+    addEventListener('beforeprint', refresh);
+}
+
+element('made').textContent = `Made by ${data.program}. Everything is in this file; it asks nothing of the network.`;
+buildCopy();
+startRun();
+/* For tests and consoles: SI units and numbers of beads. */
+window.report = {
+    data, state, chains, canvases, play, setZoom,
+    seek(time) { seek((time - data.time.start) / data.time.every); draw(); },
+    choose(place) { choose({place, sample: null}, true); draw(); },
+    colour: beadColour,
+};

@@ -1,0 +1,43 @@
+/* What the files of a report share. */
+#ifndef BEADREEL_RENDER_REPORT_REPORT_PRIVATE_H
+#define BEADREEL_RENDER_REPORT_REPORT_PRIVATE_H
+
+#include "beadreel/colormap.h"
+#include "render/draw/colour_range.h"
+#include "render/report/report.h"
+#include "render/report/report_write.h"
+#include "render/view/area.h"
+
+/* The samples of a chain. */
+struct report_chain {
+    const struct bead_chain *chain;
+    bool beads;                 /* it has some, which move */
+    struct bead_span bead;      /* shown; empty spans have last < first */
+    struct bead_span value;     /* of the field: beads or contacts */
+    size_t beads_shown, values; /* how many */
+    float *field;               /* [samples][values] */
+    float *displacement;        /* [samples][beads_shown]; NULL without beads */
+    size_t fed;
+    struct bead_area *area; /* to find the strike that would hide the wave */
+};
+
+struct bead_sink {
+    const struct bead_output *output;
+    struct bead_run_context context;
+    char *path;
+    struct bead_grid grid;
+    size_t samples, chain_count;
+    struct report_chain *chains;
+    bool peaks;                          /* they are asked for */
+    struct bead_colormap maps[2];        /* light, dark */
+    struct bead_colour_range range;      /* found at the end */
+    const struct bead_outcome *outcomes; /* the same */
+    double magnify;
+    uint64_t bytes;
+    char why[96];
+};
+
+/* Parts of the page. */
+extern const struct report_part report_run_parts[];
+
+#endif

@@ -1,0 +1,257 @@
+/* The life of a report: it keeps samples, as many as a page of a few megabytes has room for, and writes them at the end. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "beadreel/file.h"
+#include "beadreel/look.h"
+#include "render/draw/picture_times.h"
+#include "render/report/report_private.h"
+#include "render/view/magnify.h"
+
+/* Bytes of samples: wanted, and at most. Base64 makes four of three. */
+static const double wanted_bytes = 1.2e6, most_bytes = 12e6;
+/* Samples: a frame of a film of 20 s each; fewer do not look like motion. */
+static const double most_samples = 1201, fewest_samples = 201;
+/* Pixels along time of the image that finds the range of colours. */
+enum { IMAGE_TIMES = 400 };
+
+static enum bead_error report_wrong(const struct bead_sink *s, const char *what, struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s", s->context.scene->file, s->output->place.line,
+                     s->output->place.column, what);
+}
+
+static enum bead_error report_memory(struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a report");
+}
+
+static void report_destroy(struct bead_sink *s)
+{
+    if (!s)
+        return;
+    for (size_t c = 0; s->chains && c < s->chain_count; c++) {
+        free(s->chains[c].field);
+        free(s->chains[c].displacement);
+        bead_area_destroy(s->chains[c].area);
+    }
+    free(s->chains);
+    free(s->path);
+    free(s);
+}
+
+/* How many of `count` are in the span. */
+static size_t rows_of(const struct bead_span *span, size_t count)
+{
+    if (span->first >= count || span->last < span->first)
+        return 0;
+    return (span->last < count ? span->last : count - 1) - span->first + 1;
+}
+
+/* Which beads and values of a chain are shown. */
+static void find_spans(const struct bead_sink *s, struct report_chain *c)
+{
+    const struct bead_span asked = s->output->shown.beads;
+    size_t beads = bead_chain_beads(c->chain),
+           values = bead_field_info(s->output->shown.field)->of_contacts ? bead_chain_contacts(c->chain) : beads;
+    c->beads = bead_chain_spec(c->chain)->equation.name == NULL;
+    c->beads_shown = rows_of(&asked, beads);
+    c->values = rows_of(&asked, values);
+    c->bead = (struct bead_span){asked.first, asked.first + c->beads_shown - 1};
+    c->value = (struct bead_span){asked.first, asked.first + c->values - 1};
+}
+
+static enum bead_error list_chains(struct bead_sink *s, struct bead_message *msg)
+{
+    s->chain_count = s->context.chain_count;
+    s->chains = calloc(s->chain_count, sizeof *s->chains);
+    if (!s->chains)
+        return report_memory(msg);
+    s->peaks = !s->context.replayed;
+    for (size_t i = 0; i < s->chain_count; i++) {
+        struct report_chain *c = &s->chains[i];
+        c->chain = s->context.chains[i];
+        find_spans(s, c);
+        s->peaks = s->peaks && c->beads;
+        if (c->values == 0 || c->beads_shown == 0)
+            return report_wrong(s, "beads: not all chains have so many beads", msg);
+    }
+    return BEAD_OK;
+}
+
+static double bytes_a_sample(const struct bead_sink *s)
+{
+    double numbers = 0;
+    for (size_t i = 0; i < s->chain_count; i++)
+        numbers += (double)s->chains[i].values + (s->chains[i].beads ? (double)s->chains[i].beads_shown : 0);
+    return 2 * numbers;
+}
+
+/* At steps of a trajectory's samples where there are only those. */
+static struct bead_grid grid_of(const struct bead_grid *native, const double time[2], double every)
+{
+    if (!(native->every > 0))
+        return (struct bead_grid){time[0], every, time[1]};
+    double first = fmax(0, ceil((time[0] - native->start) / native->every - 1e-6));
+    return (struct bead_grid){native->start + first * native->every, native->every * fmax(1, ceil(every / native->every - 1e-6)),
+                              fmin(time[1], native->end)};
+}
+
+/* As many samples as there is room for, a few if that is little; or those that the scene asks for. */
+static enum bead_error choose_times(struct bead_sink *s, struct bead_message *msg)
+{
+    const double bytes = bytes_a_sample(s), count = fmin(most_samples, fmax(fewest_samples, floor(wanted_bytes / bytes)));
+    double time[2], every = s->output->shown.every;
+    enum bead_error err = bead_picture_times(s->output, &s->context, time, msg);
+    if (err)
+        return err;
+    s->grid = grid_of(&s->context.native, time, every > 0 ? every : (time[1] - time[0]) / (count - 1));
+    if (((s->grid.end - s->grid.start) / s->grid.every + 1) * bytes > most_bytes)
+        return report_wrong(s,
+                            "beads: a page with so many beads and samples would be too large for browsers; show fewer, such as "
+                            "`beads: [0, 200]`, or less often (`every`)",
+                            msg);
+    s->samples = bead_grid_count(&s->grid);
+    return s->samples > 1 ? BEAD_OK : report_wrong(s, "every: a report needs two samples or more", msg);
+}
+
+static enum bead_error load_maps(struct bead_sink *s, struct bead_message *msg)
+{
+    enum bead_error err = bead_colour_range_check(s->output, s->context.scene->file, msg);
+    for (int dark = 0; dark < 2 && !err; dark++)
+        err = bead_colour_range_map(s->output, s->context.chains[0], dark, &s->maps[dark], msg);
+    return err;
+}
+
+static void report_describe(struct bead_sink *s)
+{
+    char every[48];
+    bead_quantity(s->grid.every, bead_chain_time_unit(s->context.chains[0]), 3, every, sizeof every);
+    snprintf(s->why, sizeof s->why, "a page with %zu samples, every %s%s", s->samples, every, s->peaks ? ", and peaks" : "");
+}
+
+static enum bead_error report_create(const struct bead_output *output, const struct bead_run_context *context,
+                                     struct bead_sink **sink, struct bead_message *msg)
+{
+    struct bead_sink *s = *sink = calloc(1, sizeof *s);
+    if (!s)
+        return report_memory(msg);
+    s->output = output;
+    s->context = *context;
+    enum bead_error err = bead_file_join(context->directory, output->path, &s->path, msg);
+    if (!err)
+        err = list_chains(s, msg);
+    if (!err)
+        err = choose_times(s, msg);
+    if (!err)
+        err = load_maps(s, msg);
+    if (err) {
+        report_destroy(s);
+        *sink = NULL;
+        return err;
+    }
+    report_describe(s);
+    return BEAD_OK;
+}
+
+static void report_needs(const struct bead_sink *s, struct bead_needs *needs)
+{
+    *needs = (struct bead_needs){.fields = BEAD_FIELD_BIT(s->output->shown.field),
+                                 .beads = s->output->shown.beads,
+                                 .grid = s->grid,
+                                 .contact_peaks = s->peaks,
+                                 .uncertainty = s->peaks,
+                                 .until = s->peaks ? INFINITY : s->grid.end,
+                                 .why = s->why};
+    for (size_t i = 0; i < s->chain_count; i++)
+        needs->fields |= s->chains[i].beads ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0;
+}
+
+static enum bead_error take_room(struct bead_sink *s, struct report_chain *c, struct bead_message *msg)
+{
+    const struct bead_area_setup setup = {c->value,
+                                          {s->grid.start, s->grid.end},
+                                          c->values < IMAGE_TIMES ? (int)c->values : IMAGE_TIMES,
+                                          IMAGE_TIMES,
+                                          BEAD_SAMPLING_AREA};
+    c->field = calloc(s->samples * c->values, sizeof *c->field);
+    c->displacement = c->beads ? calloc(s->samples * c->beads_shown, sizeof *c->displacement) : NULL;
+    if (!c->field || (c->beads && !c->displacement))
+        return report_memory(msg);
+    return bead_area_create(&setup, &c->area, msg);
+}
+
+static enum bead_error report_begin(struct bead_sink *s, struct bead_range range, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    (void)range;
+    s->magnify = s->output->views.magnify > 0 ? s->output->views.magnify : bead_magnify_auto(s->context.chains, s->chain_count);
+    for (size_t i = 0; i < s->chain_count && !err; i++)
+        err = take_room(s, &s->chains[i], msg);
+    return err;
+}
+
+static void keep(const double *values, struct bead_span span, size_t sample, float *kept)
+{
+    size_t count = span.last - span.first + 1;
+    for (size_t i = 0; i < count; i++)
+        kept[sample * count + i] = (float)values[span.first + i];
+}
+
+static enum bead_error report_sample(struct bead_sink *s, const struct bead_sample *sample, struct bead_message *msg)
+{
+    struct report_chain *c = &s->chains[sample->chain];
+    const double *values = sample->field[s->output->shown.field];
+    if (sample->index != c->fed || c->fed == s->samples)
+        return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: sample %zu of chain %zu came out of order", s->path, sample->index,
+                         sample->chain);
+    keep(values, c->value, c->fed, c->field);
+    if (c->beads)
+        keep(sample->field[BEAD_FIELD_DISPLACEMENT], c->bead, c->fed, c->displacement);
+    bead_area_feed(c->area, sample->time, values, sample->active);
+    c->fed++;
+    return BEAD_OK;
+}
+
+/* All chains have one range of colours, which leaves out the strike as those of stills do. */
+static void find_range(struct bead_sink *s)
+{
+    struct bead_shown_values shown = {INFINITY, -INFINITY, -INFINITY};
+    for (size_t i = 0; i < s->chain_count; i++) {
+        const struct report_chain *c = &s->chains[i];
+        for (size_t k = 0; k < c->fed * c->values; k++) {
+            shown.least = fmin(shown.least, c->field[k]);
+            shown.largest = fmax(shown.largest, c->field[k]);
+        }
+        shown.typical = fmax(shown.typical, bead_area_typical(c->area));
+    }
+    s->range = bead_colour_range_find(&s->output->colours, bead_chain_signed(s->context.chains[0], s->output->shown.field), &shown);
+}
+
+static enum bead_error report_end(struct bead_sink *s, const struct bead_outcome *outcomes, struct bead_message *msg)
+{
+    s->outcomes = outcomes;
+    find_range(s);
+    return report_write_page(report_run_parts, s, s->path, &s->bytes, msg);
+}
+
+static void report_result(const struct bead_sink *s, uint64_t *bytes, uint64_t *items)
+{
+    *bytes = s->bytes;
+    *items = s->samples;
+}
+
+/* Last, so that pictures which the scene asks for are there to be shown. */
+const struct bead_sink_type bead_report_sink = {
+    .name = "report",
+    .help = "a page for browsers that plays the run, with its peaks, pictures and scene",
+    .kind = BEAD_OUTPUT_REPORT,
+    .background = true,
+    .create = report_create,
+    .needs = report_needs,
+    .begin = report_begin,
+    .sample = report_sample,
+    .end = report_end,
+    .destroy = report_destroy,
+    .result = report_result,
+};

@@ -1,0 +1,22 @@
+/* The kind of output `report`: its table of keys. */
+#include "sim/scene/output_rows.h"
+
+static const struct bead_option report_file[] = {
+    BEAD_FILE_ROW("report", "FILE.html", "report.html"),
+    {.key = "colormap",
+     .type = BEAD_OPTION_TEXT,
+     .offset = BEAD_OF_OUTPUT(colours.colormap),
+     .initial = "auto",
+     .help = "colour map, one of --list colormaps; auto: vik for velocity and displacement, else inferno where the reader's "
+             "browser is dark, and viridis where it is light",
+     .example = "batlow"},
+};
+static const struct bead_option_rows report_shared[] = {{BEAD_OPTIONS(bead_field_row)},   {BEAD_OPTIONS(bead_time_row)},
+                                                        {BEAD_OPTIONS(bead_beads_row)},   {BEAD_OPTIONS(bead_every_row)},
+                                                        {BEAD_OPTIONS(bead_range_row)},   {BEAD_OPTIONS(bead_square_root_row)},
+                                                        {BEAD_OPTIONS(bead_magnify_row)}, {NULL, 0}};
+static const struct bead_options report_options = {
+    "report", "a page for browsers: one file, with the samples to play, the peaks with their uncertainty, pictures and scene",
+    BEAD_OPTIONS(report_file), report_shared, &bead_output_family};
+const struct bead_output_type bead_report_output = {.options = &report_options,
+                                                    .checks = {bead_output_check_field, bead_output_check_times}};

@@ -1,0 +1,83 @@
+#!/bin/bash
+# Reports: what is refused, what a page contains, and what a browser makes of it, where there is one.
+source "$(dirname "$0")/../shell.bash"
+cd "$T" || exit 1
+cat >scene.yaml <<'YAML'
+title: 'A </script><b>title</b> & "more"'
+chain:
+  striker: {bead: large-steel, velocity: 0.443 m/s}
+  beads: [{cell: [large-steel, aluminium], count: 12, spins: random, seed: 5}, {bead: small-steel, sensor: first}, {bead: large-steel, count: 6}, {bead: small-steel, sensor: second}]
+  wall: brass
+simulate: {until: 0.6 ms}
+outputs:
+  - {report: run.html, every: 1 us, range: [0, 30 N]}
+  - {table: force.csv, show: sensors, every: 1 us}
+  - {image: still.png, size: [320, 200]}
+  - {image: still.pdf}
+YAML
+only() { rm -rf made && exits 0 "$beadreel" scene.yaml -o made --set "outputs=[{$1}]"; }
+refused() { fails 2 "$beadreel" scene.yaml -o made --set "outputs=[{$1}]" && says "$2"; }
+
+ok "a report with its table and pictures" exits 0 "$beadreel" scene.yaml -o .
+ok "the plan says what it takes" exits 0 "$beadreel" scene.yaml --plan
+ok "... samples and peaks" prints "a page with 601 samples, every 1.00"
+holds() { grep -qF -- "$1" "${2:-run.html}" || { echo "'$1' is not there"; return 1; }; }
+ok "pictures of the run are in it" holds 'src="data:image/png;base64,iVBOR'
+ok "... once" test "$(grep -o '<img' run.html | wc -l)" -eq 1
+ok "the scene is escaped" holds '&lt;/script&gt;&lt;b&gt;title'
+unbroken() { [ "$(grep -o '</script>' run.html | wc -l)" -eq 2 ] && [ "$(grep -o '</body>' run.html | wc -l)" -eq 1 ]; }
+ok "no text of the scene ends a script" unbroken
+json() { # EXPRESSION of d, in Python
+    /usr/bin/python3 -c 'import json, re, sys
+d = json.loads(re.search(r"<script type=\"application/json\" id=\"data\">(.*?)</script>", open(sys.argv[2]).read(), re.S).group(1))
+assert eval(sys.argv[1]), d.keys()' "$1" "${2:-run.html}"
+}
+ok "its data are JSON" json 'd["time"]["count"] == 601 and len(d["chains"]) == 1 and len(d["chains"][0]["peaks"]["uncertainty"]) == 33'
+outside() { ! grep -oiE '(src|href)="?(https?:|//)[^"]*' run.html; }
+ok "it names nothing on the network" outside
+ok "it is no program of another kind" holds "default-src 'none'"
+
+alone() { rm -rf made && exits 0 "$beadreel" scene.yaml -o made --only run.html && ! grep -q '<img' made/run.html; }
+ok "pictures that this run has not made are not in it" alone
+ok "no uncertainty without peaks of beads" only 'report: r.html, field: velocity, time: [0.1 ms, 0.2 ms], beads: [2, 9]'
+ok "... but the beads asked for" json 'd["chains"][0]["values"] == 8 and d["chains"][0]["first"] == 2 and d["chains"][0]["field"]["signed"]' made/r.html
+ok "contact forces" only 'report: r.html, field: contact-force'
+ok "... one more than pairs of beads, with the wall" json 'd["chains"][0]["values"] == 33 and d["field"]["contacts"]' made/r.html
+ok "another ending is refused" refused 'report: r.png' 'lacks the extension'
+ok "an unknown key is refused" refused 'report: r.html, fps: 30' 'fps'
+ok "an unknown map is refused" refused 'report: r.html, colormap: rainbow' 'there is no colour map'
+ok "a range upside down is refused" refused 'report: r.html, range: [3, 2]' 'the first must be below the second'
+ok "an end behind the run's is refused" refused 'report: r.html, time: [0, 9 ms]' 'must not go beyond'
+ok "too many samples are refused" refused 'report: r.html, every: 1 ns' 'too large for browsers'
+ok "a file outside is refused" refused 'report: ../r.html' 'leaves the output directory'
+ok "beadsim leaves it out" exits 0 "$beadsim" scene.yaml -o data
+ok "... and says so" test ! -e data/run.html
+
+again() { exits 0 "$beadsim" scene.yaml -o again --set 'outputs=[{trajectory: run.h5, every: 2 us}]' && exits 0 "$beadreel" again/run.h5 -o again/run.html; }
+ok "a trajectory becomes a report" again
+ok "... of its samples, without peaks" json 'd["time"]["count"] == 301 and "peaks" not in d["chains"][0]' again/run.html
+equation() { exits 0 "$beadreel" kdv -o kdv --set 'outputs=[{report: kdv.html}]' && json '"radius" not in d["chains"][0] and d["time"]["unit"] == ""' kdv/kdv.html; }
+ok "equations have reports without beads" equation
+small() { exits 0 "$beadreel" clean-vs-delocalised -o demo --set 'outputs=[{report: run.html, range: [0, 45 N]}, {image: force.png, size: [1920, 1080]}]' && [ "$(stat -c %s demo/run.html)" -le 3000000 ]; }
+ok "that of the demo is not above 3 MB" small
+long_files() { ! wc -l "$top"/assets/report/*.js | awk '$2 != "total" && $1 >= 500' | grep .; }
+ok "no file of its program is long" long_files
+no_script_end() { ! grep -n '</script' "$top"/assets/report/*.js; }
+ok "... or ends the script" no_script_end
+
+# Lines of TAP from a program, as tests of this script.
+browser=$(command -v chromium || command -v google-chrome)
+if [ -n "$browser" ] && timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom about:blank >/dev/null 2>&1; then
+    PYTHONDONTWRITEBYTECODE=1 timeout 240 /usr/bin/python3 "$top/tests/report.py" "$browser" "$top/assets" "$T" >found 2>&1
+    while read -r line; do
+        case $line in
+        "ok - "*) ok "${line#ok - }" true ;;
+        "not ok - "*) ok "${line#not ok - }" false ;;
+        "# "*) echo "$line" ;;
+        esac
+    done <found
+    ok "the browser's checks came to their end" grep -q '^1\.\.' found
+else
+    skip "a Chromium that runs here (chromium)" "a browser reads a report"
+fi
+finish
