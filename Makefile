@@ -37,6 +37,9 @@ TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
 WISHED_DEPS = libosmesa6
 CI_DEPS    = clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian chromium
+# Programs of others that read trajectories; tests of what is missing are skipped and counted. Their readers in JavaScript come with npm.
+READER_DEPS = octave python3-paraview python3-mdanalysis python3-xarray python3-h5netcdf python3-silx nodejs $(if $(shell command -v npm),,npm)
+NPM_READERS = jsfive@0.4.2 h5wasm@0.10.3
 # What `make peers` compares with: large, and left out where missing.
 PEER_DEPS  = lammps python3-scipy
 ARM64_DEPS = debootstrap gcc-aarch64-linux-gnu qemu-user-static
@@ -119,7 +122,9 @@ deps: ## install the Debian packages needed to build, run and test (only what is
 	$(call install_packages,$(BUILD_DEPS) $(TEST_DEPS),$(WISHED_DEPS))
 # apt-get locks: never two of them at a time.
 deps-ci: | $(filter deps,$(MAKECMDGOALS)) ## the same for lint and .ci/run
-	$(call install_packages,$(CI_DEPS))
+	$(call install_packages,$(CI_DEPS),$(READER_DEPS))
+	@command -v npm >/dev/null || exit 0; mkdir -p build/npm && cd build/npm && \
+	    npm install --silent --no-audit --no-fund --ignore-scripts --prefix . $(NPM_READERS) || echo "npm could not install $(NPM_READERS)"
 deps-arm64: | $(filter deps deps-ci,$(MAKECMDGOALS)) ## the same for make arm64-test
 	$(call install_packages,$(ARM64_DEPS))
 deps-peers: | $(filter deps deps-ci,$(MAKECMDGOALS)) ## the same for peers

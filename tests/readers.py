@@ -1,8 +1,12 @@
 #!/usr/bin/env python3
 """Check that other programs' readers open a trajectory and read the right numbers: readers.py FILE
 
-h5py is needed; MDAnalysis and xarray (with h5netcdf) are tried where they are installed. Prints TAP.
+h5py is needed; MDAnalysis, xarray (with h5netcdf), silx, Octave, jsfive, h5wasm and VTK's XDMF reader are tried where they are
+installed. Prints TAP.
 """
+import os
+import shutil
+import subprocess
 import sys
 
 import h5py
@@ -72,6 +76,124 @@ def check_h5md(file):
     ok(b"chain" in about["scene"][()] and about.attrs["complete"] in (0, 1), "the scene is stored")
 
 
+def check_texts(file):
+    """Texts are marked as what they are: Octave's `load` stops at the first that is UTF-8."""
+    wrong = []
+
+    def look(name, item):
+        places = [(item, attribute) for attribute in item.attrs]
+        types = [(name, item.id.get_type())] if isinstance(item, h5py.Dataset) else []
+        types += [(f"{name}@{attribute}", h5py.h5a.open(item.id, attribute.encode()).get_type()) for item, attribute in places]
+        for where, kind in types:
+            if isinstance(kind, h5py.h5t.TypeStringID):
+                parent, _, attribute = where.partition("@")
+                value = file[parent].attrs[attribute] if attribute else file[parent][()]
+                raw = np.asarray(value).tobytes()
+                if (kind.get_cset() == h5py.h5t.CSET_ASCII) != all(byte < 128 for byte in raw):
+                    wrong.append(where)
+
+    file.visititems(look)
+    ok(not wrong, "texts are ASCII where they can be" + "".join(" " + name for name in wrong[:3]))
+
+
+def default_plot(file):
+    """The group that NeXus shows first."""
+    group = file
+    while "default" in group.attrs:
+        group = group[group.attrs["default"]]
+    return group
+
+
+def check_nexus(file):
+    plot = default_plot(file)
+    value = plot[plot.attrs["signal"]]
+    axes = [axis.decode() for axis in plot.attrs["axes"]]
+    several = len(file["parameters/beadreel/chains/beads"]) > 1
+    ok(plot.attrs["NX_class"] == b"NXdata" and len(axes) == value.ndim and value.ndim > 1, f"NeXus: the default plot is {plot.name}")
+    ok(axes[0] == "time" and (axes[1] == ".") == several
+       and all(axis == "." or len(plot[axis]) == value.shape[i] for i, axis in enumerate(axes)), "NeXus: its axes")
+    if not has("silx"):
+        skip("silx (python3-silx)", "silx")
+        return
+    from silx.io import nxdata
+
+    shown = nxdata.get_default(file)
+    ok(shown is not None and shown.is_valid and shown.signal.name == value.name and shown.axes_names[0] == "time", "silx: the plot")
+
+
+SERIES = ("time", "particles/chain/bead_force/value", "particles/chain/displacement/value", "particles/chain/position/value",
+          "particles/chain/velocity/value", "particles/chain/force/value")
+
+
+def same_values(line, dataset):
+    """Is the line of a probe, a count and some values, what h5py reads?"""
+    count, *some = line.split()
+    values = dataset[()].ravel()
+    return int(count) == len(values) and np.array_equal(np.array(some, float), values[np.arange(1000) * (len(values) - 1) // 999])
+
+
+def check_probe(name, missing, command, path, file):
+    """A reader in another language; None as command: it is not there."""
+    if command is None:
+        skip(missing, name)
+        return
+    here = [series for series in SERIES if series in file]
+    done = subprocess.run([*command, path, *here], capture_output=True, text=True)
+    lines = done.stdout.splitlines()
+    if done.returncode or len(lines) != len(here):
+        print("#", *done.stderr.splitlines()[:3])
+    ok(len(lines) == len(here) and all(same_values(line, file[series]) for line, series in zip(lines, here)),
+       f"{name}: the same numbers")
+
+
+def check_probes(path, file):
+    tests = os.path.dirname(os.path.abspath(__file__))
+    for library in ("jsfive", "h5wasm"):
+        there = shutil.which("node") and os.path.isdir(os.path.join(os.environ.get("NODE_PATH", ""), library))
+        check_probe(library, f"{library} (nodejs, and npm for make deps-ci)",
+                    ["node", "--no-warnings", tests + "/probe.js", library] if there else None, path, file)
+    if not file["parameters/beadreel/scene"][()].isascii():
+        return  # Octave's `load` reads no UTF-8, and nothing behind it
+    octave = shutil.which("octave-cli")
+    check_probe("Octave", "Octave (octave)", [octave, "-qf", tests + "/probe.m"] if octave else None, path, file)
+
+
+def check_xdmf(path, file):
+    """The file beside a trajectory, by VTK's reader, which is ParaView's."""
+    path = os.path.splitext(path)[0] + ".xdmf"
+    if not os.path.exists(path):
+        return
+    if not has("vtkmodules.vtkIOXdmf2"):
+        skip("VTK with its XDMF reader (python3-paraview)", "XDMF")
+        return
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+    from vtkmodules.vtkIOXdmf2 import vtkXdmfReader
+
+    chain = file["particles/chain"]
+    reader = vtkXdmfReader()
+    reader.SetFileName(path)
+    reader.UpdateInformation()
+    times = reader.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS())
+    ok(np.array_equal(times, file["time"][:]), "XDMF: the times")
+    good, seen = True, set()
+    for i in (0, len(times) // 4, len(times) - 1):
+        reader.UpdateTimeStep(times[i])
+        grid = reader.GetOutputDataObject(0)
+        while grid.IsA("vtkMultiBlockDataSet"):
+            grid = grid.GetBlock(0)
+        good = good and np.array_equal(vtk_to_numpy(grid.GetPoints().GetData()), chain["position/value"][i])
+        good = good and grid.GetNumberOfCells() == len(chain["id"])
+        for k in range(grid.GetPointData().GetNumberOfArrays()):
+            array = grid.GetPointData().GetArray(k)
+            wanted = chain[array.GetName()]
+            wanted = wanted["value"][i] if isinstance(wanted, h5py.Group) else wanted[:]
+            good = good and np.array_equal(vtk_to_numpy(array), wanted)
+            seen.add(array.GetName())
+    ok(good, "XDMF: beads at each time where they are")
+    ok(seen == {"mass", "radius"} | (set(elements(chain)) - {"position"}), "XDMF: every field of beads")
+
+
 def check_mdanalysis(path, file):
     if not has("MDAnalysis"):
         skip("MDAnalysis (python3-mdanalysis)", "MDAnalysis")
@@ -126,6 +248,10 @@ def main():
         sys.exit(__doc__)
     with h5py.File(sys.argv[1], "r") as file:
         check_h5md(file)
+        check_texts(file)
+        check_nexus(file)
+        check_probes(sys.argv[1], file)
+        check_xdmf(sys.argv[1], file)
         check_xarray(sys.argv[1], file)
         check_mdanalysis(sys.argv[1], file)
     print(f"1..{count}")

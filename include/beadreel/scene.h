@@ -286,6 +286,7 @@ struct bead_sweep_curves_asked {
 
 struct bead_trajectory_asked {
     unsigned fields; /* BEAD_FIELD_BITs */
+    char *xdmf;      /* file beside it, by which ParaView opens it, as `path`; NULL: none */
 };
 
 struct bead_image_asked {

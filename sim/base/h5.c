@@ -179,12 +179,22 @@ void bead_h5_close(struct bead_h5 *h5, hid_t *object)
     *object = -1;
 }
 
-hid_t bead_h5_text_type(size_t size)
+hid_t bead_h5_text_type(size_t size, H5T_cset_t characters)
 {
     hid_t type = H5Tcopy(H5T_C_S1);
-    if (type >= 0 && (H5Tset_size(type, size) < 0 || H5Tset_cset(type, H5T_CSET_UTF8) < 0))
+    if (type >= 0 && (H5Tset_size(type, size) < 0 || H5Tset_cset(type, characters) < 0))
         bead_h5_release(&type);
     return type;
+}
+
+/* The type of texts of `width` bytes each, `size` bytes in all. ASCII where they are: Octave's `load` stops at the first UTF-8. */
+static hid_t type_of_texts(const char *texts, size_t size, size_t width)
+{
+    H5T_cset_t characters = H5T_CSET_ASCII;
+    for (size_t i = 0; i < size && characters == H5T_CSET_ASCII; i++)
+        if ((unsigned char)texts[i] > 127)
+            characters = H5T_CSET_UTF8;
+    return bead_h5_text_type(width, characters);
 }
 
 hid_t bead_h5_make_group(struct bead_h5 *h5, hid_t parent, const char *name)
@@ -222,7 +232,8 @@ static void put(struct bead_h5 *h5, hid_t object, const char *name, hid_t type, 
 
 void bead_h5_put_text(struct bead_h5 *h5, hid_t object, const char *name, const char *text)
 {
-    BEAD_H5_AUTO type = bead_h5_text_type(strlen(text) + 1);
+    size_t size = strlen(text) + 1;
+    BEAD_H5_AUTO type = type_of_texts(text, size, size);
     put(h5, object, name, type, type, 0, text);
 }
 
@@ -245,7 +256,7 @@ void bead_h5_put_texts(struct bead_h5 *h5, hid_t object, const char *name, const
 {
     size_t width;
     char *block = pack_texts(h5, texts, count, &width);
-    BEAD_H5_AUTO type = bead_h5_text_type(width);
+    BEAD_H5_AUTO type = type_of_texts(block, block ? count * width : 0, width);
     put(h5, object, name, type, type, count, block);
     free(block);
 }
@@ -327,13 +338,14 @@ void bead_h5_write_texts(struct bead_h5 *h5, hid_t parent, const char *name, hid
 {
     size_t width;
     char *block = pack_texts(h5, texts, count, &width);
-    BEAD_H5_AUTO type = bead_h5_text_type(width);
+    BEAD_H5_AUTO type = type_of_texts(block, block ? count * width : 0, width);
     write_once(h5, parent, name, NULL, scale, type, type, count, block);
     free(block);
 }
 
 void bead_h5_write_text(struct bead_h5 *h5, hid_t parent, const char *name, const char *text)
 {
-    BEAD_H5_AUTO type = bead_h5_text_type(strlen(text) + 1);
+    size_t size = strlen(text) + 1;
+    BEAD_H5_AUTO type = type_of_texts(text, size, size);
     write_once(h5, parent, name, NULL, -1, type, type, 0, text);
 }

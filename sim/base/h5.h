@@ -64,7 +64,8 @@ void bead_h5_write_table(struct bead_h5 *h5, hid_t parent, const char *name, con
 void bead_h5_read_table(struct bead_h5 *h5, const char *name, enum bead_h5_type type, size_t rows, size_t columns, void *values);
 
 /* Growing datasets [time][columns], or [time][columns][components] of which each component has its own chunks:
- * components never written cost nothing and read as 0. columns 0: [time] alone. Type double, or 64-bit integer. */
+ * components never written are read as 0 and cost room on disks that know no holes in files. columns 0: [time] alone. Type double,
+ * or 64-bit integer. */
 hid_t bead_h5_make_series(struct bead_h5 *h5, hid_t parent, const char *name, const char *units, bool integer, size_t chunk_rows,
                           size_t columns, size_t components);
 /* Write rows first..first+rows-1 of one component; the dataset grows to hold them. `values` is [rows][columns]. */

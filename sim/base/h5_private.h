@@ -17,8 +17,8 @@ void bead_h5_release(hid_t *id);
 /* An identifier of any kind, closed at the end of the block. */
 #define BEAD_H5_AUTO __attribute__((cleanup(bead_h5_release))) hid_t
 
-/* The memory type of a fixed-length text of `size` bytes with its NUL. */
-hid_t bead_h5_text_type(size_t size);
+/* The type of a fixed-length text of `size` bytes with its NUL. */
+hid_t bead_h5_text_type(size_t size, H5T_cset_t characters);
 /* An access list of `class` that follows no links out of the file; -1 on failure. */
 hid_t bead_h5_access(hid_t class);
 

@@ -86,10 +86,7 @@ static hssize_t vector_length(hid_t space)
 /* A memory type for texts like those of `file_type`: HDF5 does not convert between character sets. */
 static hid_t text_type_like(hid_t file_type, size_t size)
 {
-    hid_t type = bead_h5_text_type(size);
-    if (type >= 0 && H5Tset_cset(type, H5Tget_cset(file_type)) < 0)
-        bead_h5_release(&type);
-    return type;
+    return bead_h5_text_type(size, H5Tget_cset(file_type));
 }
 
 /* `memory` -1: a text of `size` bytes. */

@@ -4,6 +4,13 @@
 /* Wide rows are cut into chunks of this many columns, so that no chunk nears HDF5's limit of 4 GB. */
 static const hsize_t widest_chunk = 1 << 20;
 
+/* Give components that are never written a place, too: jsfive has nothing to read where a chunk is missing. Chunks come at the
+ * end of the file, which grows by them without a write: these are zeros that take no room on most disks. */
+static herr_t reserve_chunks(hid_t layout)
+{
+    return H5Pset_alloc_time(layout, H5D_ALLOC_TIME_EARLY) < 0 ? -1 : H5Pset_fill_time(layout, H5D_FILL_TIME_NEVER);
+}
+
 static hid_t series_layout(bool integer, size_t chunk_rows, size_t columns, int rank)
 {
     hsize_t chunk[3] = {chunk_rows ? chunk_rows : 1, columns < widest_chunk ? columns : widest_chunk, 1};
@@ -13,7 +20,8 @@ static hid_t series_layout(bool integer, size_t chunk_rows, size_t columns, int 
     herr_t filled =
         integer ? H5Pset_fill_value(layout, H5T_NATIVE_INT64, &izero) : H5Pset_fill_value(layout, H5T_NATIVE_DOUBLE, &zero);
     /* No time stamps: same scene, same bytes. */
-    if (filled < 0 || H5Pset_obj_track_times(layout, 0) < 0 || H5Pset_chunk(layout, rank, chunk) < 0)
+    if (filled < 0 || H5Pset_obj_track_times(layout, 0) < 0 || H5Pset_chunk(layout, rank, chunk) < 0 ||
+        (rank == 3 && reserve_chunks(layout) < 0))
         bead_h5_release(&layout);
     return layout;
 }

@@ -7,6 +7,7 @@
  *     <element>/{value,time,step}  one for each field asked for, see bead_series
  *   /contacts                      the same for contacts: contact, bead, stiffness, static_force
  *   /parameters/vmd_structure      names and radii for VMD
+ *   attributes NX_class, default, signal, axes   NeXus: which element is shown first, and how
  *   /parameters/beadreel           what the file is about: attributes, scene, materials, chains, outcome
  */
 #ifndef BEADREEL_SIM_OUTPUT_TRAJECTORY_LAYOUT_H

@@ -169,6 +169,17 @@ static const char *long_name(const struct bead_sink *sink, const struct bead_ser
     return bead_chain_spec(chain)->equation.name && info->stored ? bead_chain_field(chain, info->field)->title : info->title;
 }
 
+/* What NeXus calls a plot: H5Web and silx draw the group. Beads of several chains are numbered through, as their own numbers begin
+ * again with each chain. */
+static void describe_plot(struct bead_sink *sink, const struct bead_series_info *info, hid_t group)
+{
+    const bool several = sink->context.chain_count > 1;
+    const char *const axes[] = {"time", several ? "." : info->of_contacts ? "contact" : "bead", "."};
+    bead_h5_put_text(&sink->h5, group, "NX_class", "NXdata");
+    bead_h5_put_text(&sink->h5, group, "signal", "value");
+    bead_h5_put_texts(&sink->h5, group, "axes", axes, info->components > 1 ? 3 : 2);
+}
+
 static void lay_out_series(struct bead_sink *sink, enum bead_series_id id)
 {
     const struct bead_series_info *info = &bead_series[id];
@@ -187,8 +198,36 @@ static void lay_out_series(struct bead_sink *sink, enum bead_series_id id)
         bead_h5_link(h5, sink->spatial_scale, group, "spatial");
         bead_h5_attach(h5, value, 2, sink->spatial_scale);
     }
+    describe_plot(sink, info, group);
     sink->series[id].value = value;
     bead_h5_close(h5, &group);
+}
+
+static void put_default(struct bead_sink *sink, const char *path, const char *class, const char *child)
+{
+    hid_t group = bead_h5_open_group(&sink->h5, path);
+    bead_h5_put_text(&sink->h5, group, "NX_class", class);
+    bead_h5_put_text(&sink->h5, group, "default", child);
+    bead_h5_close(&sink->h5, &group);
+}
+
+/* NeXus: from the root, each group names the one to follow to the plot that is shown first. The field that tells most comes first.
+ */
+static void write_nexus(struct bead_sink *sink)
+{
+    static const enum bead_series_id order[] = {BEAD_SERIES_BEAD_FORCE,   BEAD_SERIES_STRAIN, BEAD_SERIES_VELOCITY,
+                                                BEAD_SERIES_DISPLACEMENT, BEAD_SERIES_ENERGY, BEAD_SERIES_CONTACT_FORCE};
+    size_t first = 0, count = sizeof order / sizeof *order;
+    while (first + 1 < count && !bead_trajectory_wants(sink, order[first]))
+        first++;
+    const struct bead_series_info *shown = &bead_series[order[first]];
+    const char *name = strrchr(shown->group, '/') + 1;
+    put_default(sink, "/", "NXroot", shown->of_contacts ? "contacts" : "particles");
+    put_default(sink, "/particles", "NXentry", "chain");
+    if (shown->of_contacts)
+        put_default(sink, "/contacts", "NXentry", name);
+    else
+        put_default(sink, "/particles/chain", "NXcollection", name);
 }
 
 static void write_h5md(struct bead_sink *sink)
@@ -388,6 +427,7 @@ void bead_trajectory_lay_out(struct bead_sink *sink)
     for (int id = 0; id < BEAD_SERIES_COUNT; id++)
         if (bead_trajectory_wants(sink, id))
             lay_out_series(sink, id);
+    write_nexus(sink);
     if (beads)
         write_vmd(sink);
     write_summary(sink);

@@ -22,6 +22,8 @@ struct bead_sink {
     struct bead_chain_rows *rows; /* [chains] */
     size_t beads, contacts;       /* lengths of the axes */
     char *path, *part;
+    char *xdmf; /* file beside it; NULL: none */
+    uint64_t xdmf_bytes;
     char why[128];
     struct bead_h5 h5;
     hid_t time, step, bead_scale, contact_scale, spatial_scale;

@@ -1,6 +1,6 @@
 /* The sink of `trajectory:` outputs: samples into growing datasets, whole chunks at a time, flushed often enough that a
  * killed run loses about a second. */
-#include "sim/output/trajectory_sink.h"
+#include "sim/output/trajectory_xdmf.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -36,6 +36,7 @@ static void trajectory_destroy(struct bead_sink *sink)
     free(sink->rows);
     free(sink->path);
     free(sink->part);
+    free(sink->xdmf);
     free(sink->shift);
     free(sink->times);
     free(sink->steps);
@@ -93,6 +94,8 @@ static enum bead_error trajectory_create(const struct bead_output *output, const
         error = bead_file_join(context->directory, output->path, &sink->path, msg);
     if (!error)
         error = bead_file_part_name(sink->path, &sink->part, msg);
+    if (!error && output->trajectory.xdmf)
+        error = bead_file_join(context->directory, output->trajectory.xdmf, &sink->xdmf, msg);
     if (!error)
         error = bead_sink_grid(output, context, &sink->grid, msg);
     if (!error)
@@ -349,13 +352,19 @@ static enum bead_error trajectory_end(struct bead_sink *sink, const struct bead_
     err = bead_file_commit(sink->part, sink->path, msg);
     bead_file_release(sink->claim, false); /* HDF5 locks what it reads */
     sink->claim = NULL;
-    return err;
+    return err || !sink->xdmf ? err : bead_trajectory_write_xdmf(sink, msg);
 }
 
 static void trajectory_result(const struct bead_sink *sink, uint64_t *bytes, uint64_t *items)
 {
     *bytes = bead_file_bytes(sink->finished ? sink->path : sink->part);
     *items = sink->chunk_first + sink->filled;
+}
+
+static const char *trajectory_beside(const struct bead_sink *sink, uint64_t *bytes)
+{
+    *bytes = sink->xdmf_bytes;
+    return sink->xdmf;
 }
 
 const struct bead_sink_type bead_trajectory_sink = {
@@ -370,4 +379,5 @@ const struct bead_sink_type bead_trajectory_sink = {
     .stop = trajectory_stop,
     .destroy = trajectory_destroy,
     .result = trajectory_result,
+    .beside = trajectory_beside,
 };

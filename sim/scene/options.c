@@ -160,7 +160,7 @@ enum bead_error bead_read_text(const struct bead_reader *reader, const struct be
     return *text ? BEAD_OK : bead_no_memory(reader);
 }
 
-static enum bead_error read_flag(const struct bead_reader *reader, const struct bead_at *at, bool *value)
+enum bead_error bead_read_flag(const struct bead_reader *reader, const struct bead_at *at, bool *value)
 {
     static const char *const words[] = {"false", "true", "no", "yes", "False", "True", "No", "Yes", "FALSE", "TRUE", "NO", "YES"};
     char shown[64];
@@ -236,7 +236,7 @@ static enum bead_error read_value(struct bead_reader *reader, const struct bead_
     case BEAD_OPTION_SEED:
         return read_seed(reader, at, (uint64_t *)(void *)field);
     case BEAD_OPTION_FLAG:
-        return read_flag(reader, at, (bool *)(void *)field);
+        return bead_read_flag(reader, at, (bool *)(void *)field);
     case BEAD_OPTION_TEXT:
         return bead_read_text(reader, at, (char **)(void *)field);
     case BEAD_OPTION_CHOICE:

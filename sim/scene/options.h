@@ -127,6 +127,7 @@ BEAD_CHECK enum bead_error bead_read_number(const struct bead_reader *reader, co
                                             const struct bead_option *option, double *value);
 BEAD_CHECK enum bead_error bead_read_choice(const struct bead_reader *reader, const struct bead_at *at, const char *const *choices,
                                             unsigned *value);
+BEAD_CHECK enum bead_error bead_read_flag(const struct bead_reader *reader, const struct bead_at *at, bool *value);
 BEAD_CHECK enum bead_error bead_read_text(const struct bead_reader *reader, const struct bead_at *at, char **text);
 
 #endif

@@ -267,6 +267,18 @@ BEAD_OUTPUT_CHECK(bead_output_check_field_list)
     return check_fields(reader, &where, output->trajectory.fields);
 }
 
+BEAD_OUTPUT_CHECK(bead_output_check_xdmf)
+{
+    struct bead_at where = bead_at_key(at, "xdmf");
+    if (!output->trajectory.xdmf)
+        return BEAD_OK;
+    if (!has_beads(reader->scene))
+        return bead_wrong(reader, &where, "tells where beads are, but there are none in this scene");
+    if (!(output->trajectory.fields & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT)))
+        return bead_wrong(reader, &where, "tells where beads are: add displacement to `fields`");
+    return BEAD_OK;
+}
+
 /* `trust` shows in views of all times, and needs room for its words. */
 BEAD_OUTPUT_CHECK(bead_output_check_trust)
 {
@@ -306,13 +318,21 @@ static bool same_path(const char *a, const char *b)
     return *a == *b;
 }
 
-/* Is `path` written by one of the first `count` outputs, or as the poster of one? */
+/* The file that an output makes besides its own, and whose key asks for it; "": none. */
+static const char *second_file(const struct bead_output *output, const char **key)
+{
+    *key = output->trajectory.xdmf ? "xdmf" : "poster";
+    const char *file = output->trajectory.xdmf ? output->trajectory.xdmf : output->movie.poster;
+    return file ? file : "";
+}
+
+/* Is `path` written by one of the first `count` outputs, as its own file or beside it? */
 static bool is_taken(const struct bead_output *outputs, size_t count, const char *path)
 {
     bool taken = false;
+    const char *key;
     for (size_t i = 0; i < count; i++)
-        taken = taken || same_path(outputs[i].path, path) ||
-                (outputs[i].movie.poster && *path && same_path(outputs[i].movie.poster, path));
+        taken = taken || same_path(outputs[i].path, path) || (*path && same_path(second_file(&outputs[i], &key), path));
     return taken;
 }
 
@@ -320,13 +340,13 @@ static bool is_taken(const struct bead_output *outputs, size_t count, const char
 static enum bead_error check_paths(const struct bead_reader *reader, const struct bead_at *at, size_t index)
 {
     const struct bead_output *outputs = reader->scene->outputs, *output = &outputs[index];
-    const char *poster = output->movie.poster ? output->movie.poster : "";
+    const char *key, *second = second_file(output, &key);
     struct bead_at where = bead_at_key(at, bead_output_key(output->kind));
     if (is_taken(outputs, index, output->path))
         return bead_wrong(reader, &where, "`%s` is the file of another output, too; names must differ", output->path);
-    where = bead_at_key(at, "poster");
-    if (*poster && (is_taken(outputs, index, poster) || same_path(output->path, poster)))
-        return bead_wrong(reader, &where, "`%s` is the file of another output, too; names must differ", poster);
+    where = bead_at_key(at, key);
+    if (*second && (is_taken(outputs, index, second) || same_path(output->path, second)))
+        return bead_wrong(reader, &where, "`%s` is the file of another output, too; names must differ", second);
     return BEAD_OK;
 }
 

@@ -12,6 +12,7 @@ const char *const *bead_output_field_names(void);
     enum bead_error name(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option, void *settings)
 BEAD_OUTPUT_READER(bead_output_read_path);
 BEAD_OUTPUT_READER(bead_output_read_fields);
+BEAD_OUTPUT_READER(bead_output_read_xdmf);
 BEAD_OUTPUT_READER(bead_output_read_beads);
 BEAD_OUTPUT_READER(bead_output_read_size);
 BEAD_OUTPUT_READER(bead_output_read_frame_size);
@@ -40,6 +41,7 @@ BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_still_views);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_drawing);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_field);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_field_list);
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_xdmf);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_trust);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_show);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_sensitivities);

@@ -1,5 +1,6 @@
 /* Readers of the values of outputs' keys that are more than a number, a word or a choice. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "sim/scene/output_rows.h"
@@ -33,6 +34,27 @@ BEAD_OUTPUT_READER(bead_output_read_path)
                ? BEAD_OK
                : bead_wrong(reader, at, "`%s` lacks the extension of files of this kind; must be a name with %s",
                             bead_text_show(output->path, shown, sizeof shown), endings);
+}
+
+/* The file beside "run.h5" is "run.xdmf"; its readers take what follows a colon for the name of a dataset. */
+BEAD_OUTPUT_READER(bead_output_read_xdmf)
+{
+    struct bead_output *output = settings;
+    static const char ending[] = ".xdmf";
+    bool asked = false;
+    (void)option;
+    enum bead_error err = bead_read_flag(reader, at, &asked);
+    if (err || !asked)
+        return err;
+    const size_t length = (size_t)(strrchr(output->path, '.') - output->path);
+    if (strchr(output->path, ':'))
+        return bead_wrong(reader, at, "cannot name a file with a colon: rename the trajectory");
+    output->trajectory.xdmf = malloc(length + sizeof ending);
+    if (!output->trajectory.xdmf)
+        return bead_no_memory(reader);
+    memcpy(output->trajectory.xdmf, output->path, length);
+    memcpy(output->trajectory.xdmf + length, ending, sizeof ending);
+    return BEAD_OK;
 }
 
 /* Index of the element's name among `names`, at most once in a list: bits of those before are in *seen. */

@@ -18,6 +18,7 @@ void bead_output_free(struct bead_output *output)
     free(output->colours.colormap);
     free(output->sweep_curves.threshold);
     free(output->sheet.magnetism);
+    free(output->trajectory.xdmf);
     free(output->curves.contacts);
     bead_output_free_movie(output);
 }
