@@ -51,11 +51,23 @@ function prepare(canvas, width, height) {
 }
 const font = size => `${size}px ${style('font')}`;
 
+/* "force (N)": what values of the field are called on axes, and the factor of their unit. */
+function fieldTitle() {
+    const {unit, name} = data.field, [factor, sign] = prefix(Math.max(Math.abs(data.range.low), Math.abs(data.range.high)), unit);
+    return {factor, title: name.replace('-', ' ') + (unit ? ` (${sign}${unit})` : '')};
+}
+/* How wide an upright bar is with its title. */
+function barWidth() {
+    const context = element('bar').getContext('2d');
+    context.font = font(13);
+    return Math.ceil(clamp(context.measureText(fieldTitle().title).width + 2, 64, 130));
+}
+
 /* The colour bar: upright beside the chains, lying above them on narrow screens. */
 function drawBar(canvas, upright, width, height) {
     const context = prepare(canvas, width, height), {low, high, scale} = data.range;
     const box = upright ? {x: 6, y: 44, w: 14, h: height - 44 - 34} : {x: 12, y: 2, w: width - 24, h: 9};
-    const [factor, sign] = prefix(Math.max(Math.abs(low), Math.abs(high)), data.field.unit), map = colourMap();
+    const {factor, title} = fieldTitle(), map = colourMap();
     const length = upright ? box.h : box.w;
     for (let i = 0; i < 256; i++) {
         context.fillStyle = `rgb(${map[3 * i]},${map[3 * i + 1]},${map[3 * i + 2]})`;
@@ -79,7 +91,6 @@ function drawBar(canvas, upright, width, height) {
     context.fillStyle = style('ink');
     context.font = font(13);
     context.textBaseline = 'middle';
-    const title = `${data.field.name.replace('-', ' ')}${data.field.unit ? ` (${sign}${data.field.unit})` : ''}`;
     const ticks = scaledTicks(scale, low, high, length, upright ? 19 : 34);
     for (const tick of ticks) {
         const text = figures(tick.value / factor, 3);

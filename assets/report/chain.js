@@ -98,6 +98,7 @@ class Chain {
             const largest = Math.max(...this.radius), diameter = 2 * largest * this.rowScale();
             const room = Math.round(clamp(0.09 * height, 28, 66));
             const lens = diameter < 0.5 * room;
+            y += this.sensors.length ? 15 : 0; /* their names */
             this.row = {...box, y, h: lens ? Math.ceil(diameter + 6) : room};
             y += this.row.h;
             if (lens) {
@@ -166,6 +167,7 @@ class Chain {
         if (this.displacement) {
             this.aim();
             this.drawRow(context);
+            this.drawSensors(context);
             if (this.lens)
                 this.drawLens(context);
         }
@@ -240,6 +242,22 @@ class Chain {
             context.fillRect(end, this.row.y, 8, this.row.h);
         }
     }
+    /* Names of sensors above the row, those that have room. */
+    drawSensors(context) {
+        let free = 0;
+        context.font = font(11.5);
+        context.textAlign = 'center';
+        context.textBaseline = 'middle';
+        context.fillStyle = style('faint');
+        for (const sensor of this.sensors) {
+            const x = this.rowX(this.position[sensor.bead - this.firstBead]), half = context.measureText(sensor.name).width / 2;
+            context.fillRect(x - 0.5, this.row.y - 4, 1, 5);
+            if (!(x - half >= free && x + half <= this.width))
+                continue;
+            context.fillText(sensor.name, x, this.row.y - 10);
+            free = x + half + 8;
+        }
+    }
     mark(context, x, y, r) {
         context.strokeStyle = style('accent');
         context.lineWidth = 2;
@@ -286,11 +304,15 @@ class Chain {
         const p = this.profile, {low, high} = data.range, from = data.range.scale === 'log' ? 0 : low;
         return p.y + p.h * (1 - (value - from) / (1.06 * (high - from)));
     }
+    /* A smooth curve through the values (Catmull and Rom's). */
     curve(context) {
-        const [a, b] = this.span();
+        const [a, b] = this.span(), first = Math.max(0, Math.floor(a)), last = Math.min(this.values - 1, Math.ceil(b));
+        const y = i => this.profileY(this.value(clamp(i, 0, this.values - 1), state.sample)), third = (this.x(1) - this.x(0)) / 3;
+        const slope = i => (y(i + 1) - y(i - 1)) / 6;
         context.beginPath();
-        for (let i = Math.max(0, Math.floor(a)); i <= Math.min(this.values - 1, Math.ceil(b)); i++)
-            context.lineTo(this.x(i), this.profileY(this.value(i, state.sample)));
+        context.moveTo(this.x(first), y(first));
+        for (let i = first; i < last; i++)
+            context.bezierCurveTo(this.x(i) + third, y(i) + slope(i), this.x(i + 1) - third, y(i + 1) - slope(i + 1), this.x(i + 1), y(i + 1));
     }
     drawProfile(context, others) {
         const p = this.profile, [a, b] = this.span();
@@ -357,8 +379,8 @@ class Chain {
     }
 
     drawLabels(context) {
-        const i = this.image, p = this.profile, [a, b] = this.span(), [s, t] = this.times(), unit = data.field.unit;
-        const [factor, sign] = prefix(Math.max(Math.abs(data.range.low), Math.abs(data.range.high)), unit);
+        const i = this.image, p = this.profile, [a, b] = this.span(), [s, t] = this.times();
+        const {factor, title} = fieldTitle();
         const from = timeOf(s) / timeUnit[0], to = timeOf(t) / timeUnit[0];
         context.fillStyle = style('ink');
         context.font = font(13);
@@ -371,7 +393,7 @@ class Chain {
             write(roundTicks(from, to, Math.max(2, i.h / 38)), i.x - 8,
                   v => clamp(i.y + i.h * (v - from) / (to - from), i.y + 6, i.y + i.h - 5));
             context.textAlign = 'left';
-            context.fillText(`${data.field.name.replace('-', ' ')}${unit ? ` (${sign}${unit})` : ''}`, 2, p.y - 11);
+            context.fillText(title, 2, p.y - 11);
             context.fillText(timeName ? `time (${timeName})` : 'time', 2, i.y - 11);
             context.fillText(this.axis.title, 2, i.y + i.h + 13);
         }

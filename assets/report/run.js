@@ -46,20 +46,21 @@ function addWords(caption, chain) {
 /* Chains side by side where each has room, and all of them in the window together with the controls. */
 function layOut() {
     const narrow = matchMedia('(max-width: 760px)').matches, count = chains.length;
-    const columns = narrow || count === 1 ? 1 : innerWidth > 1500 && count > 2 ? Math.min(count, 4) : 2;
+    const columns = narrow || count === 1 ? 1 : innerWidth > 1100 && count > 2 ? Math.min(count, 4) : 2;
     const rows = Math.ceil(count / columns), top = element('stage').getBoundingClientRect().top + scrollY;
     const barHeight = narrow ? 28 : 0, caption = narrow ? 20 : 24;
     const free = innerHeight - top - element('controls').offsetHeight - 12 - barHeight - (narrow ? 4 : 26);
     const height = Math.round(clamp(free / rows - caption - 10, narrow ? 240 : 300, narrow ? 640 : 1100));
+    const bar = element('bar');
+    bar.style.width = narrow ? '100%' : barWidth() + 'px';
     /* The first column has the labels; all pictures are alike in size. */
-    const labels = 40, grid = element('chains'), plot = (grid.clientWidth - labels - 14 * (columns - 1)) / columns;
+    const labels = 40, grid = element('chains'), plot = Math.floor((grid.clientWidth - labels - 14 * (columns - 1)) / columns);
     grid.style.gridTemplateColumns = Array.from({length: columns}, (_, i) => `${plot + (i ? 0 : labels)}px`).join(' ');
     canvases.forEach((canvas, i) => {
         canvas.previousSibling.style.paddingLeft = narrow ? '0' : i % columns ? '6px' : `${labels + 6}px`;
         chains[i].arrange(plot + (i % columns ? 0 : labels), height, i % columns === 0);
     });
-    const bar = element('bar');
-    drawBar(bar, !narrow, narrow ? bar.parentElement.clientWidth : 64, narrow ? barHeight : rows * (height + caption) + (rows - 1) * 10);
+    drawBar(bar, !narrow, narrow ? bar.parentElement.clientWidth : barWidth(), narrow ? barHeight : rows * (height + caption) + (rows - 1) * 10);
 }
 function draw() {
     canvases.forEach((canvas, i) => chains[i].draw(canvas, chains.filter(c => c !== chains[i])));
@@ -109,8 +110,9 @@ function buildControls() {
     time.max = samples - 1;
     time.addEventListener('input', () => seek(Number(time.value)));
     for (const rate of [0.1, 0.25, 0.5, 1, 2]) {
-        const per = timeOf(samples - 1) - timeOf(0), option = new Option(`${String(rate)}× (1 s = ${figures(per * rate / filmSeconds / timeUnit[0], 2)}${timeName ? ' ' + timeName : ''})`, rate);
-        speed.add(option);
+        const passes = (timeOf(samples - 1) - timeOf(0)) * rate / filmSeconds / timeUnit[0];
+        const words = innerWidth < 500 ? '' : ` (1 s = ${figures(passes, 2)}${timeName ? ' ' + timeName : ''})`;
+        speed.add(new Option(`${rate}×${words}`, rate));
     }
     speed.value = '1';
     element('play').addEventListener('click', () => play(!state.playing));

@@ -37,7 +37,7 @@ function showPeaks() {
         })),
         label: 'Peak force of each contact. ' + with_.map(c => `${chainName(c)}: from ${quantity(c.peaks.force[0], 'N')} at the striker to ${quantity(c.peaks.force[c.peaks.force.length - 1], 'N')} at the end`).join('; '),
         tip: (series, k) => [[`var(${series.colour})`, `${series.name ? series.name + ', ' : ''}contact ${k}`, ''], ['', 'peak', peakText(series.chain, k)], ['', 'at', quantity(series.chain.peaks.time[k], 's')]],
-        pick: k => choose({place: clamp(k, 0, Math.max(...chains.map(c => c.values)) - 1), sample: null}, true)
+        pick: k => choose({place: clamp(k - chains[0].first, 0, Math.max(...chains.map(c => c.values)) - 1), sample: null}, true)
     });
     const open = with_.some(c => c.peaks.open.length > 0);
     element('peaks-note').textContent = 'Contact k is between beads k and k + 1; the striker is bead 0. Bars are uncertainties, drawn where they are seen.' + (open ? ' Hollow: still rising at the end.' : '');
@@ -64,7 +64,7 @@ const numberRows = [
         return `${peakText(c, k)} (contact ${k})`;
     }],
     ['front arrives at the end', c => c.run && c.run.arrival ? quantity(c.run.arrival, data.time.unit, 5) : ''],
-    ['mean speed of the front', c => c.run && c.run.arrival && c.position ? quantity((c.position[c.beads - 1] - c.position[0]) / c.run.arrival, 'm/s', 4) : ''],
+    ['mean speed of the front', c => c.run && c.run.arrival && c.position && c.beads === c.total ? quantity((c.position[c.beads - 1] - c.position[0]) / c.run.arrival, 'm/s', 4) : ''],
     ['simulated time', c => c.run ? quantity(c.run.end, data.time.unit, 6) : ''],
     ['method', c => c.run ? c.run.method : ''],
     ['step', c => c.run && c.run.step ? quantity(c.run.step, data.time.unit) : ''],
@@ -74,6 +74,12 @@ const numberRows = [
 ];
 function showNumbers() {
     const rows = numberRows.map(([name, of]) => [name, ...chains.map(of)]);
+    for (const name of new Set(chains.flatMap(c => c.peaks ? c.sensors.map(s => s.name) : []))) {
+        rows.push([`peak force in front of sensor ${name}`, ...chains.map(c => {
+            const sensor = c.sensors.find(s => s.name === name), k = sensor && sensor.bead - 1;
+            return sensor && k >= 0 ? `${peakText(c, k)} (contact ${k})` : '';
+        })]);
+    }
     const names = chains.flatMap(c => c.run ? c.run.measures.map(m => m.name) : []);
     for (const name of new Set(names)) {
         rows.push([name, ...chains.map(c => {
@@ -134,6 +140,7 @@ function startRun() {
     buildOne();
     showFacts();
     showNumbers();
+    element('hint-what').textContent = chains[0].axis.counts ? chains[0].axis.title : 'point';
     const arrivals = chains.map(c => c.run && c.run.arrival).filter(t => t > 0);
     const first = arrivals.length ? 0.62 * (Math.min(...arrivals) - data.time.start) / data.time.every : 0.4 * (samples - 1);
     state.sample = clamp(Math.round(first), 0, samples - 1);
