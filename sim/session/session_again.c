@@ -84,8 +84,11 @@ static enum bead_error check_stored(const struct bead_session *s, const struct b
 
 enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead_message *msg)
 {
-    static const struct bead_file_kind kinds[] = {
-        {BEAD_OUTPUT_IMAGE, NULL}, {BEAD_OUTPUT_MOVIE, NULL}, {BEAD_OUTPUT_TABLE, ", show: sensors"}, {BEAD_OUTPUT_KINDS, NULL}};
+    static const struct bead_file_kind kinds[] = {{BEAD_OUTPUT_IMAGE, NULL},
+                                                  {BEAD_OUTPUT_MOVIE, NULL},
+                                                  {BEAD_OUTPUT_TABLE, ", show: sensors"},
+                                                  {BEAD_OUTPUT_REPORT, NULL},
+                                                  {BEAD_OUTPUT_KINDS, NULL}};
     struct bead_settings settings;
     if (!s->job.output)
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s is a trajectory: say what to draw with -o FILE (png, pdf, svg, mp4, ...)",
