@@ -135,57 +135,6 @@ void bead_dense_state(struct bead_dense *dense, const struct bead_stepper *s, do
     combine_state(dense, s, rate, s->start.v, v);
 }
 
-struct bead_polynomial bead_polynomial_hermite(const double at0[4], const double at1[4])
-{
-    double c0 = at0[0], c1 = at0[1], c2 = at0[2] / 2, c3 = at0[3] / 6;
-    double r0 = at1[0] - (c0 + c1 + c2 + c3), r1 = at1[1] - (c1 + 2 * c2 + 3 * c3), r2 = at1[2] - (2 * c2 + 6 * c3),
-           r3 = at1[3] - 6 * c3;
-    return (struct bead_polynomial){{c0, c1, c2, c3, 35 * r0 - 15 * r1 + 2.5 * r2 - r3 / 6, -84 * r0 + 39 * r1 - 7 * r2 + r3 / 2,
-                                     70 * r0 - 34 * r1 + 6.5 * r2 - r3 / 2, -20 * r0 + 10 * r1 - 2 * r2 + r3 / 6}};
-}
-
-double bead_polynomial_value(const struct bead_polynomial *p, double x)
-{
-    double value = p->c[7];
-    for (int i = 6; i >= 0; i--)
-        value = value * x + p->c[i];
-    return value;
-}
-
-double bead_polynomial_slope(const struct bead_polynomial *p, double x)
-{
-    double slope = 7 * p->c[7];
-    for (int i = 6; i >= 1; i--)
-        slope = slope * x + i * p->c[i];
-    return slope;
-}
-
-double bead_find_root(bead_function f, const void *context, double f0, double f1)
-{
-    double low = 0, high = 1;
-    int kept = 0; /* the end that stayed last time, -1 low, +1 high: its value is halved when it stays again */
-    for (int i = 0; i < 60 && high - low > 1e-15; i++) {
-        double x = f1 == f0 ? 0.5 : low - f0 * (high - low) / (f1 - f0);
-        if (!(x > low && x < high) || i % 8 == 7)
-            x = 0.5 * (low + high);
-        double fx = f(context, x);
-        if (fx == 0)
-            return x;
-        if ((fx > 0) == (f1 > 0)) {
-            high = x;
-            f1 = fx;
-            f0 *= kept < 0 ? 0.5 : 1;
-            kept = -1;
-        } else {
-            low = x;
-            f0 = fx;
-            f1 *= kept > 0 ? 0.5 : 1;
-            kept = 1;
-        }
-    }
-    return 0.5 * (low + high);
-}
-
 static double compression(const struct bead_stepper *s, const struct bead_state *state, size_t k)
 {
     return s->chain->static_compression[k] + (state->u[k] - state->u[k + 1]);
@@ -217,19 +166,10 @@ static void derivatives(const struct bead_stepper *s, const struct bead_state *s
     out[3] = h * h * h * (jerk(s, state, k) - jerk(s, state, k + 1));
 }
 
-/* The same without the third derivatives. */
-static struct bead_polynomial quintic_hermite(const double at0[4], const double at1[4])
-{
-    double c0 = at0[0], c1 = at0[1], c2 = at0[2] / 2, r0 = at1[0] - (c0 + c1 + c2), r1 = at1[1] - (c1 + 2 * c2),
-           r2 = at1[2] - 2 * c2;
-    return (struct bead_polynomial){
-        {c0, c1, c2, 10 * r0 - 4 * r1 + 0.5 * r2, -15 * r0 + 7 * r1 - r2, 6 * r0 - 3 * r1 + 0.5 * r2, 0, 0}};
-}
-
 struct bead_polynomial bead_dense_compression(const struct bead_stepper *s, size_t k)
 {
     double at0[4], at1[4];
     derivatives(s, &s->start, s->start.a, k, at0);
     derivatives(s, &s->end, s->last_a, k, at1);
-    return bead_stepper_damped(s) ? quintic_hermite(at0, at1) : bead_polynomial_hermite(at0, at1);
+    return bead_stepper_damped(s) ? bead_polynomial_quintic(at0, at1) : bead_polynomial_hermite(at0, at1);
 }

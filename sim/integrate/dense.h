@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 
+#include "sim/integrate/polynomial.h"
 #include "sim/integrate/stepper.h"
 
 /* Third derivatives of the displacements at both ends of a step, found when a state between them is first asked for, and kept. */
@@ -24,20 +25,9 @@ void bead_dense_state(struct bead_dense *dense, const struct bead_stepper *stepp
 void bead_dense_displacement(struct bead_dense *dense, const struct bead_stepper *stepper, double x, struct bead_part part,
                              double *u);
 
-/* A polynomial in 0 <= x <= 1 over the step: sum c_i x^i. */
-struct bead_polynomial {
-    double c[8];
-};
 /* Compression of contact k over the step by septic Hermite from d, d', d'', d''' at both ends; with damping quintic, without d'''.
  */
 struct bead_polynomial bead_dense_compression(const struct bead_stepper *stepper, size_t k);
-/* The septic through value and three derivatives (with respect to x) at 0 and 1. */
-struct bead_polynomial bead_polynomial_hermite(const double at0[4], const double at1[4]);
-double bead_polynomial_value(const struct bead_polynomial *p, double x);
-double bead_polynomial_slope(const struct bead_polynomial *p, double x);
-/* A zero of `f` between 0 and 1, where f(0) and f(1) have different signs, to rounding (Illinois's false position). */
-typedef double (*bead_function)(const void *context, double x);
-double bead_find_root(bead_function f, const void *context, double f0, double f1);
 
 /* d/dt of the force of contact k in a state, N/s. */
 double bead_dense_force_rate(const struct bead_stepper *stepper, const struct bead_state *state, size_t k);
