@@ -110,7 +110,7 @@ static struct bead_part beads_near(const struct traveller *t)
 }
 
 /* The maximum meant: in the step of its time, or in one beside it. */
-static enum bead_error find_start(struct sweep *w, struct traveller *t, struct bead_message *msg)
+static void find_start(struct sweep *w, struct traveller *t)
 {
     const struct bead_record *record = w->nodes.record;
     const size_t here = step_at(record, t->of->time), steps[3] = {here, here + 1, here - 1};
@@ -120,18 +120,15 @@ static enum bead_error find_start(struct sweep *w, struct traveller *t, struct b
     for (size_t i = 0; t->of->at_maximum && i < 3; i++) {
         if (steps[i] >= record->steps)
             continue;
-        enum bead_error err = bead_adjoint_nodes_load(&w->nodes, steps[i], beads_near(t), msg);
-        if (err)
-            return err;
+        bead_adjoint_nodes_load(&w->nodes, steps[i], beads_near(t));
         const struct rising rising = rising_of(w, t->of);
         const double rate0 = force_rate(&rising, 0), rate1 = force_rate(&rising, 1);
         if (!(rate0 > 0 && rate1 <= 0))
             continue;
         t->step = steps[i];
         t->from = bead_find_root(force_rate, &rising, rate0, rate1);
-        return BEAD_OK;
+        return;
     }
-    return BEAD_OK;
 }
 
 /* r = 0, r' from what moves the force, and the force's own share. */
@@ -321,19 +318,18 @@ static void go_back(struct sweep *w, size_t index, double from, struct traveller
     }
 }
 
-static enum bead_error step_all(struct sweep *w, size_t index, struct bead_message *msg)
+static void step_all(struct sweep *w, size_t index)
 {
     const struct bead_part touched = touched_by_all(w, index);
-    enum bead_error err = touched.to > touched.from ? bead_adjoint_nodes_load(&w->nodes, index, touched, msg) : BEAD_OK;
-    for (size_t i = 0; !err && i < w->count; i++) {
+    if (touched.to > touched.from)
+        bead_adjoint_nodes_load(&w->nodes, index, touched);
+    for (size_t i = 0; i < w->count; i++) {
         if (w->traveller[i].step != index)
             continue;
         start(w, &w->traveller[i]);
         go_back(w, index, w->traveller[i].from, &w->traveller[i]);
     }
-    if (!err)
-        go_back(w, index, 1, NULL);
-    return err;
+    go_back(w, index, 1, NULL);
 }
 
 static void finish(const struct sweep *w, const struct traveller *t)
@@ -359,11 +355,11 @@ enum bead_error bead_adjoint_sweep(const struct bead_chain *chain, const struct 
     if (!err)
         err = allocate(&w, adjoints, count, msg);
     for (size_t i = 0; !err && i < count; i++) {
-        err = find_start(&w, &w.traveller[i], msg);
+        find_start(&w, &w.traveller[i]);
         last = w.traveller[i].step > last ? w.traveller[i].step : last;
     }
     for (size_t i = last + 1; !err && i-- > 0;)
-        err = step_all(&w, i, msg);
+        step_all(&w, i);
     for (size_t i = 0; !err && i < count; i++)
         finish(&w, &w.traveller[i]);
     bead_adjoint_nodes_destroy(&w.nodes);

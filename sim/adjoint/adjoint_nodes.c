@@ -7,18 +7,15 @@
 
 #include "sim/base/wide.h"
 
-/* Branch points this far outside of a step are looked for, in steps. */
-static const double reach = 0.3;
-/* Contacts whose stiffness at a step's length from opening moves their beads by less, as h^2 K/m, have no branch points to speak
- * of: those that the wave just reaches. */
-static const double least_stiffness = 1e-7;
+/* Branch points this far outside of a step are looked for, in steps, of those that may spoil a velocity by this part of the
+ * striker's: not what the wave just reaches. */
+static const double reach = 0.3, least = 1e-11;
 /* What is left of the error goes with the square of the contact's weight. Of a heavy one this part of the step on either side of a
  * branch point is gone back over for itself. */
 static const double around = 0.05;
 /* Of the polynomials that take a stiffness's place. Their product with what they move is to be within the order of the method:
  * with higher degrees, as with lower ones, errors are larger. */
 enum { DEGREE = 3 };
-enum { FIRST_BRANCHES = 64 };
 
 /* ---- memory ---- */
 
@@ -64,15 +61,13 @@ enum bead_error bead_adjoint_nodes_create(const struct bead_chain *chain, const 
     if (!err)
         err = bead_dense_create(n->stepper, &n->dense, msg);
     n->memory = calloc(bead_adjoint_padded(chain) * (3 + 5 * BEAD_NODES), sizeof(double));
-    n->branch = calloc(FIRST_BRANCHES, sizeof *n->branch);
-    n->branch_room = FIRST_BRANCHES;
-    if (!err && (!n->memory || !n->branch))
+    if (!err)
+        err = bead_branch_points_create(chain, &n->branches, msg);
+    if (!err && !n->memory)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the sensitivities of %zu beads", chain->beads);
     if (err)
         return err;
     lay_out(n, chain);
-    if (chain->law->one_sided)
-        n->rule = bead_patch_rule_make(chain->law, &chain->spec->law);
     memcpy(n->inverse_mass, chain->inverse_mass, chain->beads * sizeof(double));
     for (size_t k = 0; k < chain->contacts; k++)
         n->static_stiffness[k] = chain->law->stiffness(chain->stiffness[k], &chain->spec->law, chain->static_compression[k]);
@@ -84,108 +79,10 @@ void bead_adjoint_nodes_destroy(struct bead_adjoint_nodes *n)
     bead_stepper_destroy(n->stepper);
     bead_dense_destroy(&n->dense);
     free(n->memory);
-    free(n->branch);
+    bead_branch_points_destroy(&n->branches);
 }
 
 /* ---- contacts that open or close ---- */
-
-/* Double integral of the force of a branch point's contact over time counted in steps, and its derivatives, at x. */
-static void kink(const struct bead_branch_point *b, const struct bead_patch_rule *rule, double x, double out[4])
-{
-    const double y = b->side * (x - b->at), p = rule->exponent, s = b->side, g = b->next * y;
-    memset(out, 0, 4 * sizeof *out);
-    if (!(y > 0))
-        return;
-    const double power = b->strength * (rule->hertz ? sqrt(y) : bead_pow(y, p - 1));
-    out[0] = power * y * y * y * (1 + g);
-    out[1] = s * power * y * y * (p + 2 + (p + 3) * g);
-    out[2] = power * y * (p + 2) * (p + 1 + (p + 3) * g);
-    out[3] = s * power * (p + 2) * (p + 1) * (p + (p + 3) * g);
-}
-
-/* What interpolation leaves out of that, and its derivative by x. */
-static void left_out(const struct bead_branch_point *b, const struct bead_patch_rule *rule, double x, double out[2])
-{
-    double whole[4];
-    kink(b, rule, x, whole);
-    out[0] = whole[0] - bead_polynomial_value(&b->taken, x);
-    out[1] = whole[1] - bead_polynomial_slope(&b->taken, x);
-}
-
-static enum bead_error add_branch(struct bead_adjoint_nodes *n, const struct bead_branch_point *b, struct bead_message *msg)
-{
-    if (n->branches == n->branch_room) {
-        struct bead_branch_point *grown = realloc(n->branch, 2 * n->branch_room * sizeof *grown);
-        if (!grown)
-            return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contacts that open or close");
-        n->branch = grown;
-        n->branch_room *= 2;
-    }
-    n->branch[n->branches++] = *b;
-    return BEAD_OK;
-}
-
-/* The leading terms of the motion next to a branch point: d = rate y + bend y^2/2, f = A (rate y)^p (1 + p/2 bend/rate y). */
-static void find_kink(const struct bead_adjoint_nodes *n, const double c[6], struct bead_branch_point *b)
-{
-    const struct bead_stepper *s = n->stepper;
-    const double x = b->at, p = n->rule.exponent;
-    const double rate = b->side * (c[1] + x * (2 * c[2] + x * (3 * c[3] + x * (4 * c[4] + x * 5 * c[5]))));
-    b->weight = s->h * s->h * fmax(n->inverse_mass[b->contact], n->inverse_mass[b->contact + 1]) *
-                s->chain->law->stiffness(s->table.stiffness[b->contact], s->table.law, fabs(rate));
-    if (b->side == 0 || !(rate > 0))
-        return;
-    const double bend = 2 * c[2] + x * (6 * c[3] + x * (12 * c[4] + x * 20 * c[5])), ratio = bend / rate;
-    double at0[4], at1[4];
-    b->next = fabs(ratio) <= 1 ? 0.5 * p * ratio * (p + 1) / (p + 3) : 0; /* else it bends too soon for two terms */
-    b->strength = s->h * s->h * s->chain->law->force(s->table.stiffness[b->contact], s->table.law, rate) / ((p + 1) * (p + 2));
-    kink(b, &n->rule, 0, at0);
-    kink(b, &n->rule, 1, at1);
-    b->taken = bead_polynomial_hermite(at0, at1);
-}
-
-/* Compression and rate, counted in steps, of a contact in a state, and its rate of rate. */
-static void quintic_end(const struct bead_stepper *s, const struct bead_state *state, size_t k, double out[3])
-{
-    out[0] = s->table.static_compression[k] + (state->u[k] - state->u[k + 1]);
-    out[1] = s->h * (state->v[k] - state->v[k + 1]);
-    out[2] = s->h * s->h * (state->a[k] - state->a[k + 1]);
-}
-
-/* Whether a contact may have a branch point in the step, or close to it. */
-static bool may_branch(const struct bead_adjoint_nodes *n, size_t k)
-{
-    const struct bead_stepper *s = n->stepper;
-    const double d0 = s->table.static_compression[k] + (s->start.u[k] - s->start.u[k + 1]);
-    const double d1 = s->table.static_compression[k] + (s->end.u[k] - s->end.u[k + 1]);
-    const double r0 = s->h * (s->start.v[k] - s->start.v[k + 1]), r1 = s->h * (s->end.v[k] - s->end.v[k + 1]);
-    const double fast = fmax(fabs(r0), fabs(r1));
-    if (d0 > 0 && d1 > 0 && fmin(d0, d1) > reach * fast)
-        return false;
-    if (d0 <= 0 && d1 <= 0 && !(r0 > 0 && r1 < 0))
-        return false;
-    const double w = fmax(n->inverse_mass[k], n->inverse_mass[k + 1]), a = s->table.stiffness[k];
-    return s->h * s->h * w * s->chain->law->stiffness(a, s->table.law, fast) > least_stiffness;
-}
-
-static enum bead_error find_branches(struct bead_adjoint_nodes *n, size_t k, struct bead_message *msg)
-{
-    const struct bead_stepper *s = n->stepper;
-    struct bead_patch_branch found[BEAD_BRANCHES_MAX];
-    double a[3], b[3];
-    quintic_end(s, &s->start, k, a);
-    quintic_end(s, &s->end, k, b);
-    const double c0 = a[0], c1 = a[1], c2 = a[2] / 2, r0 = b[0] - (c0 + c1 + c2), r1 = b[1] - (c1 + 2 * c2), r2 = b[2] - 2 * c2;
-    const double c[6] = {c0, c1, c2, 10 * r0 - 4 * r1 + 0.5 * r2, -15 * r0 + 7 * r1 - r2, 6 * r0 - 3 * r1 + 0.5 * r2};
-    const size_t count = bead_patch_branches(c, b, reach, found);
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < count; i++) {
-        struct bead_branch_point point = {.contact = k, .at = found[i].s, .side = (double)found[i].after - (double)found[i].before};
-        find_kink(n, c, &point);
-        err = add_branch(n, &point, msg);
-    }
-    return err;
-}
 
 /* Contacts of a part of the beads, those that may have a stiffness. */
 static struct bead_part contacts_of(const struct bead_stepper *s, const struct bead_part *part)
@@ -194,42 +91,24 @@ static struct bead_part contacts_of(const struct bead_stepper *s, const struct b
     return (struct bead_part){part->from, part->to < last ? part->to : last};
 }
 
-enum bead_error bead_adjoint_nodes_load(struct bead_adjoint_nodes *n, size_t step, struct bead_part part, struct bead_message *msg)
+void bead_adjoint_nodes_load(struct bead_adjoint_nodes *n, size_t step, struct bead_part part)
 {
+    const struct bead_stepper *s = n->stepper;
     bead_record_load(n->record, step, n->stepper);
-    const struct bead_part contacts = contacts_of(n->stepper, &part);
-    enum bead_error err = BEAD_OK;
-    n->branches = 0;
-    for (size_t k = contacts.from; !err && n->stepper->chain->law->one_sided && k < contacts.to; k++) {
-        if (may_branch(n, k))
-            err = find_branches(n, k, msg);
-    }
-    return err;
+    bead_branch_points_find(&n->branches, s, part, reach, least * fabs(s->chain->spec->striker_velocity));
 }
 
 struct bead_adjoint_curve bead_adjoint_curve(const struct bead_adjoint_nodes *n, size_t contact)
 {
-    struct bead_adjoint_curve curve = {.contact = contact, .compression = bead_dense_compression(n->stepper, contact)};
-    while (curve.first < n->branches && n->branch[curve.first].contact + 1 < contact)
-        curve.first++;
-    for (curve.last = curve.first; curve.last < n->branches && n->branch[curve.last].contact <= contact + 1;)
-        curve.last++;
-    return curve;
+    return (struct bead_adjoint_curve){contact, bead_dense_compression(n->stepper, contact),
+                                       bead_branch_points_near(&n->branches, contact)};
 }
 
 void bead_adjoint_compression(const struct bead_adjoint_nodes *n, const struct bead_adjoint_curve *curve, double x, double d[2])
 {
-    const double *w = n->inverse_mass + curve->contact;
     d[0] = bead_polynomial_value(&curve->compression, x);
     d[1] = bead_polynomial_slope(&curve->compression, x);
-    for (size_t i = curve->first; i < curve->last; i++) {
-        const struct bead_branch_point *b = &n->branch[i];
-        const double factor = b->contact < curve->contact ? w[0] : b->contact > curve->contact ? w[1] : -(w[0] + w[1]);
-        double rest[2];
-        left_out(b, &n->rule, x, rest);
-        d[0] += factor * rest[0];
-        d[1] += factor * rest[1];
-    }
+    bead_branch_points_correct_compression(&n->branches, n->stepper, curve->near, curve->contact, x, d);
 }
 
 /* ---- moments ---- */
@@ -257,7 +136,7 @@ static void integrate(const struct bead_adjoint_nodes *n, struct moments *m, dou
     const struct bead_stepper *s = n->stepper;
     const double a = s->table.stiffness[m->curve.contact];
     struct bead_patch_nodes nodes;
-    bead_patch_place_nodes(n->rule.power, tau, (const double[2]){from, to}, &nodes);
+    bead_patch_place_nodes(n->branches.rule.power, tau, (const double[2]){from, to}, &nodes);
     for (size_t i = 0; i < BEAD_GAUSS_NODES; i++) {
         double d[2], p[DEGREE + 1];
         bead_adjoint_compression(n, &m->curve, nodes.s[i], d);
@@ -292,11 +171,11 @@ static void integrate_between(const struct bead_adjoint_nodes *n, struct moments
 /* Nodes of the contact of branch points first..last - 1, which ascend, from the moments. */
 static void smooth_contact(struct bead_adjoint_nodes *n, double from, double back, size_t first, size_t last)
 {
-    const size_t k = n->branch[first].contact;
+    const size_t k = n->branches.point[first].contact;
     struct moments m = {.curve = bead_adjoint_curve(n, k), .low = back, .length = from - back};
     double at = back, before = -INFINITY;
     for (size_t i = first; i < last; i++) {
-        const double tau = n->branch[i].at, to = fmin(fmax(tau, at), from);
+        const double tau = n->branches.point[i].at, to = fmin(fmax(tau, at), from);
         integrate_between(n, &m, at, to, before, tau);
         before = tau;
         at = to;
@@ -321,16 +200,16 @@ static bool within(const struct bead_part *part, size_t contact)
 
 static void smooth_all(struct bead_adjoint_nodes *n, double from, double back, const struct bead_part *part)
 {
-    for (size_t first = 0, last; first < n->branches; first = last) {
-        for (last = first + 1; last < n->branches && n->branch[last].contact == n->branch[first].contact;)
+    for (size_t first = 0, last; first < n->branches.count; first = last) {
+        for (last = first + 1; last < n->branches.count && n->branches.point[last].contact == n->branches.point[first].contact;)
             last++;
-        if (within(part, n->branch[first].contact))
+        if (within(part, n->branches.point[first].contact))
             smooth_contact(n, from, back, first, last);
     }
     /* Of all beads beside them. */
-    for (size_t b = 0; b < n->branches; b++) {
-        for (size_t j = n->branch[b].contact; j <= n->branch[b].contact + 1 && j < n->stepper->beads; j++) {
-            for (size_t i = 0; within(part, n->branch[b].contact) && i < BEAD_NODES; i++)
+    for (size_t b = 0; b < n->branches.count; b++) {
+        for (size_t j = n->branches.point[b].contact; j <= n->branches.point[b].contact + 1 && j < n->stepper->beads; j++) {
+            for (size_t i = 0; within(part, n->branches.point[b].contact) && i < BEAD_NODES; i++)
                 n->acceleration[i][j] = (*(n->force[i] + j - 1) - n->force[i][j]) * n->inverse_mass[j];
         }
     }
@@ -345,16 +224,7 @@ static void find_displacements(struct bead_adjoint_nodes *n, double x, const str
     bead_dense_displacement(&n->dense, s, x, moving, n->u);
     if (moving.to == s->active)
         memset(n->u + s->active, 0, (s->span + 8 - s->active) * sizeof *n->u);
-    for (size_t i = 0; i < n->branches; i++) {
-        const struct bead_branch_point *b = &n->branch[i];
-        double rest[2];
-        if (!within(part, b->contact))
-            continue;
-        left_out(b, &n->rule, x, rest);
-        n->u[b->contact] -= n->inverse_mass[b->contact] * rest[0];
-        if (b->contact + 1 < s->beads)
-            n->u[b->contact + 1] += n->inverse_mass[b->contact + 1] * rest[0];
-    }
+    bead_branch_points_correct(&n->branches, s, x, *part, n->u, NULL);
 }
 
 static void find_stiffnesses(struct bead_adjoint_nodes *n, double *stiffness, const struct bead_part *part)
@@ -407,9 +277,9 @@ void bead_adjoint_nodes_fill(struct bead_adjoint_nodes *n, double from, double b
 double bead_adjoint_nodes_part(const struct bead_adjoint_nodes *n, double from, double heavy, struct bead_part part)
 {
     double back = 0;
-    for (size_t i = 0; i < n->branches; i++) {
-        const double edges[2] = {n->branch[i].at - around, n->branch[i].at + around};
-        for (int e = 0; e < 2 && n->branch[i].weight > heavy && within(&part, n->branch[i].contact); e++) {
+    for (size_t i = 0; i < n->branches.count; i++) {
+        const double edges[2] = {n->branches.point[i].at - around, n->branches.point[i].at + around};
+        for (int e = 0; e < 2 && n->branches.point[i].weight > heavy && within(&part, n->branches.point[i].contact); e++) {
             if (edges[e] > back && edges[e] < from - 0.5 * around)
                 back = edges[e];
         }

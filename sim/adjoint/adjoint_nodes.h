@@ -1,30 +1,17 @@
 /* What adjoints need of a chain at the nodes of a step, going back: stiffnesses, and what the forces owe to their coefficients.
  *
- * States between the ends of a step come from septic interpolation. A contact that opens or closes leaves a kink in the motion of
- * its beads, t^{p+2} where its force is d^p, which no interpolation knows: its leading terms follow from where the contact opens
- * and how fast, and what the interpolation makes of them is put right. At the nodes the stiffness of such a contact is the value of
- * a polynomial that has, over the step, the moments of the stiffness itself, so that quadratures of smooth functions do not see the
- * branch point. */
+ * States between the ends of a step are those of dense output, put right where a contact opens or closes. At the nodes the
+ * stiffness of such a contact is the value of a polynomial that has, over the step, the moments of the stiffness itself, so that
+ * quadratures of smooth functions do not see the branch point. */
 #ifndef BEADREEL_SIM_ADJOINT_ADJOINT_NODES_H
 #define BEADREEL_SIM_ADJOINT_ADJOINT_NODES_H
 
 #include "sim/adjoint/record.h"
+#include "sim/integrate/branch_points.h"
 #include "sim/integrate/dense.h"
-#include "sim/integrate/events_patch.h"
 #include "sim/integrate/tableau.h"
 
 enum { BEAD_NODES = 8 }; /* evaluations of the method in a step that does not end with one */
-
-/* A contact that opens or closes in the step, or near it. */
-struct bead_branch_point {
-    size_t contact;
-    double at;     /* in steps from the start */
-    double side;   /* +1: closed behind it, -1: before; 0: on both sides, nearly open */
-    double weight; /* h^2 K/m of the stiffness a step's length from it */
-    double strength,
-        next; /* kg m, 1: strength (1 + next y) y^{p+2}, y from the branch point on, is the double integral of the force */
-    struct bead_polynomial taken; /* what interpolation makes of that */
-};
 
 /* All arrays are those of contacts or beads with room for whole vectors, before them too. */
 struct bead_adjoint_nodes {
@@ -32,7 +19,7 @@ struct bead_adjoint_nodes {
     const struct bead_record *record;
     struct bead_stepper *stepper; /* set to the step at hand */
     struct bead_dense dense;
-    struct bead_patch_rule rule;
+    struct bead_branch_points branches; /* in order of contacts */
     bool has_static;
     double *inverse_mass, *static_stiffness; /* 1/kg; N/m of the contacts at rest */
     double *u;                               /* work */
@@ -41,8 +28,6 @@ struct bead_adjoint_nodes {
     double *stiffness[BEAD_NODES];                        /* N/m */
     double *by_stiffness[BEAD_NODES]; /* N: A df/dA, the static force kept; the forces themselves where there are no static ones */
     double *by_static[BEAD_NODES];    /* df/dF; only where there are static forces */
-    struct bead_branch_point *branch;
-    size_t branches, branch_room;
     void *memory;
 };
 
@@ -51,9 +36,8 @@ BEAD_CHECK enum bead_error bead_adjoint_nodes_create(const struct bead_chain *ch
                                                      const struct bead_kernels *kernels, struct bead_adjoint_nodes *nodes,
                                                      struct bead_message *msg);
 void bead_adjoint_nodes_destroy(struct bead_adjoint_nodes *nodes);
-/* Set to a step of the record, and find what opens or closes in a part of the chain. Errors: MEMORY. */
-BEAD_CHECK enum bead_error bead_adjoint_nodes_load(struct bead_adjoint_nodes *nodes, size_t step, struct bead_part part,
-                                                   struct bead_message *msg);
+/* Set to a step of the record, and find what opens or closes in a part of the chain. */
+void bead_adjoint_nodes_load(struct bead_adjoint_nodes *nodes, size_t step, struct bead_part part);
 /* Fill the arrays of the nodes from x = `from` of the step down to `back`, for a part of the beads: whole vectors, within the span
  * of the stepper. */
 void bead_adjoint_nodes_fill(struct bead_adjoint_nodes *nodes, double from, double back, struct bead_part part);
@@ -64,7 +48,7 @@ double bead_adjoint_nodes_part(const struct bead_adjoint_nodes *nodes, double fr
 struct bead_adjoint_curve {
     size_t contact;
     struct bead_polynomial compression; /* as interpolated */
-    size_t first, last;                 /* branch points first..last - 1 are its own and those of its neighbours */
+    struct bead_branch_range near;      /* its own branch points and those of its neighbours */
 };
 struct bead_adjoint_curve bead_adjoint_curve(const struct bead_adjoint_nodes *nodes, size_t contact);
 /* Compression d[0], m, and its derivative d[1] by x. */
