@@ -15,8 +15,8 @@ static const double spoilt = 1.2e-3, nearby = 0.1;
 static const double usual_speed = 0.125;
 /* Branch points further outside, in steps, leave forces that polynomials follow. */
 static const double far_outside = 0.5;
-/* What a first round, of interpolated compressions, is wrong by matters for contacts of more weight. */
-static const double heavy = 0.1;
+/* A first round, of interpolated compressions, leaves this part of what a contact spoils, times h^2 f/(d m); less, mostly. */
+static const double left_over = 0.01;
 /* In a round a branch point is moved by this much at most, in steps. */
 static const double farthest = 0.1;
 
@@ -170,27 +170,33 @@ struct search {
     double usual;        /* m: rate times h of a contact that counts as it is */
 };
 
-/* Whether a contact may have a branch point that matters. */
-static bool may_branch(const struct bead_stepper *s, size_t k, const struct search *search)
+/* What a contact may spoil of a velocity, in units of the least, in the first round and in the second. */
+struct effect {
+    double first, second;
+};
+
+static struct effect effect_of(const struct bead_stepper *s, size_t k, const struct search *search)
 {
     const double d0 = s->table.static_compression[k] + (s->start.u[k] - s->start.u[k + 1]);
     const double d1 = s->table.static_compression[k] + (s->end.u[k] - s->end.u[k + 1]);
     const double r0 = s->h * (s->start.v[k] - s->start.v[k + 1]), r1 = s->h * (s->end.v[k] - s->end.v[k + 1]);
     const double fast = larger(fabs(r0), fabs(r1)), away = larger(smaller(d0, d1), 0);
-    if (away > search->reach * fast || (d0 <= 0 && d1 <= 0 && !(r0 > 0 && r1 < 0)))
-        return false;
+    if (!(away < search->reach * fast) || (d0 <= 0 && d1 <= 0 && !(r0 > 0 && r1 < 0)))
+        return (struct effect){0, 0};
     const double w = larger(inverse_mass(s, k), inverse_mass(s, k + 1)), near = 1 + away / (nearby * fast);
-    const double least = search->least * (fast < search->usual ? fast / search->usual : 1);
-    return spoilt * s->h * w * s->chain->law->force(s->table.stiffness[k], s->table.law, fast) > least * (near * near * near);
+    const double least = search->least * (fast < search->usual ? fast / search->usual : 1) * (near * near * near);
+    const double change = s->h * w * s->chain->law->force(s->table.stiffness[k], s->table.law, fast),
+                 effect = spoilt * change / least;
+    return (struct effect){effect, left_over * (s->h * change / fast) * effect};
 }
 
 /* More than there is room for: hardly, and steps so long have no accuracy that could be lost. */
-static void add(struct bead_branch_points *p, const struct bead_stepper *s, size_t k, double rate, struct bead_branch_point point)
+static void add(struct bead_branch_points *p, const struct bead_stepper *s, double rate, struct bead_branch_point point)
 {
+    const size_t k = point.contact;
     if (p->count == p->room)
         return;
     const double w = larger(inverse_mass(s, k), inverse_mass(s, k + 1));
-    point.contact = k;
     point.weight = s->h * s->h * w * s->chain->law->stiffness(s->table.stiffness[k], s->table.law, fabs(rate));
     p->point[p->count++] = point;
 }
@@ -201,7 +207,7 @@ static bool misses(const double end[3])
     return end[1] * end[1] < 2 * end[2] * end[0];
 }
 
-static void find_in_contact(struct bead_branch_points *p, const struct bead_stepper *s, size_t k, double reach)
+static void find_in_contact(struct bead_branch_points *p, const struct bead_stepper *s, size_t k, double reach, bool again)
 {
     struct bead_patch_branch found[BEAD_BRANCHES_MAX];
     double a[3], b[3];
@@ -210,13 +216,15 @@ static void find_in_contact(struct bead_branch_points *p, const struct bead_step
     const struct bead_polynomial d = bead_polynomial_quintic(a, b);
     const size_t count = bead_patch_branches(d.c, b, reach, found);
     for (size_t i = 0; i < count; i++) {
-        const double rate = bead_polynomial_slope(&d, found[i].s);
-        const bool blunt = (found[i].before && found[i].after) || (found[i].s < 0 && misses(a)) || (found[i].s > 1 && misses(b));
-        const double power = blunt ? 0 : p->rule.exponent;
+        const double at = found[i].s, rate = bead_polynomial_slope(&d, at);
+        const bool blunt = (found[i].before && found[i].after) || (at < 0 && misses(a)) || (at > 1 && misses(b));
+        struct bead_branch_point point = {
+            .contact = k, .at = at, .side = -1, .again = again, .power = blunt ? 0 : p->rule.exponent};
         if (found[i].before)
-            add(p, s, k, rate, (struct bead_branch_point){.at = found[i].s, .side = -1, .power = power});
+            add(p, s, rate, point);
+        point.side = 1;
         if (found[i].after)
-            add(p, s, k, rate, (struct bead_branch_point){.at = found[i].s, .side = 1, .power = power});
+            add(p, s, rate, point);
     }
 }
 
@@ -328,11 +336,11 @@ static struct bead_branch_point shaped(const struct curve *curve, size_t i)
     return b;
 }
 
-static void shape(struct bead_branch_points *p, const struct bead_stepper *s, size_t i, bool again)
+static void shape(struct bead_branch_points *p, const struct bead_stepper *s, size_t i, bool put_right)
 {
     const size_t k = p->point[i].contact;
     struct curve curve = {p, s, k, {0, 0}, bead_dense_compression(s, k)};
-    if (again)
+    if (put_right)
         curve.near = bead_branch_points_near(p, k);
     p->point[i] = shaped(&curve, i);
 }
@@ -344,13 +352,14 @@ void bead_branch_points_find(struct bead_branch_points *p, const struct bead_ste
     const struct search search = {reach, least, usual_speed * fabs(s->chain->spec->striker_velocity) * s->h};
     p->count = 0;
     for (size_t k = part.from; p->room > 0 && k < last && k < part.to; k++) {
-        if (may_branch(s, k, &search))
-            find_in_contact(p, s, k, reach);
+        const struct effect effect = effect_of(s, k, &search);
+        if (effect.first > 1)
+            find_in_contact(p, s, k, reach, effect.second > 1);
     }
     for (size_t i = 0; i < p->count; i++)
         shape(p, s, i, false);
     for (size_t i = 0; i < p->count; i++) {
-        if (p->point[i].weight > heavy)
+        if (p->point[i].again)
             shape(p, s, i, true);
     }
 }

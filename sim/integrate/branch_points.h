@@ -23,6 +23,7 @@ struct bead_branch_point {
     double at;     /* in steps from the start */
     double side;   /* the contact is closed behind it (+1) or before (-1); one that nearly opens has a pair of both */
     double weight; /* h^2 K/m of the stiffness a step's length from it */
+    bool again;    /* a second round is worth it */
     /* F = y^{power + 2} sum c_i y^i, kg m, y = slope (x - base): from 0 to 1 over the part of the step that is this branch point's.
      * The power is p, or 0 for what is too far outside, or not quite a branch point; base is `at`, or an end of the step. */
     double power, base, slope, c[BEAD_BRANCH_TERMS];

@@ -19,12 +19,13 @@ enum bead_error bead_dense_create(const struct bead_stepper *s, struct bead_dens
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the samples of %zu beads", s->beads);
     dense->jerk[0] = dense->memory;
     dense->jerk[1] = dense->memory + s->beads + padding;
-    return BEAD_OK;
+    return bead_branch_points_create(s->chain, &dense->points, msg);
 }
 
 void bead_dense_destroy(struct bead_dense *dense)
 {
     free(dense->memory);
+    bead_branch_points_destroy(&dense->points);
     *dense = (struct bead_dense){0};
 }
 
@@ -52,6 +53,18 @@ static void update_jerks(struct bead_dense *dense, const struct bead_stepper *s)
     if (!back)
         find_jerks(s, &s->end, dense->jerk[1]);
     dense->step = s->steps;
+}
+
+/* Branch points that may spoil a velocity by less than this part of what contact events may are left alone, and those that are
+ * further outside, in steps. */
+static const double minor = 0.125, reach = 2;
+
+static void update_points(struct bead_dense *dense, const struct bead_stepper *s)
+{
+    if (dense->points_step == s->steps)
+        return;
+    bead_branch_points_find(&dense->points, s, (struct bead_part){0, s->active}, reach, minor * s->event_tolerance);
+    dense->points_step = s->steps;
 }
 
 /* Weights of the end states' derivatives in the interpolant at x, of u0, v0, a0, j0, u1, v1, a1, j1; those of u0 (v0) in the
@@ -133,6 +146,10 @@ void bead_dense_state(struct bead_dense *dense, const struct bead_stepper *s, do
     (dense->septic ? septic : quintic)(x, h, value, rate);
     combine_state(dense, s, value, s->start.u, u);
     combine_state(dense, s, rate, s->start.v, v);
+    if (!dense->septic)
+        return;
+    update_points(dense, s);
+    bead_branch_points_correct(&dense->points, s, x, (struct bead_part){0, s->active}, u, v);
 }
 
 static double compression(const struct bead_stepper *s, const struct bead_state *state, size_t k)
