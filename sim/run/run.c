@@ -18,8 +18,9 @@
 
 /* What one contact that opens or closes may spoil of a velocity, of the accuracy asked times the striker's. */
 static const double event_part = 0.4;
-/* Steps between looks at how fast the contacts are, which say what may be left undone of each. */
-enum { WEIGH_EVERY = 8 };
+/* Steps between looks at how fast the contacts are, which say what may be left undone of each: so few that none turns between two
+ * of them unseen. */
+enum { WEIGH_EVERY = 2 };
 /* Energy is checked at least this often, in steps, and before a sample is delivered; and how far it may be off, as a part of the
  * input. */
 enum { CHECK_EVERY = 64, CHECK_SAMPLES = 8 };
