@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -102,7 +103,7 @@ void decode(const char *path, struct decoded *movie)
             lists++;
             continue;
         }
-        if (is_subtitle(format->streams[i])) {
+        if (is_subtitle(format->streams[i]) || format->streams[i]->codecpar->codec_type == AVMEDIA_TYPE_AUDIO) {
             lists++;
             continue;
         }
@@ -142,6 +143,61 @@ void decode(const char *path, struct decoded *movie)
     av_packet_free(&packet);
     avcodec_free_context(&codec);
     avformat_close_input(&format);
+}
+
+static size_t take_sound(AVCodecContext *codec, float **samples, size_t count)
+{
+    const int channels = codec->ch_layout.nb_channels;
+    AVFrame *frame = av_frame_alloc();
+    assert_non_null(frame);
+    while (avcodec_receive_frame(codec, frame) >= 0) {
+        const size_t more = (size_t)frame->nb_samples;
+        bool planes = frame->format == AV_SAMPLE_FMT_FLTP;
+        assert_true(planes || frame->format == AV_SAMPLE_FMT_FLT);
+        *samples = realloc(*samples, (count + more) * (size_t)channels * sizeof **samples);
+        assert_non_null(*samples);
+        for (size_t i = 0; i < more * (size_t)channels; i++) {
+            size_t at = i / (size_t)channels, channel = i % (size_t)channels;
+            (*samples)[count * (size_t)channels + i] = planes ? ((float *)frame->data[channel])[at] : ((float *)frame->data[0])[i];
+        }
+        count += more;
+    }
+    av_frame_free(&frame);
+    return count;
+}
+
+float *decode_sound(const char *path, size_t *count, int *channels)
+{
+    AVFormatContext *format = NULL;
+    AVCodecContext *codec = NULL;
+    AVPacket *packet = av_packet_alloc();
+    float *samples = NULL;
+    assert_non_null(packet);
+    assert_int_equal(avformat_open_input(&format, path, NULL, NULL), 0);
+    assert_true(avformat_find_stream_info(format, NULL) >= 0);
+    const AVCodec *decoder;
+    int stream = av_find_best_stream(format, AVMEDIA_TYPE_AUDIO, -1, -1, &decoder, 0);
+    assert_true(stream >= 0);
+    codec = avcodec_alloc_context3(decoder);
+    assert_non_null(codec);
+    assert_true(avcodec_parameters_to_context(codec, format->streams[stream]->codecpar) >= 0);
+    assert_int_equal(codec->sample_rate, 48000);
+    assert_int_equal(avcodec_open2(codec, decoder, NULL), 0);
+    *count = 0;
+    while (av_read_frame(format, packet) >= 0) {
+        if (packet->stream_index == stream) {
+            assert_int_equal(avcodec_send_packet(codec, packet), 0);
+            *count = take_sound(codec, &samples, *count);
+        }
+        av_packet_unref(packet);
+    }
+    assert_int_equal(avcodec_send_packet(codec, NULL), 0);
+    *count = take_sound(codec, &samples, *count);
+    *channels = codec->ch_layout.nb_channels;
+    av_packet_free(&packet);
+    avcodec_free_context(&codec);
+    avformat_close_input(&format);
+    return samples;
 }
 
 void decoded_free(struct decoded *movie)

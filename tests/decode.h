@@ -28,6 +28,8 @@ struct decoded {
 
 /* Fails the test where the file is damaged. */
 void decode(const char *path, struct decoded *movie);
+/* Its sound: samples of all channels side by side, to be freed; *count of each channel, from the time of the first picture on. */
+float *decode_sound(const char *path, size_t *count, int *channels);
 void decoded_free(struct decoded *movie);
 /* Red, green, blue of a pixel; for RGB formats and palettes. */
 void decoded_rgb(const AVFrame *frame, int x, int y, int rgb[3]);

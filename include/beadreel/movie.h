@@ -49,6 +49,7 @@ struct bead_movie_settings {
     const struct bead_movie_chapter *chapters;
     size_t chapter_count;
     double length; /* s: where the last chapter ends */
+    int channels;  /* of sound: 1, or 2 (left and right); 0: none. bead_movie_sound will be called. mp4, mov, mkv and webm */
     bool alpha;    /* frames have alpha, and so has the movie: webm, mov, apng and png */
     /* The same containers: by rising times, none before the last has ended; borrowed until the movie is closed. */
     const struct bead_movie_subtitle *subtitles;
@@ -77,6 +78,11 @@ BEAD_API BEAD_CHECK enum bead_error bead_movie_add(struct bead_movie *movie, con
 /* A PNG file in memory, of the movie's size, as the movie's cover: at any time before close, where the settings have said so.
  * Containers other than mp4 have none; nothing happens then. Errors: CODEC, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_movie_cover(struct bead_movie *movie, const uint8_t *png, size_t bytes,
+                                                     struct bead_message *msg);
+/* The sound, where the settings have channels: `count` samples a channel, -1..1, those of all channels side by side,
+ * BEAD_SOUND_RATE a second from the first frame on. Once, before close. Errors: CODEC, MEMORY. */
+enum { BEAD_SOUND_RATE = 48000 };
+BEAD_API BEAD_CHECK enum bead_error bead_movie_sound(struct bead_movie *movie, const float *samples, size_t count,
                                                      struct bead_message *msg);
 BEAD_API const char *bead_movie_encoder(const struct bead_movie *movie); /* "libavcodec (libx264)"; "": pictures are not encoded */
 BEAD_API uint64_t bead_movie_frames(const struct bead_movie *movie);     /* shown */

@@ -315,6 +315,14 @@ struct bead_card {
     char *text;     /* below the title, or "" */
 };
 
+/* What a movie sounds like: a force, slowed like the picture. */
+enum bead_sound_of { BEAD_SOUND_OFF, BEAD_SOUND_WALL, BEAD_SOUND_CONTACT, BEAD_SOUND_SENSOR };
+struct bead_sound_asked {
+    enum bead_sound_of of;
+    size_t contact; /* BEAD_SOUND_CONTACT */
+    char *sensor;   /* BEAD_SOUND_SENSOR: its name; else NULL */
+};
+
 struct bead_movie_asked {
     double fps, duration; /* 1/s, s; duration is that of the film, not of the motion */
     enum bead_quality quality;
@@ -325,6 +333,7 @@ struct bead_movie_asked {
     struct bead_speed *speeds; /* by rising times; NULL: as even as `duration` asks */
     size_t speed_count;
     struct bead_card card;
+    struct bead_sound_asked sound;
     enum bead_follow follow; /* what beads and profile show: all beads, or a window that moves with the front */
     size_t window;           /* beads in it */
     char *poster;            /* a PNG file of one frame, relative to the output directory; "": none */

@@ -62,6 +62,15 @@ struct bead_colour_range bead_colour_range_find(const struct bead_colours_asked 
     return range;
 }
 
+void bead_colour_range_ends(const struct bead_output *output, const struct bead_chain *chain, const struct bead_colour_range *found,
+                            bool *over, bool *under)
+{
+    bool both = bead_chain_signed(chain, output->shown.field) || found->low > 0;
+    bool given = !isnan(output->colours.range[0]) && !isnan(output->colours.range[1]);
+    *over = given || found->over;
+    *under = given ? both && output->colours.scale != BEAD_SCALE_LOG : found->under;
+}
+
 enum bead_error bead_colour_range_check(const struct bead_output *output, const char *file, struct bead_message *msg)
 {
     const double *range = output->colours.range;

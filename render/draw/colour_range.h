@@ -24,6 +24,10 @@ struct bead_shown_values {
 /* An automatic range leaves the event out where it would take more than half of the colours, and so hide the wave. */
 struct bead_colour_range bead_colour_range_find(const struct bead_colours_asked *asked, bool is_signed,
                                                 const struct bead_shown_values *values);
+/* Which ends of a movie's colour bar are pointed, from the first frame on. Where the scene gives the range, nobody knows yet what
+ * lies beyond it: such ends say that values there may be greater, or less where there are values of both signs. */
+void bead_colour_range_ends(const struct bead_output *output, const struct bead_chain *chain, const struct bead_colour_range *found,
+                            bool *over, bool *under);
 /* Checks the requested range. `file` for the message. Errors: SCENE (with the output's place). */
 BEAD_CHECK enum bead_error bead_colour_range_check(const struct bead_output *output, const char *file, struct bead_message *msg);
 

@@ -2,6 +2,7 @@
 #include "render/encode/movie_private.h"
 
 #include "render/encode/file_comment.h"
+#include "render/encode/sound.h"
 #include "render/encode/subtitles.h"
 
 #include <math.h>
@@ -83,6 +84,7 @@ static const struct bead_codec codecs[] = {
      .presets = h264,
      .chapters = true,
      .subtitles = &bead_subtitles_mp4,
+     .sound = &bead_sound_aac,
      .covers = true},
     {.info = {"mov", "ProRes 4444, for editing; lossless: PNG"},
      .way = &bead_movie_libav,
@@ -92,18 +94,21 @@ static const struct bead_codec codecs[] = {
      .presets = prores,
      .clear = prores_clear,
      .chapters = true,
-     .subtitles = &bead_subtitles_mp4},
+     .subtitles = &bead_subtitles_mp4,
+     .sound = &bead_sound_aac},
     {.info = {"mkv", "H.264 in Matroska; lossless: FFV1"},
      .way = &bead_movie_libav,
      .muxer = "matroska",
      .chapters = true,
      .subtitles = &bead_subtitles_mkv,
+     .sound = &bead_sound_opus,
      .presets = h264_or_ffv1},
     {.info = {"webm", "VP9, plays in browsers (lossless: RGB)"},
      .way = &bead_movie_libav,
      .muxer = "webm",
      .chapters = true,
      .subtitles = &bead_subtitles_webm,
+     .sound = &bead_sound_opus,
      .presets = vp9,
      .clear = vp9_clear},
     {.info = {"gif", "animated GIF, 255 colours, at most 50 frames a second"},

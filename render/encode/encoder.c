@@ -12,6 +12,7 @@
 #include "render/encode/libav.h"
 #include "render/encode/movie_private.h"
 #include "render/encode/pictures.h"
+#include "render/encode/sound.h"
 #include "render/encode/subtitles.h"
 #include "render/encode/tracks.h"
 
@@ -60,19 +61,6 @@ static enum bead_error no_memory(const struct bead_movie *movie, struct bead_mes
     return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", movie->path);
 }
 
-/* libav's log belongs to the process, not to this library: errors go into messages instead. */
-static void silence(struct bead_encoder *e)
-{
-    if (e->av.av_log_get_level() > AV_LOG_QUIET)
-        e->av.av_log_set_level(AV_LOG_QUIET);
-}
-
-/* "key=value key=value ..." */
-static int parse_options(const struct bead_av *av, const char *text, AVDictionary **options)
-{
-    return text && *text ? av->av_dict_parse_string(options, text, "=", " ", 0) : 0;
-}
-
 static void set_up(struct bead_encoder *e, const struct bead_preset *preset, const struct bead_picture_format *f)
 {
     AVCodecContext *c = e->codec;
@@ -105,9 +93,9 @@ static int start_codec(struct bead_encoder *e, const struct bead_preset *preset,
         return AVERROR(ENOMEM);
     set_up(e, preset, format);
     AVDictionary *options = NULL;
-    int code = parse_options(&e->av, preset->options, &options);
+    int code = bead_av_options(&e->av, preset->options, &options);
     if (code >= 0 && preset->hinted)
-        code = parse_options(&e->av, BEAD_AV_HINT_OPTIONS, &options);
+        code = bead_av_options(&e->av, BEAD_AV_HINT_OPTIONS, &options);
     if (code >= 0)
         code = e->av.avcodec_open2(e->codec, type, &options);
     if (code >= 0 && e->av.av_dict_count(options))
@@ -168,6 +156,13 @@ static enum bead_error libav_cover(struct bead_movie *movie, const uint8_t *png,
     return BEAD_OK;
 }
 
+static enum bead_error libav_sound(struct bead_movie *movie, const float *samples, size_t count, struct bead_message *msg)
+{
+    struct bead_encoder *e = movie->encoder;
+    int code = bead_sound_make(&e->av, movie->codec->sound, samples, count, movie->settings.channels, &e->tracks);
+    return code < 0 ? fail(movie, "the sound cannot be encoded", code, msg) : BEAD_OK;
+}
+
 /* On success e->format writes to the part. */
 static enum bead_error open_part(struct bead_movie *movie, struct bead_message *msg)
 {
@@ -189,7 +184,7 @@ static enum bead_error open_file(struct bead_movie *movie, struct bead_message *
     if (err)
         return err;
     AVDictionary *options = NULL;
-    code = parse_options(&e->av, movie->codec->muxer_options, &options);
+    code = bead_av_options(&e->av, movie->codec->muxer_options, &options);
     if (code >= 0)
         code = e->av.avformat_write_header(e->format, &options);
     e->begun = code >= 0;
@@ -228,7 +223,7 @@ static enum bead_error libav_open(struct bead_movie *movie, struct bead_message 
         return no_memory(movie, msg);
     e->av = av;
     e->file = -1;
-    silence(e);
+    bead_av_silence(&e->av);
     double fps = movie->settings.fps;
     e->frame_time = av_inv_q(e->av.av_d2q(fps, 100100));
     e->group = (int64_t)bead_codec_group(movie->codec, fps);
@@ -406,7 +401,7 @@ static int copy_plain(struct bead_movie *movie, int descriptor)
     if (code >= 0 && movie->codec->chapters)
         code = bead_chapters_add(&e->av, plain, &movie->settings);
     if (code >= 0)
-        code = parse_options(&e->av, movie->codec->plain_options, &options);
+        code = bead_av_options(&e->av, movie->codec->plain_options, &options);
     if (code >= 0)
         code = bead_av_copy(&e->av, e->file, plain, descriptor, &options, &beside);
     e->av.av_dict_free(&options);
@@ -492,5 +487,6 @@ const struct bead_movie_way bead_movie_libav = {.open = libav_open,
                                                 .convert = libav_convert,
                                                 .add_slot = libav_add_slot,
                                                 .cover = libav_cover,
+                                                .sound = libav_sound,
                                                 .finish = libav_finish,
                                                 .destroy = libav_destroy};

@@ -40,6 +40,17 @@ enum bead_error bead_av_open(struct bead_av *av, struct bead_message *msg)
     return BEAD_OK;
 }
 
+void bead_av_silence(const struct bead_av *av)
+{
+    if (av->av_log_get_level() > AV_LOG_QUIET)
+        av->av_log_set_level(AV_LOG_QUIET);
+}
+
+int bead_av_options(const struct bead_av *av, const char *text, AVDictionary **options)
+{
+    return text && *text ? av->av_dict_parse_string(options, text, "=", " ", 0) : 0;
+}
+
 #ifdef AVUTIL_VIDEO_HINT_H
 int bead_av_hint(const struct bead_av *av, AVFrame *picture, const struct bead_changes *changes)
 {

@@ -94,6 +94,10 @@ struct bead_av {
 
 /* Errors: UNSUPPORTED (a library, of the version that this program was built with, or a function is missing). */
 BEAD_CHECK enum bead_error bead_av_open(struct bead_av *av, struct bead_message *msg);
+/* libav's log belongs to the process, not to this library: errors go into messages instead. */
+void bead_av_silence(const struct bead_av *av);
+/* "key=value key=value ..." Returns libav's number of an error. */
+int bead_av_options(const struct bead_av *av, const char *text, AVDictionary **options);
 /* Tell the encoder that only `changes` of the picture differ from the one before; NULL: all may. Nothing happens where FFmpeg has
  * no such hints. Returns 0 or libav's negative number of an error. */
 int bead_av_hint(const struct bead_av *av, AVFrame *picture, const struct bead_changes *changes);

@@ -9,6 +9,7 @@
 #include "beadreel/file.h"
 #include "render/encode/libav.h"
 #include "render/encode/movie_private.h"
+#include "render/encode/sound.h"
 #include "sim/base/settings.h"
 
 enum { MOST_PIXELS = 16384 };
@@ -33,41 +34,54 @@ static bool needs_even(enum AVPixelFormat format)
     return format == AV_PIX_FMT_YUV420P || format == AV_PIX_FMT_YUVA420P;
 }
 
-/* "webm, mov, apng and png" */
-static void list_clear(char *list, size_t size)
+static bool has_alpha(const struct bead_codec *codec)
 {
-    const struct bead_codec_info *info;
-    size_t used = 0, count = 0, listed = 0;
-    for (int pass = 0; pass < 2; pass++) {
-        for (size_t i = 0; (info = bead_movie_codec(i)); i++) {
-            char name[16];
-            snprintf(name, sizeof name, ".%s", info->extension);
-            if (!bead_codec_find(name)->clear)
-                continue;
-            if (pass == 0) {
-                count++;
-                continue;
-            }
-            int length = snprintf(list + used, size - used, "%s%s",
-                                  listed == 0           ? ""
-                                  : listed + 1 == count ? " and "
-                                                        : ", ",
-                                  info->extension);
-            used += (size_t)length < size - used ? (size_t)length : size - used - 1;
-            listed++;
-        }
-    }
+    return codec->clear;
 }
 
-static enum bead_error check_alpha(const char *path, const struct bead_codec *codec, const struct bead_movie_settings *settings,
-                                   struct bead_message *msg)
+static bool has_sound(const struct bead_codec *codec)
 {
-    char list[128] = "";
-    if (!settings->alpha || !codec->presets || bead_codec_preset(codec, settings))
-        return BEAD_OK;
-    list_clear(list, sizeof list);
-    return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %s%s files cannot be transparent (`background: none`); %s files can", path,
-                     codec->clear ? "lossless " : "", codec->info.extension, list);
+    return codec->sound;
+}
+
+/* "webm, mov, apng and png" */
+static void list_codecs(bool (*has)(const struct bead_codec *), char *list, size_t size)
+{
+    const struct bead_codec_info *info;
+    const char *last = NULL; /* not listed yet */
+    size_t used = 0;
+    list[0] = '\0';
+    for (size_t i = 0; (info = bead_movie_codec(i)); i++) {
+        char path[16];
+        snprintf(path, sizeof path, ".%s", info->extension);
+        if (!has(bead_codec_find(path)))
+            continue;
+        if (last)
+            snprintf(list + used, size - used, "%s%s", used ? ", " : "", last);
+        used = strlen(list);
+        last = info->extension;
+    }
+    snprintf(list + used, size - used, "%s%s", used ? " and " : "", last ? last : "");
+}
+
+/* Who asks for what a format has not is told which have it. */
+static enum bead_error check_kind(const char *path, const struct bead_codec *codec, const struct bead_movie_settings *settings,
+                                  struct bead_message *msg)
+{
+    char list[128];
+    if (settings->channels < 0 || settings->channels > 2)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %d channels of sound are not 0, 1 or 2", path, settings->channels);
+    if (settings->alpha && codec->presets && !bead_codec_preset(codec, settings)) {
+        list_codecs(has_alpha, list, sizeof list);
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %s%s files cannot be transparent (`background: none`); %s files can", path,
+                         codec->clear ? "lossless " : "", codec->info.extension, list);
+    }
+    if (settings->channels > 0 && codec->presets && !codec->sound) {
+        list_codecs(has_sound, list, sizeof list);
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %s files have no sound (`sound`); %s files can have", path,
+                         codec->info.extension, list);
+    }
+    return BEAD_OK;
 }
 
 static enum bead_error check_size(const char *path, const struct bead_codec *codec, const struct bead_movie_settings *settings,
@@ -83,16 +97,21 @@ static enum bead_error check_size(const char *path, const struct bead_codec *cod
     return BEAD_OK;
 }
 
-static enum bead_error check_encoder(const char *path, const struct bead_preset *preset, struct bead_message *msg)
+static enum bead_error check_encoders(const char *path, const struct bead_codec *codec, const struct bead_movie_settings *settings,
+                                      struct bead_message *msg)
 {
+    const char *const names[] = {bead_codec_preset(codec, settings)->encoder,
+                                 settings->channels > 0 ? codec->sound->encoder : NULL};
     struct bead_av av;
     struct bead_message why;
     enum bead_error err = bead_av_open(&av, &why);
     if (err)
         return bead_fail(msg, err, "%s: %s", path, why.text);
-    if (av.avcodec_find_encoder_by_name(preset->encoder))
-        return BEAD_OK;
-    return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: libavcodec was built without its encoder %s", path, preset->encoder);
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        if (names[i] && !av.avcodec_find_encoder_by_name(names[i]))
+            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: libavcodec was built without its encoder %s", path, names[i]);
+    }
+    return BEAD_OK;
 }
 
 static enum bead_error check(const char *path, const struct bead_movie_settings *settings, const struct bead_codec **codec,
@@ -103,14 +122,14 @@ static enum bead_error check(const char *path, const struct bead_movie_settings 
         return unknown_extension(path, msg);
     if ((int)settings->quality < 0 || settings->quality > BEAD_QUALITY_LOSSLESS)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: unknown quality %d", path, (int)settings->quality);
-    enum bead_error err = check_alpha(path, *codec, settings, msg);
+    enum bead_error err = check_kind(path, *codec, settings, msg);
     if (!err)
         err = check_size(path, *codec, settings, msg);
     if (err)
         return err;
     if (!(settings->fps >= 0.01 && settings->fps <= 1000))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %g frames a second are not between 0.01 and 1000", path, settings->fps);
-    return (*codec)->presets ? check_encoder(path, bead_codec_preset(*codec, settings), msg) : BEAD_OK;
+    return (*codec)->presets ? check_encoders(path, *codec, settings, msg) : BEAD_OK;
 }
 
 static enum bead_error take(struct bead_movie_settings *own, const struct bead_movie_settings *given, struct bead_message *msg)
@@ -225,6 +244,13 @@ enum bead_error bead_movie_cover(struct bead_movie *movie, const uint8_t *png, s
     if (!movie->codec->covers || !movie->codec->way->cover || !movie->settings.cover)
         return BEAD_OK;
     return movie->codec->way->cover(movie, png, bytes, msg);
+}
+
+enum bead_error bead_movie_sound(struct bead_movie *movie, const float *samples, size_t count, struct bead_message *msg)
+{
+    if (!movie->codec->sound || !movie->codec->way->sound || movie->settings.channels == 0 || count == 0)
+        return BEAD_OK;
+    return movie->codec->way->sound(movie, samples, count, msg);
 }
 
 const char *bead_movie_encoder(const struct bead_movie *movie)

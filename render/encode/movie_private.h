@@ -11,6 +11,7 @@
 
 struct bead_encoder; /* libav's part */
 struct bead_subtitle_format;
+struct bead_sound_format;
 
 /* A way to write frames. */
 struct bead_movie_way {
@@ -25,6 +26,8 @@ struct bead_movie_way {
                                 struct bead_message *msg);
     /* The movie's cover; NULL: movies of this kind have none. */
     enum bead_error (*cover)(struct bead_movie *movie, const uint8_t *png, size_t bytes, struct bead_message *msg);
+    /* Its sound; NULL: likewise. */
+    enum bead_error (*sound)(struct bead_movie *movie, const float *samples, size_t count, struct bead_message *msg);
     /* Everything that was added is in the part, and the part closed. Of complete movies the finished file may be another one,
      * `plain`. */
     enum bead_error (*finish)(struct bead_movie *movie, bool complete, struct bead_message *msg);
@@ -58,6 +61,7 @@ struct bead_codec {
     int delay_unit; /* 1/s: of the muxer's option final_delay; 0: durations are the packets' own */
     bool chapters;  /* the container has chapters */
     const struct bead_subtitle_format *subtitles; /* NULL: it has none */
+    const struct bead_sound_format *sound;        /* NULL: it has none */
     bool covers;                                  /* the container has room for a picture beside the movie */
     int most_fps;                                 /* 1/s: more are thinned out, because players slow such files down; 0: no limit */
 };

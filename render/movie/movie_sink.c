@@ -14,9 +14,11 @@
 #include "render/encode/movie_private.h"
 #include "render/movie/captions.h"
 #include "render/movie/composer.h"
+#include "render/movie/film_sound.h"
 #include "render/movie/movie_notes.h"
 #include "render/movie/movie_poster.h"
 #include "render/movie/movie_sink.h"
+#include "render/movie/movie_size.h"
 #include "render/movie/movie_times.h"
 #include "sim/base/stop.h"
 
@@ -43,6 +45,7 @@ struct bead_sink {
     struct bead_run_context context;
     char *path, *poster_path, *comment; /* NULL: none */
     struct bead_movie_notes notes;
+    struct bead_film_sound *sound; /* NULL: none */
     uint64_t poster_bytes;
     char why[192], makers[160];
     int width, height;
@@ -79,6 +82,7 @@ static struct bead_movie_settings movie_settings_of(const struct bead_sink *s)
                                         .height = s->height,
                                         .fps = s->output->movie.fps,
                                         .quality = s->output->movie.quality,
+                                        .channels = bead_film_sound_channels(s->sound),
                                         .alpha = s->output->paper.background == BEAD_BACKGROUND_NONE,
                                         .title = s->context.scene->title[0] ? s->context.scene->title : NULL,
                                         .comment = s->notes.comment,
@@ -88,22 +92,6 @@ static struct bead_movie_settings movie_settings_of(const struct bead_sink *s)
                                         .subtitle_count = s->notes.subtitle_count,
                                         .length = (double)s->times.frames / s->output->movie.fps,
                                         .cover = s->output->movie.poster && s->output->movie.poster[0]};
-}
-
-static enum bead_error choose_size(struct bead_sink *s, struct bead_message *msg)
-{
-    const struct bead_output *o = s->output;
-    double scale = o->paper.size_is_length ? o->paper.dpi / 0.0254 : 1, size[2] = {1920, 1080};
-    for (int i = 0; i < 2; i++) {
-        size[i] = o->paper.size[i] > 0 ? round(o->paper.size[i] * scale) : size[i];
-        if (o->paper.size_is_length) /* codecs want even numbers */
-            size[i] = 2 * round(size[i] / 2);
-        if (!(size[i] >= 1 && size[i] <= 16384))
-            return wrong(s, "size: movies have 1 to 16384 pixels a side", msg);
-    }
-    s->width = (int)size[0];
-    s->height = (int)size[1];
-    return BEAD_OK;
 }
 
 static void movie_describe(struct bead_sink *s)
@@ -127,6 +115,7 @@ static void movie_destroy(struct bead_sink *s)
         bead_frame_free(&s->buffer[i]);
     free(s->path);
     bead_movie_notes_free(&s->notes);
+    bead_film_sound_destroy(s->sound);
     free(s->poster_path);
     free(s);
 }
@@ -136,7 +125,7 @@ static enum bead_error movie_prepare(struct bead_sink *s, struct bead_message *m
     struct bead_movie_settings settings;
     enum bead_error err = bead_colour_range_check(s->output, s->context.scene->file, msg);
     if (!err)
-        err = choose_size(s, msg);
+        err = bead_movie_size(s->output, s->context.scene, &s->width, &s->height, msg);
     if (!err)
         err = bead_movie_times_choose(s->output, &s->context, &s->times, msg);
     if (!err)
@@ -147,6 +136,8 @@ static enum bead_error movie_prepare(struct bead_sink *s, struct bead_message *m
         err = bead_file_join(s->context.directory, s->output->path, &s->path, msg);
     if (!err)
         err = bead_movie_notes_make(s->output, s->context.scene, &s->times, &s->notes, msg);
+    if (!err)
+        err = bead_film_sound_create(s->output, &s->context, &s->times, &s->sound, msg);
     if (err)
         return err;
     settings = movie_settings_of(s);
@@ -192,6 +183,7 @@ static void movie_needs(const struct bead_sink *s, struct bead_needs *needs)
                                  .comparison = s->comparison,
                                  .until = s->times.time[1],
                                  .why = s->why};
+    bead_film_sound_needs(s->sound, needs);
 }
 
 /* Numbers of one field in a snapshot. */
@@ -333,16 +325,6 @@ static enum bead_error create_pipes(struct bead_sink *s, struct bead_message *ms
     return err ? err : bead_ring_buffer_create(slots, bytes, s->context.threads, movie_draw, s, &s->drawing, msg);
 }
 
-/* Which ends of the colour bar are pointed, from the first frame on. Where the scene gives the range, nobody knows yet what lies
- * beyond it: such ends say that values there may be greater, or less where there are values of both signs. */
-static void find_ends(const struct bead_sink *s, const struct bead_colour_range *colours, bool *over, bool *under)
-{
-    bool both = bead_chain_signed(s->context.chains[0], s->output->shown.field) || colours->low > 0;
-    bool given = !isnan(s->output->colours.range[0]) && !isnan(s->output->colours.range[1]);
-    *over = given || colours->over;
-    *under = given ? both && s->output->colours.scale != BEAD_SCALE_LOG : colours->under;
-}
-
 static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range, struct bead_message *msg)
 {
     struct bead_composer_setup setup = {.output = s->output,
@@ -362,7 +344,7 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
                                &(struct bead_shown_values){range.low, range.high, INFINITY});
     setup.range[0] = colours.low;
     setup.range[1] = colours.high;
-    find_ends(s, &colours, &setup.over, &setup.under);
+    bead_colour_range_ends(s->output, s->context.chains[0], &colours, &setup.over, &setup.under);
     enum bead_error err = bead_composer_create(&setup, &s->composer, msg);
     struct bead_movie_settings settings = movie_settings_of(s);
     if (!err && s->poster_path)
@@ -428,7 +410,7 @@ static enum bead_error movie_sample(struct bead_sink *s, const struct bead_sampl
         return finish_pipes(s, msg);
     movie_fill(s, sample, snapshot);
     bead_ring_buffer_submit(s->drawing);
-    return BEAD_OK;
+    return s->sound ? bead_film_sound_feed(s->sound, sample, msg) : BEAD_OK;
 }
 
 static void credit(struct bead_sink *s)
@@ -438,33 +420,33 @@ static void credit(struct bead_sink *s)
              *encoder ? "encoded by " : "", encoder);
 }
 
+/* A film that is stopped ends without its poster, which may lie ahead, and without sound. */
+static enum bead_error movie_finish(struct bead_sink *s, bool whole, struct bead_message *msg)
+{
+    enum bead_error err = finish_pipes(s, msg);
+    if (err && (whole || err != BEAD_ERROR_STOPPED))
+        return err;
+    credit(s);
+    err = whole && s->poster ? bead_poster_write(s->poster, s->movie, &s->poster_bytes, msg) : BEAD_OK;
+    if (!err && whole)
+        err = bead_film_sound_write(s->sound, s->movie, msg);
+    if (err)
+        return err;
+    struct bead_movie *movie = s->movie;
+    s->movie = NULL;
+    return (whole ? bead_movie_close : bead_movie_stop)(movie, &s->bytes, msg);
+}
+
 static enum bead_error movie_end(struct bead_sink *s, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
     (void)outcomes;
-    enum bead_error err = finish_pipes(s, msg);
-    if (err)
-        return err;
-    credit(s);
-    if (s->poster)
-        err = bead_poster_write(s->poster, s->movie, &s->poster_bytes, msg);
-    if (err)
-        return err;
-    struct bead_movie *movie = s->movie;
-    s->movie = NULL;
-    return bead_movie_close(movie, &s->bytes, msg);
+    return movie_finish(s, true, msg);
 }
 
-/* Without its poster, which may lie ahead. */
 static enum bead_error movie_stop(struct bead_sink *s, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
     (void)outcomes;
-    enum bead_error err = finish_pipes(s, msg);
-    if (err && err != BEAD_ERROR_STOPPED)
-        return err;
-    credit(s);
-    struct bead_movie *movie = s->movie;
-    s->movie = NULL;
-    return bead_movie_stop(movie, &s->bytes, msg);
+    return movie_finish(s, false, msg);
 }
 
 static void movie_result(const struct bead_sink *s, uint64_t *bytes, uint64_t *items)
@@ -476,6 +458,11 @@ static void movie_result(const struct bead_sink *s, uint64_t *bytes, uint64_t *i
 static const char *movie_makers(const struct bead_sink *s)
 {
     return s->makers;
+}
+
+static bool movie_looks_at_beads(const struct bead_output *output)
+{
+    return output->movie.sound.of == BEAD_SOUND_SENSOR;
 }
 
 static const char *movie_beside(const struct bead_sink *s, uint64_t *bytes)
@@ -499,4 +486,5 @@ const struct bead_sink_type bead_movie_sink = {
     .result = movie_result,
     .makers = movie_makers,
     .beside = movie_beside,
+    .looks_at_beads = movie_looks_at_beads,
 };

@@ -42,8 +42,8 @@ static enum bead_error choose_frames(const struct bead_output *o, const struct b
     return BEAD_OK;
 }
 
-/* Samples at the frames, or k times as often if views average over time. Replayed trajectories keep their own times, and frames
- * between two samples blend them. */
+/* Samples at the frames, or k times as often if views average over time or there is sound. Replayed trajectories keep their own
+ * times, and frames between two samples blend them. */
 static enum bead_error times_choose_grid(const struct bead_output *o, const struct bead_run_context *context,
                                          struct bead_movie_times *t, struct bead_message *msg)
 {
@@ -54,7 +54,9 @@ static enum bead_error times_choose_grid(const struct bead_output *o, const stru
         t->grid = (struct bead_grid){native->start + first * native->every, native->every,
                                      fmin(native->end, native->start + beyond * native->every)};
     } else {
-        double finer = bead_composer_averages(o) && context->resolution > 0 ? ceil(t->step / context->resolution - 1e-9) : 1;
+        double finer = (bead_composer_averages(o) || o->movie.sound.of != BEAD_SOUND_OFF) && context->resolution > 0
+                           ? ceil(t->step / context->resolution - 1e-9)
+                           : 1;
         t->grid = (struct bead_grid){t->time[0], t->step / fmax(1, finer), t->time[1]};
     }
     double samples = (t->grid.end - t->grid.start) / t->grid.every;
@@ -70,14 +72,19 @@ enum bead_error bead_movie_times_choose(const struct bead_output *output, const 
     return err ? err : times_choose_grid(output, context, times, msg);
 }
 
+double bead_movie_moment(const struct bead_movie_times *t, double index)
+{
+    double within = index - (double)t->card, last = (double)(t->frames - t->card - 1);
+    if (within <= 0)
+        return t->time[0];
+    if (within >= last)
+        return t->time[1];
+    return t->film.count ? bead_film_motion(&t->film, bead_film_length(&t->film) * within / last) : t->time[0] + within * t->step;
+}
+
 double bead_movie_time(const struct bead_movie_times *t, size_t index)
 {
-    if (index < t->card)
-        return t->time[0];
-    if (t->film.count && index + 1 < t->frames)
-        return bead_film_motion(&t->film,
-                                bead_film_length(&t->film) * (double)(index - t->card) / (double)(t->frames - t->card - 1));
-    return index + 1 == t->frames ? t->time[1] : t->time[0] + (double)(index - t->card) * t->step;
+    return bead_movie_moment(t, (double)index);
 }
 
 double bead_movie_film_time(const struct bead_movie_times *t, double motion, double fps)

@@ -18,6 +18,8 @@ BEAD_CHECK enum bead_error bead_movie_times_choose(const struct bead_output *out
                                                    struct bead_movie_times *times, struct bead_message *msg);
 /* s: what frame `index` shows, or would without groups. */
 double bead_movie_time(const struct bead_movie_times *times, size_t index);
+/* The same between frames, at index and a fraction. */
+double bead_movie_moment(const struct bead_movie_times *times, double index);
 /* s of the film, from its first frame on, when a time of the motion is first shown; `fps`: frames a second. */
 double bead_movie_film_time(const struct bead_movie_times *times, double motion, double fps);
 /* Whether the frame has a picture of its own: the card, the first frame of each group, and the last frame have. */

@@ -88,6 +88,18 @@ static const struct bead_option movie_rows[] = {
      .help = "title card before the motion; true: for 3 s. See outputs.card",
      .example = "true",
      .read = bead_output_read_card},
+    {.key = "sound",
+     .type = BEAD_OPTION_CUSTOM,
+     .initial = "off",
+     .shape = "off, wall, contact NUMBER or sensor NAME",
+     .help =
+         "what is heard, slowed like the picture: the force on the wall, of a contact (0 is that of the striker) or on the bead "
+         "with "
+         "a sensor; silent in title cards and pauses, just below full level at its largest, several chains from left to right. AAC "
+         "in mp4 and mov, Opus in webm and mkv. A pulse that takes a tenth of a second is felt rather than heard: `speed` with "
+         "factors of 1/100 to 1/10 makes tones of contacts' vibrations",
+     .example = "wall",
+     .read = bead_output_read_sound},
     {.key = "follow",
      .type = BEAD_OPTION_CHOICE,
      .offset = BEAD_OF_OUTPUT(movie.follow),

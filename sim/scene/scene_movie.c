@@ -1,4 +1,5 @@
 /* Keys of movies that explain what is to be seen: captions, title card, poster, camera. */
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,7 +7,7 @@
 
 #include "sim/scene/scene_output.h"
 
-enum { MOST_CAPTIONS = 200, MOST_SPEEDS = 100 };
+enum { MOST_CAPTIONS = 200, MOST_SPEEDS = 100, MOST_BEADS = 200000000 /* more than there may be */ };
 static const double card_time = 3; /* s, of `card: true` */
 
 /* "1/4000" or a number. */
@@ -247,6 +248,32 @@ BEAD_OUTPUT_READER(bead_output_read_card)
     return bead_read_number(reader, at, &number, &card->lasting);
 }
 
+/* A word, and for some of them what it is of. */
+BEAD_OUTPUT_READER(bead_output_read_sound)
+{
+    struct bead_sound_asked *sound = &((struct bead_output *)settings)->movie.sound;
+    static const char contact[] = "contact ", sensor[] = "sensor ";
+    const char *text = at->node->kind == BEAD_NODE_SCALAR ? at->node->text : "";
+    char shown[64], *end = NULL;
+    if (strcmp(text, "off") == 0 || strcmp(text, "wall") == 0) {
+        sound->of = strcmp(text, "wall") == 0 ? BEAD_SOUND_WALL : BEAD_SOUND_OFF;
+        return BEAD_OK;
+    }
+    if (strncmp(text, contact, strlen(contact)) == 0 && isdigit((unsigned char)text[strlen(contact)])) {
+        unsigned long long number = strtoull(text + strlen(contact), &end, 10);
+        sound->of = BEAD_SOUND_CONTACT;
+        sound->contact = number < MOST_BEADS ? (size_t)number : MOST_BEADS;
+        if (!*end)
+            return BEAD_OK;
+    }
+    if (strncmp(text, sensor, strlen(sensor)) == 0 && text[strlen(sensor)]) {
+        sound->of = BEAD_SOUND_SENSOR;
+        sound->sensor = strdup(text + strlen(sensor));
+        return sound->sensor ? BEAD_OK : bead_no_memory(reader);
+    }
+    return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
+}
+
 BEAD_OUTPUT_READER(bead_output_read_poster)
 {
     struct bead_output *output = settings;
@@ -309,6 +336,9 @@ BEAD_OUTPUT_CHECK(bead_output_check_movie)
     where = bead_at_key(at, "follow");
     if (output->movie.follow == BEAD_FOLLOW_FRONT && !moves)
         return bead_wrong(reader, &where, "is front, but no view moves with it: add beads or profile to `views`");
+    where = bead_at_key(at, "sound");
+    if (bead_scene_plain(reader->scene) && output->movie.sound.of != BEAD_SOUND_OFF)
+        return bead_wrong(reader, &where, "is set, but only contacts of beads have forces to hear");
     where = bead_at_key(at, "poster-at");
     if (!isnan(output->movie.poster_at) && !output->movie.poster[0])
         return bead_wrong(reader, &where, "is given, but no `poster`");
@@ -328,5 +358,6 @@ void bead_output_free_movie(struct bead_output *output)
     free(output->movie.captions);
     free(output->movie.speeds);
     free(output->movie.card.text);
+    free(output->movie.sound.sensor);
     free(output->movie.poster);
 }

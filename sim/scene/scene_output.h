@@ -27,6 +27,7 @@ BEAD_OUTPUT_READER(bead_output_read_speeds);
 BEAD_OUTPUT_READER(bead_output_read_from);
 BEAD_OUTPUT_READER(bead_output_read_until);
 BEAD_OUTPUT_READER(bead_output_read_card);
+BEAD_OUTPUT_READER(bead_output_read_sound);
 BEAD_OUTPUT_READER(bead_output_read_poster);
 BEAD_OUTPUT_READER(bead_output_read_profile_times);
 BEAD_OUTPUT_READER(bead_output_read_contacts);

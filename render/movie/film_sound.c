@@ -1,0 +1,306 @@
+/* Makes the sound of a film from the samples of a force. The sink feeds it and writes it at the end.
+ *
+ * The sound at a time of the film is the force at the time of the motion that the picture shows then, above the force at rest.
+ * Between samples the force is interpolated with a windowed sinc; where the film passes more than one sample in one of the sound,
+ * the sinc is as much wider, so that nothing above half the rate of the sound is left to fold. Where the motion stands, in title
+ * cards, pauses and the last frame, the sound fades out and is silent. All of it is scaled such that the loudest sample is just
+ * below full. */
+#include "render/movie/film_sound.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LOBES = 8, STEPS = 256 /* of the kernel's table, a lobe */, FADE = BEAD_SOUND_RATE / 100 };
+static const double loudest = 0.89; /* -1 dB, since encoders overshoot */
+static const double longest = 3600; /* s */
+static const double pi = 3.14159265358979323846;
+
+/* What is heard of one chain. */
+struct voice {
+    bool heard;
+    enum bead_field field;
+    size_t index;   /* of the bead or contact */
+    double rest;    /* N */
+    double gain[2]; /* in the left and right channel */
+    float *force;   /* [count] N above that at rest, on the grid */
+    size_t count, room;
+};
+
+struct bead_film_sound {
+    const struct bead_movie_times *times;
+    const struct bead_chain *const *chains;
+    double fps;
+    int channels;
+    struct voice *voices;
+    size_t voice_count;
+    double kernel[LOBES * STEPS + 2];
+};
+
+/* ---- what is heard ---- */
+
+static bool find_contact(const struct bead_chain *chain, const struct bead_sound_asked *asked, struct voice *v)
+{
+    const size_t contacts = bead_chain_contacts(chain);
+    const bool wall = bead_chain_spec(chain)->wall != BEAD_WALL_NONE;
+    if (asked->of == BEAD_SOUND_WALL ? !wall : asked->contact >= contacts)
+        return false;
+    v->field = BEAD_FIELD_CONTACT_FORCE;
+    v->index = asked->of == BEAD_SOUND_WALL ? contacts - 1 : asked->contact;
+    return true;
+}
+
+static bool find_sensor(const struct bead_chain *chain, const struct bead_sound_asked *asked, struct voice *v)
+{
+    size_t count;
+    const struct bead_sensor *sensors = bead_chain_sensors(chain, &count);
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(sensors[i].name, asked->sensor) != 0)
+            continue;
+        v->field = BEAD_FIELD_FORCE;
+        v->index = sensors[i].bead;
+        return true;
+    }
+    return false;
+}
+
+/* N. A sensor measures the bead force, the mean of the two contacts. */
+static double force_at_rest(const struct bead_chain *chain, const struct voice *v)
+{
+    const double *force = bead_chain_static_force(chain);
+    if (v->field == BEAD_FIELD_CONTACT_FORCE)
+        return force[v->index];
+    return 0.5 * ((v->index > 0 ? force[v->index - 1] : 0) + (v->index < bead_chain_contacts(chain) ? force[v->index] : 0));
+}
+
+static enum bead_error nothing_heard(const struct bead_output *output, const struct bead_scene *scene, struct bead_message *msg)
+{
+    const struct bead_sound_asked *asked = &output->movie.sound;
+    char what[160];
+    if (asked->of == BEAD_SOUND_WALL)
+        snprintf(what, sizeof what, "a wall");
+    else if (asked->of == BEAD_SOUND_CONTACT)
+        snprintf(what, sizeof what, "a contact %zu", asked->contact);
+    else
+        snprintf(what, sizeof what, "a sensor `%.64s`", asked->sensor);
+    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: sound: no chain has %s", scene->file, output->place.line,
+                     output->place.column, what);
+}
+
+/* Chains stand from left to right, each as loud as the others. */
+static void place_voices(struct bead_film_sound *s)
+{
+    for (size_t c = 0; c < s->voice_count; c++) {
+        double turn = s->voice_count > 1 ? 0.5 * pi * (double)c / (double)(s->voice_count - 1) : 0;
+        s->voices[c].gain[0] = cos(turn);
+        s->voices[c].gain[1] = sin(turn);
+    }
+}
+
+static enum bead_error find_voices(struct bead_film_sound *s, const struct bead_output *output,
+                                   const struct bead_run_context *context, struct bead_message *msg)
+{
+    const struct bead_sound_asked *asked = &output->movie.sound;
+    bool any = false;
+    s->voice_count = context->chain_count;
+    s->channels = s->voice_count > 1 ? 2 : 1;
+    s->voices = calloc(s->voice_count, sizeof *s->voices);
+    if (!s->voices)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the sound of a movie");
+    for (size_t c = 0; c < s->voice_count; c++) {
+        struct voice *v = &s->voices[c];
+        v->heard = (asked->of == BEAD_SOUND_SENSOR ? find_sensor : find_contact)(context->chains[c], asked, v);
+        any = any || v->heard;
+    }
+    place_voices(s);
+    return any ? BEAD_OK : nothing_heard(output, context->scene, msg);
+}
+
+/* ---- from samples of the motion to those of the film ---- */
+
+static double sinc(double x)
+{
+    return fabs(x) < 1e-9 ? 1 : sin(pi * x) / (pi * x);
+}
+
+static void make_kernel(struct bead_film_sound *s)
+{
+    for (int i = 0; i < LOBES * STEPS + 2; i++) {
+        double x = (double)i / STEPS;
+        s->kernel[i] = x < LOBES ? sinc(x) * sinc(x / LOBES) : 0;
+    }
+}
+
+static double kernel_at(const struct bead_film_sound *s, double x)
+{
+    double place = fabs(x) * STEPS;
+    if (place >= LOBES * STEPS)
+        return 0;
+    size_t i = (size_t)place;
+    return s->kernel[i] + (place - (double)i) * (s->kernel[i + 1] - s->kernel[i]);
+}
+
+/* At `place`, in samples; `wide`: how many of them pass in one of the sound. */
+static double force_at(const struct bead_film_sound *s, const struct voice *v, double place, double wide)
+{
+    wide = fmax(1, wide);
+    double sum = 0, weights = 0, last = (double)v->count - 1;
+    for (double k = ceil(place - LOBES * wide); k <= place + LOBES * wide; k++) {
+        double weight = kernel_at(s, (place - k) / wide);
+        sum += weight * (double)v->force[(size_t)fmin(last, fmax(0, k))];
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+/* Time of the motion at a sample of the sound, s. */
+static double moment_at(const struct bead_film_sound *s, size_t n)
+{
+    return bead_movie_moment(s->times, (double)n / BEAD_SOUND_RATE * s->fps);
+}
+
+static double fade(size_t n)
+{
+    return n < FADE ? 0.5 * (1 + cos(pi * (double)n / FADE)) : 0;
+}
+
+/* Where the motion stands, the sound fades out and, before it goes on, in; samples first..end - 1. */
+static void quieten(const struct bead_film_sound *s, float *samples, size_t first, size_t end, size_t count)
+{
+    for (size_t n = first; n < end; n++) {
+        double gain = fmin(1, (first > 0 ? fade(n - first) : 0) + (end < count ? fade(end - 1 - n) : 0));
+        for (int c = 0; c < s->channels; c++)
+            samples[n * (size_t)s->channels + (size_t)c] *= (float)gain;
+    }
+}
+
+/* A film that begins in the middle of the motion does not click. */
+static void fade_in(const struct bead_film_sound *s, float *samples, size_t count)
+{
+    for (size_t n = 0; n < FADE && n < count; n++) {
+        for (int c = 0; c < s->channels; c++)
+            samples[n * (size_t)s->channels + (size_t)c] *= (float)(1 - fade(n));
+    }
+}
+
+static void play(const struct bead_film_sound *s, float *samples, size_t count)
+{
+    const struct bead_grid *grid = &s->times->grid;
+    size_t stood = 0; /* samples so far for which the motion has stood */
+    double now = moment_at(s, 0);
+    for (size_t n = 0; n < count; n++) {
+        double next = moment_at(s, n + 1);
+        for (size_t k = 0; k < s->voice_count; k++) {
+            const struct voice *v = &s->voices[k];
+            double force = v->count > 0 ? force_at(s, v, (now - grid->start) / grid->every, (next - now) / grid->every) : 0;
+            for (int c = 0; c < s->channels; c++)
+                samples[n * (size_t)s->channels + (size_t)c] += (float)(v->gain[c] * force);
+        }
+        bool stands = next == now;
+        if (!stands && stood > 0)
+            quieten(s, samples, n - stood, n, count);
+        stood = stands ? stood + 1 : 0;
+        now = next;
+    }
+    if (stood > 0)
+        quieten(s, samples, count - stood, count, count);
+    fade_in(s, samples, count);
+}
+
+static void level(float *samples, size_t count)
+{
+    float most = 0;
+    for (size_t i = 0; i < count; i++)
+        most = fmaxf(most, fabsf(samples[i]));
+    for (size_t i = 0; i < count && most > 0; i++)
+        samples[i] *= (float)loudest / most;
+}
+
+/* ---- life ---- */
+
+enum bead_error bead_film_sound_create(const struct bead_output *output, const struct bead_run_context *context,
+                                       const struct bead_movie_times *times, struct bead_film_sound **sound,
+                                       struct bead_message *msg)
+{
+    *sound = NULL;
+    if (output->movie.sound.of == BEAD_SOUND_OFF)
+        return BEAD_OK;
+    if ((double)times->frames / output->movie.fps > longest)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: sound: a movie with sound lasts at most %g s", context->scene->file,
+                         output->place.line, output->place.column, longest);
+    struct bead_film_sound *s = calloc(1, sizeof *s);
+    if (!s)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the sound of a movie");
+    s->times = times;
+    s->chains = context->chains;
+    s->fps = output->movie.fps;
+    make_kernel(s);
+    enum bead_error err = find_voices(s, output, context, msg);
+    if (err)
+        bead_film_sound_destroy(s);
+    else
+        *sound = s;
+    return err;
+}
+
+void bead_film_sound_destroy(struct bead_film_sound *sound)
+{
+    if (!sound)
+        return;
+    for (size_t c = 0; sound->voices && c < sound->voice_count; c++)
+        free(sound->voices[c].force);
+    free(sound->voices);
+    free(sound);
+}
+
+int bead_film_sound_channels(const struct bead_film_sound *sound)
+{
+    return sound ? sound->channels : 0;
+}
+
+void bead_film_sound_needs(const struct bead_film_sound *sound, struct bead_needs *needs)
+{
+    for (size_t c = 0; sound && c < sound->voice_count; c++) {
+        const struct voice *v = &sound->voices[c];
+        if (!v->heard)
+            continue;
+        needs->fields |= BEAD_FIELD_BIT(v->field);
+        needs->beads.first = v->index < needs->beads.first ? v->index : needs->beads.first;
+        needs->beads.last = v->index > needs->beads.last ? v->index : needs->beads.last;
+    }
+}
+
+enum bead_error bead_film_sound_feed(struct bead_film_sound *sound, const struct bead_sample *sample, struct bead_message *msg)
+{
+    struct voice *v = &sound->voices[sample->chain];
+    if (!v->heard)
+        return BEAD_OK;
+    if (v->count == 0) /* the arrays of the chain may not be there before */
+        v->rest = force_at_rest(sound->chains[sample->chain], v);
+    if (v->count == v->room) {
+        size_t room = 2 * v->room + 1024;
+        float *more = realloc(v->force, room * sizeof *more);
+        if (!more)
+            return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the sound of a movie");
+        v->force = more;
+        v->room = room;
+    }
+    v->force[v->count++] = (float)(sample->field[v->field][v->index] - v->rest);
+    return BEAD_OK;
+}
+
+enum bead_error bead_film_sound_write(const struct bead_film_sound *sound, struct bead_movie *movie, struct bead_message *msg)
+{
+    if (!sound)
+        return BEAD_OK;
+    size_t count = (size_t)llround((double)sound->times->frames / sound->fps * BEAD_SOUND_RATE),
+           all = count * (size_t)sound->channels;
+    float *samples = calloc(all + 1, sizeof *samples);
+    if (!samples)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the sound of a movie");
+    play(sound, samples, count);
+    level(samples, all);
+    enum bead_error err = bead_movie_sound(movie, samples, count, msg);
+    free(samples);
+    return err;
+}
