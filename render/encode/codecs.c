@@ -43,7 +43,7 @@ static const struct bead_preset vp9_clear[] = {
     {"libvpx-vp9", AV_PIX_FMT_YUVA420P, 1, false, VP9_LEAN "deadline=realtime cpu-used=8 crf=32"},
     {"libvpx-vp9", AV_PIX_FMT_YUVA420P, 1, false, VP9_LEAN "deadline=realtime cpu-used=7 crf=24"},
     {"libvpx-vp9", AV_PIX_FMT_YUVA420P, 1, false, VP9_LEAN "deadline=good cpu-used=4 crf=15"},
-    {NULL}};
+    {.encoder = NULL}};
 /* ProRes 4444 at constant quantisers (12, 6, 2; in units of 118), which leave flat colours cheap; the vendor is what editors
  * expect. It is never lossless; PNG is. */
 #define PRORES(quantiser) "profile=4444 vendor=apl0 flags=+qscale global_quality=" quantiser
