@@ -38,6 +38,7 @@ struct bead_material {
     double colour[3]; /* sRGB 0..1, how beads of it are drawn */
     /* Standard deviations of beads of it, as parts of the value; 0: they are all alike. Their density is that of the material. */
     double radius_tolerance, modulus_tolerance;
+    size_t of; /* the material that it is with other values, or itself */
 };
 
 enum bead_spins { BEAD_SPINS_UP, BEAD_SPINS_DOWN, BEAD_SPINS_DIGITS, BEAD_SPINS_RANDOM };
@@ -46,6 +47,7 @@ enum bead_spins { BEAD_SPINS_UP, BEAD_SPINS_DOWN, BEAD_SPINS_DIGITS, BEAD_SPINS_
 struct bead_segment {
     size_t *cell;      /* material indices, left to right */
     size_t cell_beads; /* >= 1 */
+    size_t *each;      /* [count * cell_beads] materials of the cells as written, where they differ; NULL: all are `cell` */
     size_t count;      /* cells, >= 1 */
     enum bead_spins spins;
     bool spins_given; /* `spins` stands in the scene: these cells count for the magnetism of the chain */

@@ -183,7 +183,7 @@ static size_t list_materials(const struct bead_drafting *d, struct bead_piece *p
     d->sketch->failed = d->sketch->failed || !used;
     for (size_t c = 0; used && c < d->context->chain_count; c++) {
         for (size_t j = 0; j < bead_chain_beads(d->context->chains[c]); j++)
-            used[bead_chain_material(d->context->chains[c])[j]] = true;
+            used[scene->materials[bead_chain_material(d->context->chains[c])[j]].of] = true;
     }
     for (size_t m = 0; used && m < scene->material_count && count < MOST_MATERIALS; m++) {
         if (!used[m])

@@ -21,7 +21,7 @@ void bead_contact_walk_start(struct bead_contact_walk *w, const struct bead_chai
 static void end_cell(struct bead_contact_walk *w, const struct bead_segment *segment)
 {
     const bool spins = segment->cell_beads > 1;
-    const bool equal = !spins || segment->spins == BEAD_SPINS_UP || segment->spins == BEAD_SPINS_DOWN;
+    const bool equal = !segment->each && (!spins || segment->spins == BEAD_SPINS_UP || segment->spins == BEAD_SPINS_DOWN);
     size_t cells = 1;
     if (w->kinds && equal && w->cell + 1 == enough && segment->count > 2 * enough)
         cells += segment->count - 2 * enough;
@@ -41,9 +41,10 @@ static size_t take_bead(struct bead_contact_walk *w)
     const struct bead_segment *segment = &w->chain->spec->segments[w->segment];
     const size_t last = segment->cell_beads - 1, at = w->place++;
     const bool reversed = last > 0 && *w->spin == '0';
+    const size_t *cell = segment->each ? segment->each + w->cell * segment->cell_beads : segment->cell;
     if (at == last)
         end_cell(w, segment);
-    return segment->cell[reversed ? last - at : at];
+    return cell[reversed ? last - at : at];
 }
 
 static double stiffness_of(const struct bead_contact_walk *w)

@@ -334,6 +334,7 @@ static void free_chain(struct bead_chain_spec *chain)
 {
     for (size_t i = 0; i < chain->segment_count; i++) {
         free(chain->segments[i].cell);
+        free(chain->segments[i].each);
         free(chain->segments[i].digits);
         free(chain->segments[i].sensor);
     }

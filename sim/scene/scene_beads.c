@@ -2,7 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/scene/scene_private.h"
+#include "sim/scene/scene_vary.h"
+#include "sim/scene/sweep_yaml.h"
 
 static enum bead_error read_bead(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
                                  void *settings);
@@ -10,6 +11,24 @@ static enum bead_error read_cell(struct bead_reader *reader, const struct bead_a
                                  void *settings);
 static enum bead_error read_spins(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
                                   void *settings);
+
+static enum bead_error read_group(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                  void *settings);
+
+/* Groups copied out. */
+enum { MOST_ENTRIES = 40000 };
+
+/* One entry, as written. */
+struct written {
+    struct bead_segment segment;
+    struct bead_variation variation;
+    size_t decoration; /* material; SIZE_MAX: none */
+    size_t repeat;
+    struct bead_chain_spec *chain;
+    size_t first; /* segment of the chain that it begins with */
+};
+#define SEGMENT(member) offsetof(struct written, segment.member)
+#define VALUE(what)     offsetof(struct written, variation.value[what])
 
 static const struct bead_option rows[] = {
     {.key = "bead",
@@ -21,12 +40,12 @@ static const struct bead_option rows[] = {
     {.key = "cell",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "[MATERIAL, MATERIAL, ...]",
-     .help = "beads that repeat as a group: two for dimers, three for trimers, or more",
-     .example = "[large-steel, aluminium]",
+     .help = "beads that repeat as a group: two for dimers, three for trimers, or more; `2 ptfe` is two beads of ptfe",
+     .example = "[large-steel, 2 ptfe]",
      .read = read_cell},
     {.key = "count",
      .type = BEAD_OPTION_COUNT,
-     .offset = offsetof(struct bead_segment, count),
+     .offset = SEGMENT(count),
      .low = 1,
      .high = BEAD_SCENE_BEADS,
      .help = "how many beads or cells; without it 1, or the number of digits of `spins`",
@@ -39,7 +58,7 @@ static const struct bead_option rows[] = {
      .example = "random",
      .read = read_spins},
     {.key = "magnetism",
-     .offset = offsetof(struct bead_segment, magnetism),
+     .offset = SEGMENT(magnetism),
      .initial = "0",
      .low = 0,
      .high = 1,
@@ -47,15 +66,78 @@ static const struct bead_option rows[] = {
      .example = "0.5"},
     {.key = "seed",
      .type = BEAD_OPTION_SEED,
-     .offset = offsetof(struct bead_segment, seed),
+     .offset = SEGMENT(seed),
      .initial = "0",
      .help = "seed of random spins; the same seed gives the same spins on every machine",
      .example = "7"},
     {.key = "sensor",
      .type = BEAD_OPTION_TEXT,
-     .offset = offsetof(struct bead_segment, sensor),
+     .offset = SEGMENT(sensor),
      .help = "name of a sensor in this single bead, which records its bead force",
      .example = "first"},
+    {.key = "radius",
+     .offset = VALUE(BEAD_VARIED_RADIUS),
+     .unit = "m",
+     .low = 1e-9,
+     .high = 1e3,
+     .help = "radius of these beads, instead of that of the material; the mass follows with the density",
+     .example = "3 mm"},
+    {.key = "mass",
+     .offset = VALUE(BEAD_VARIED_MASS),
+     .unit = "kg",
+     .low = 0,
+     .high = 1e9,
+     .open = BEAD_OPEN_LOW,
+     .help = "mass of each of these beads, instead of that of the material",
+     .example = "2 g"},
+    {.key = "modulus",
+     .offset = VALUE(BEAD_VARIED_MODULUS),
+     .unit = "Pa",
+     .low = 1,
+     .high = 1e15,
+     .help = "Young's modulus of these beads, instead of that of the material",
+     .example = "70 GPa"},
+    {.key = "taper",
+     .type = BEAD_OPTION_CUSTOM,
+     .offset = offsetof(struct written, variation),
+     .unit = "1",
+     .low = -1,
+     .high = 1,
+     .open = BEAD_OPEN_HIGH,
+     .shape = "from -100 % to below 100 %, or {from: RADIUS, to: RADIUS}",
+     .help =
+         "each bead is smaller than the one before by this part of its radius (larger, if negative), or the radii go from end to "
+         "end by the same factor: see chain.beads.taper",
+     .example = "5 %",
+     .read = bead_scene_read_taper},
+    {.key = "disorder",
+     .type = BEAD_OPTION_CUSTOM,
+     .offset = offsetof(struct written, variation),
+     .shape = "a map",
+     .help = "beads that differ at random: see chain.beads.disorder",
+     .example = "{radius: uniform 0.3..1, seed: 7}",
+     .read = bead_scene_read_disorder},
+    {.key = "decorate",
+     .type = BEAD_OPTION_CUSTOM,
+     .offset = offsetof(struct written, decoration),
+     .shape = "the name of a material",
+     .help = "a bead of this between every two of `bead`; taper and disorder leave it as it is",
+     .example = "small-steel",
+     .read = bead_scene_read_material},
+    {.key = "repeat",
+     .type = BEAD_OPTION_COUNT,
+     .offset = offsetof(struct written, repeat),
+     .low = 1,
+     .high = BEAD_SCENE_BEADS,
+     .help = "how many times the entries `of` follow each other; random spins are the same each time",
+     .example = "3"},
+    {.key = "of",
+     .type = BEAD_OPTION_CUSTOM,
+     .shape = "a list of entries",
+     .help = "a group: entries as in `beads`, instead of `bead` or `cell`; radius, mass, modulus, taper and disorder apply to the "
+             "whole",
+     .example = "[{bead: brass, count: 5}, {cell: [large-steel, ptfe], count: 2}]",
+     .read = read_group},
 };
 
 const struct bead_options bead_segment_options = {"chain.beads", "entries of the list, from left to right", BEAD_OPTIONS(rows),
@@ -64,7 +146,7 @@ const struct bead_options bead_segment_options = {"chain.beads", "entries of the
 static enum bead_error read_bead(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
                                  void *settings)
 {
-    struct bead_segment *segment = settings;
+    struct bead_segment *segment = &((struct written *)settings)->segment;
     (void)option;
     segment->cell = calloc(1, sizeof *segment->cell);
     if (!segment->cell)
@@ -76,25 +158,12 @@ static enum bead_error read_bead(struct bead_reader *reader, const struct bead_a
 static enum bead_error read_cell(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
                                  void *settings)
 {
-    struct bead_segment *segment = settings;
+    struct bead_segment *segment = &((struct written *)settings)->segment;
     struct bead_at bead = bead_at_key(at->up, "bead");
-    char shown[64];
+    (void)option;
     if (bead.node != at->up->node)
         return bead_wrong(reader, at, "is given beside `bead`; give one of them");
-    if (at->node->kind != BEAD_NODE_LIST || at->node->count == 0)
-        return bead_wrong(reader, at, "is %s; must be %s",
-                          at->node->kind == BEAD_NODE_LIST ? "an empty list" : bead_node_show(at->node, shown, sizeof shown),
-                          option->shape);
-    segment->cell = calloc(at->node->count, sizeof *segment->cell);
-    if (!segment->cell)
-        return bead_no_memory(reader);
-    segment->cell_beads = at->node->count;
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; i < at->node->count && !err; i++) {
-        struct bead_at element = {at, NULL, i, at->node->items[i]};
-        err = bead_scene_find_material(reader, &element, true, &segment->cell[i]);
-    }
-    return err;
+    return bead_scene_read_cell(reader, at, &segment->cell, &segment->cell_beads);
 }
 
 static enum bead_error read_spins(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
@@ -104,7 +173,7 @@ static enum bead_error read_spins(struct bead_reader *reader, const struct bead_
         const char *word;
         enum bead_spins spins;
     } words[] = {{"up", BEAD_SPINS_UP}, {"down", BEAD_SPINS_DOWN}, {"random", BEAD_SPINS_RANDOM}};
-    struct bead_segment *segment = settings;
+    struct bead_segment *segment = &((struct written *)settings)->segment;
     const char *text = NULL;
     char shown[64];
     enum bead_error err = bead_read_scalar(reader, at, option->shape, &text);
@@ -157,15 +226,209 @@ static enum bead_error check_count(const struct bead_reader *reader, const struc
     return BEAD_OK;
 }
 
-static enum bead_error read_segment(struct bead_reader *reader, const struct bead_at *at, struct bead_segment *segment)
+/* ---- entries ---- */
+
+/* At the end of the chain, which owns it from now on. Room doubles at each power of two. */
+static enum bead_error push(const struct bead_reader *reader, struct bead_chain_spec *chain, const struct bead_segment *segment)
 {
-    segment->place = at->node->place;
-    enum bead_error err = bead_options_read(reader, at, &bead_segment_options, segment);
-    if (!err && segment->cell_beads == 0)
-        err = bead_wrong(reader, at, "has neither `bead` nor `cell`; give one of them");
+    const size_t count = chain->segment_count;
+    if ((count & (count - 1)) == 0) {
+        struct bead_segment *grown = realloc(chain->segments, (count ? 2 * count : 1) * sizeof *grown);
+        if (!grown)
+            return bead_no_memory(reader);
+        chain->segments = grown;
+    }
+    chain->segments[chain->segment_count++] = *segment;
+    return BEAD_OK;
+}
+
+static void free_segment(struct bead_segment *segment)
+{
+    free(segment->cell);
+    free(segment->each);
+    free(segment->digits);
+    free(segment->sensor);
+}
+
+static size_t *copy_materials(const size_t *materials, size_t count)
+{
+    size_t *copy = materials ? calloc(count, sizeof *copy) : NULL;
+    if (copy)
+        memcpy(copy, materials, count * sizeof *copy);
+    return copy;
+}
+
+/* Once more at the end of the chain. */
+static enum bead_error push_copy(const struct bead_reader *reader, struct bead_chain_spec *chain, size_t index)
+{
+    const struct bead_segment *from = &chain->segments[index];
+    struct bead_segment made = *from;
+    made.cell = copy_materials(from->cell, from->cell_beads);
+    made.each = copy_materials(from->each, from->cell_beads * from->count);
+    made.digits = from->digits ? strdup(from->digits) : NULL;
+    made.sensor = from->sensor ? strdup(from->sensor) : NULL;
+    const bool good = made.cell && !from->each == !made.each && !from->digits == !made.digits && !from->sensor == !made.sensor;
+    enum bead_error err = good ? push(reader, chain, &made) : bead_no_memory(reader);
+    if (err)
+        free_segment(&made);
+    return err;
+}
+
+/* The last segment with beads of a material between its own: cells of two, and a last bead. */
+static enum bead_error decorate(const struct bead_reader *reader, const struct bead_at *at, struct written *w)
+{
+    struct bead_at where = bead_at_key(at, "decorate");
+    struct bead_segment *all = &w->chain->segments[w->chain->segment_count - 1];
+    const size_t beads = all->count;
+    if (w->decoration == SIZE_MAX)
+        return BEAD_OK;
+    if (all->cell_beads != 1 || beads < 2)
+        return bead_wrong(reader, &where, "needs two or more of a `bead` that it can stand between");
+    enum bead_error err = push_copy(reader, w->chain, w->chain->segment_count - 1);
+    if (err)
+        return err;
+    all = &w->chain->segments[w->chain->segment_count - 2];
+    struct bead_segment *last = all + 1;
+    size_t *cell = calloc(2, sizeof *cell), *each = all->each ? calloc(2 * beads, sizeof *each) : NULL;
+    if (!cell || !each != !all->each) {
+        free(cell);
+        free(each);
+        return bead_no_memory(reader);
+    }
+    cell[0] = all->cell[0];
+    cell[1] = w->decoration;
+    last->cell[0] = all->each ? all->each[beads - 1] : all->cell[0];
+    for (size_t i = 0; each && i < 2 * (beads - 1); i++)
+        each[i] = i % 2 ? w->decoration : all->each[i / 2];
+    free(all->cell);
+    free(all->each);
+    free(last->each);
+    all->cell = cell;
+    all->each = each;
+    all->cell_beads = 2;
+    all->count = beads - 1;
+    last->each = NULL;
+    last->count = 1;
+    return BEAD_OK;
+}
+
+static enum bead_error check_length(const struct bead_reader *reader, const struct bead_at *at, const struct bead_chain_spec *chain,
+                                    size_t times)
+{
+    const size_t beads = bead_scene_count_beads(chain);
+    if (beads > BEAD_SCENE_BEADS / times)
+        return bead_wrong(reader, at, "makes the chain longer than %d beads, the most that is allowed", BEAD_SCENE_BEADS);
+    if (chain->segment_count > MOST_ENTRIES / times)
+        return bead_wrong(reader, at, "makes %zu entries of `beads` in all; at most %d are allowed", times * chain->segment_count,
+                          MOST_ENTRIES);
+    return BEAD_OK;
+}
+
+/* Keys of single entries beside `of`, and the other way round. */
+static enum bead_error check_group(const struct bead_reader *reader, const struct bead_at *at, bool group)
+{
+    static const char *const single[] = {"bead", "cell", "count", "spins", "magnetism", "seed", "sensor", "decorate"};
+    struct bead_at where = bead_at_key(at, "repeat");
+    if (!group && where.node != at->node)
+        return bead_wrong(reader, &where, "belongs to `of`, a list of entries; for equal beads or cells give `count`");
+    for (size_t i = 0; group && i < sizeof single / sizeof *single; i++) {
+        where = bead_at_key(at, single[i]);
+        if (where.node != at->node)
+            return bead_wrong(reader, &where, "is given beside `of`; it belongs in the entries there");
+    }
+    return BEAD_OK;
+}
+
+static enum bead_error read_list(struct bead_reader *reader, const struct bead_at *at, struct bead_chain_spec *chain,
+                                 const char *shape);
+
+static enum bead_error read_group(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                  void *settings)
+{
+    struct written *w = settings;
+    return read_list(reader, at, w->chain, option->shape);
+}
+
+/* A sweep gives spins to entries of `beads` itself. */
+static enum bead_error check_random(const struct bead_reader *reader, const struct bead_at *at, const struct written *w)
+{
+    for (size_t i = w->first; i < w->chain->segment_count && bead_sweep_node(bead_yaml_root(reader->yaml), 0); i++) {
+        if (w->chain->segments[i].spins == BEAD_SPINS_RANDOM)
+            return bead_wrong(reader, at, "holds random cells, which in a sweep must stand in `beads` itself");
+    }
+    return BEAD_OK;
+}
+
+/* The group, so many times. */
+static enum bead_error repeat(const struct bead_reader *reader, const struct bead_at *at, struct written *w)
+{
+    const size_t each = w->chain->segment_count - w->first;
+    struct bead_at where = bead_at_key(at, "repeat");
+    enum bead_error err = check_random(reader, at, w);
     if (!err)
-        err = check_spins(reader, at, segment);
-    return err ? err : check_count(reader, at, segment);
+        err = check_length(reader, &where, w->chain, w->repeat);
+    for (size_t i = each; i < w->repeat * each && !err; i++)
+        err = push_copy(reader, w->chain, w->first + i - each);
+    return err;
+}
+
+/* What an entry makes of its segments, which the chain has. */
+static enum bead_error finish_entry(struct bead_reader *reader, const struct bead_at *at, struct written *w, bool group)
+{
+    struct bead_chain_spec *chain = w->chain;
+    enum bead_error err =
+        bead_scene_vary_alike(reader, at, &w->variation, &chain->segments[w->first], chain->segment_count - w->first);
+    if (!err && group)
+        err = repeat(reader, at, w);
+    if (!err)
+        err = bead_scene_vary_each(reader, at, &w->variation, &chain->segments[w->first], chain->segment_count - w->first);
+    if (!err && !group)
+        err = decorate(reader, at, w);
+    return err ? err : check_length(reader, at, chain, 1);
+}
+
+static enum bead_error read_entry(struct bead_reader *reader, const struct bead_at *at, struct bead_chain_spec *chain)
+{
+    struct written w = {.segment.place = at->node->place,
+                        .variation = bead_variation_none,
+                        .decoration = SIZE_MAX,
+                        .repeat = 1,
+                        .chain = chain,
+                        .first = chain->segment_count};
+    const bool group = at->node->kind == BEAD_NODE_MAP && bead_node_get(at->node, "of", NULL);
+    enum bead_error err = bead_options_read(reader, at, &bead_segment_options, &w);
+    if (!err)
+        err = check_group(reader, at, group);
+    if (!err && !group && w.segment.cell_beads == 0)
+        err = bead_wrong(reader, at, "has neither `bead` nor `cell`; give one of them");
+    if (!err && !group)
+        err = check_spins(reader, at, &w.segment);
+    if (!err && !group)
+        err = check_count(reader, at, &w.segment);
+    if (!err && !group)
+        err = push(reader, chain, &w.segment);
+    if (err || group)
+        free_segment(&w.segment);
+    if (!err)
+        err = finish_entry(reader, at, &w, group);
+    free(w.variation.materials);
+    return err;
+}
+
+static enum bead_error read_list(struct bead_reader *reader, const struct bead_at *at, struct bead_chain_spec *chain,
+                                 const char *shape)
+{
+    char shown[64];
+    if (at->node->kind != BEAD_NODE_LIST)
+        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), shape);
+    if (at->node->count == 0)
+        return bead_wrong(reader, at, "is an empty list: at least one bead is needed%s", at->up->up ? " behind the striker" : "");
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; i < at->node->count && !err; i++) {
+        struct bead_at element = {at, NULL, i, at->node->items[i]};
+        err = read_entry(reader, &element, chain);
+    }
+    return err;
 }
 
 static int by_name(const void *a, const void *b)
@@ -173,6 +436,17 @@ static int by_name(const void *a, const void *b)
     const struct bead_segment *const *p = a, *const *q = b;
     int order = strcmp((*p)->sensor, (*q)->sensor);
     return order ? order : (*p > *q) - (*p < *q);
+}
+
+/* The entry of a segment in the list, or the list where a group of it has the entry. */
+static struct bead_at entry_of(const struct bead_at *at, const struct bead_segment *segment)
+{
+    for (size_t i = 0; i < at->node->count; i++) {
+        const struct bead_node *entry = at->node->items[i];
+        if (entry->place.line == segment->place.line && entry->place.column == segment->place.column)
+            return (struct bead_at){at, NULL, i, entry};
+    }
+    return *at;
 }
 
 /* Two sensors of one name could not be told apart. */
@@ -192,8 +466,7 @@ static enum bead_error check_sensors(const struct bead_reader *reader, const str
     for (size_t i = 1; i < count && !err; i++) {
         if (strcmp(sensors[i]->sensor, sensors[i - 1]->sensor) != 0)
             continue;
-        size_t index = (size_t)(sensors[i] - chain->segments);
-        struct bead_at element = {at, NULL, index, at->node->items[index]}, where = bead_at_key(&element, "sensor");
+        struct bead_at entry = entry_of(at, sensors[i]), where = bead_at_key(&entry, "sensor");
         err = bead_wrong(reader, &where, "`%s` is the name of another sensor of this chain; names must differ", sensors[i]->sensor);
     }
     free(sensors);
@@ -204,24 +477,7 @@ enum bead_error bead_scene_read_segments(struct bead_reader *reader, const struc
                                          void *settings)
 {
     struct bead_chain_spec *chain = settings;
-    char shown[64];
-    size_t beads = 0;
-    if (at->node->kind != BEAD_NODE_LIST)
-        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
-    if (at->node->count == 0)
-        return bead_wrong(reader, at, "is an empty list: at least one bead is needed behind the striker");
-    chain->segments = calloc(at->node->count, sizeof *chain->segments);
-    if (!chain->segments)
-        return bead_no_memory(reader);
-    chain->segment_count = at->node->count;
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; i < at->node->count && !err; i++) {
-        struct bead_at element = {at, NULL, i, at->node->items[i]};
-        err = read_segment(reader, &element, &chain->segments[i]);
-        beads += err ? 0 : chain->segments[i].cell_beads * chain->segments[i].count;
-        if (!err && beads > BEAD_SCENE_BEADS)
-            err = bead_wrong(reader, &element, "makes the chain longer than %d beads, the most that is allowed", BEAD_SCENE_BEADS);
-    }
+    enum bead_error err = read_list(reader, at, chain, option->shape);
     return err ? err : check_sensors(reader, at, chain);
 }
 

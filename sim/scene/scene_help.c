@@ -14,6 +14,8 @@ static const struct {
     {&bead_chain_options, NULL},
     {&bead_striker_options, NULL},
     {&bead_segment_options, NULL},
+    {&bead_taper_options, NULL},
+    {&bead_disorder_options, NULL},
     {NULL, &bead_law_family},
     {&bead_damping_options, NULL},
     {&bead_material_options, NULL},

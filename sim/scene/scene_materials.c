@@ -171,7 +171,7 @@ static struct bead_material *place_material(struct bead_scene *scene, const char
     if (!grown)
         return NULL;
     scene->materials = grown;
-    grown[scene->material_count] = (struct bead_material){.name = strdup(name)};
+    grown[scene->material_count] = (struct bead_material){.name = strdup(name), .of = scene->material_count};
     return grown[scene->material_count].name ? &grown[scene->material_count++] : NULL;
 }
 

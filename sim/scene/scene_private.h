@@ -10,7 +10,8 @@ enum { BEAD_SCENE_CHAINS = 64, BEAD_SCENE_OUTPUTS = 1000, BEAD_SCENE_BEADS = 100
 extern const struct bead_options bead_scene_options, bead_material_options, bead_tolerance_options, bead_chain_options,
     bead_striker_options, bead_segment_options, bead_damping_options, bead_simulate_options, bead_start_mode_options,
     bead_start_pulse_options, bead_start_cosine_options, bead_start_wave_options, bead_start_solitons_options, bead_soliton_options,
-    bead_caption_options, bead_speed_options, bead_card_options, bead_sweep_options, bead_sweep_measure_options;
+    bead_caption_options, bead_speed_options, bead_card_options, bead_sweep_options, bead_sweep_measure_options, bead_taper_options,
+    bead_disorder_options;
 extern const struct bead_option_family bead_equation_family, bead_law_family;
 
 /* Readers of custom options, with the signature of bead_option.read; `settings` is the structure of the row. */

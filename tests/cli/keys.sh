@@ -43,6 +43,8 @@ base() {
     scene) prefix= ;;
     chain | chain.striker | chain.damping | simulate) prefix=$1. ;;
     chain.beads) prefix=chain.beads.0. ;;
+    chain.beads.taper) prefix=chain.beads.0.taper. before=('chain.beads=[{bead: brass, count: 5, taper: {to: 2 mm}}]') ;;
+    chain.beads.disorder) prefix=chain.beads.0.disorder. ;;
     'chain.law (power)') prefix=chain.law. before=('chain.law={power: 1.5, coefficient: 1e9}') ;;
     'chain.law (fpu-alpha)') prefix=chain.law. before=('chain.law={fpu-alpha: 1}') ;;
     materials.NAME) prefix=materials.x. before=('materials={x: {modulus: 1 GPa, poisson: 0.3, radius: 1 mm, mass: 1 g}}') ;;
@@ -79,6 +81,9 @@ needs() { # SECTION KEY
     'scene: chain' | 'scene: chains' | 'scene: sweep' | 'scene: sweeps') scene=empty ;;
     'chain.beads: bead' | 'chain.beads: sensor') before=('chain.beads=[{bead: brass}]') ;;
     'outputs (movie): background') before=('outputs=[{movie: m.webm}]') ;;
+    'chain.beads: decorate') before=('chain.beads=[{bead: brass, count: 4}]') ;;
+    'chain.beads: repeat') before=('chain.beads=[{of: [{bead: brass}]}]') ;;
+    'chain.beads: of') before=('chain.beads=[{repeat: 2}]') ;;
     'materials.NAME: density') before=('materials={x: {modulus: 1 GPa, poisson: 0.3, radius: 1 mm}}') ;;
     'chain ('*': equation') scene=fput ;;
     'chain (kdv): start') before=(chain.length=200 chain.points=1024) ;;
