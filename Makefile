@@ -38,7 +38,8 @@ TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf
 WISHED_DEPS = libosmesa6
 CI_DEPS    = clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian chromium
 # Programs of others that read trajectories; tests of what is missing are skipped and counted. Their readers in JavaScript come with npm.
-READER_DEPS = octave python3-paraview python3-mdanalysis python3-xarray python3-h5netcdf python3-silx nodejs $(if $(shell command -v npm),,npm)
+READER_DEPS = octave python3-paraview python3-mdanalysis python3-xarray python3-h5netcdf python3-silx python3-nbconvert python3-ipykernel \
+              nodejs $(if $(shell command -v npm),,npm)
 NPM_READERS = jsfive@0.4.2 h5wasm@0.10.3
 # What `make peers` compares with: large, and left out where missing.
 PEER_DEPS  = lammps python3-scipy

@@ -79,7 +79,7 @@ struct bead_result {
     const char *path;
     uint64_t bytes, items;
     const char *makers;      /* "painted by ..., encoded by ..."; NULL or "": nothing to tell */
-    const char *name, *kind; /* as in the scene: "force.png", "image"; of a movie's poster "poster" */
+    const char *name, *kind; /* as in the scene: "force.png", "image"; of a second file "poster" or "xdmf" */
 };
 BEAD_API size_t bead_session_results(const struct bead_session *session, const struct bead_result **results);
 

@@ -41,6 +41,13 @@ bool bead_output_ends_like(const char *endings, const char *path)
     return false;
 }
 
+const char *bead_output_second(const struct bead_output *output, const char **key)
+{
+    *key = output->trajectory.xdmf ? "xdmf" : "poster";
+    const char *file = output->trajectory.xdmf ? output->trajectory.xdmf : output->movie.poster;
+    return file ? file : "";
+}
+
 /* The kinds, those that sweeps have otherwise, and panels. */
 static const struct bead_options *family_member(size_t index)
 {

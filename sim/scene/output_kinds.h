@@ -28,6 +28,8 @@ const struct bead_output_type *bead_output_type(enum bead_output_kind kind);
 const char *bead_output_key(enum bead_output_kind kind);
 /* How files of a kind end: ".png, .pdf or .svg". */
 const char *bead_output_endings(enum bead_output_kind kind);
+/* The file that an output makes besides its own, as its path, and the key that asks for it; "": none. */
+const char *bead_output_second(const struct bead_output *output, const char **key);
 /* Does a file end like one of these? */
 bool bead_output_ends_like(const char *endings, const char *path);
 

@@ -318,21 +318,13 @@ static bool same_path(const char *a, const char *b)
     return *a == *b;
 }
 
-/* The file that an output makes besides its own, and whose key asks for it; "": none. */
-static const char *second_file(const struct bead_output *output, const char **key)
-{
-    *key = output->trajectory.xdmf ? "xdmf" : "poster";
-    const char *file = output->trajectory.xdmf ? output->trajectory.xdmf : output->movie.poster;
-    return file ? file : "";
-}
-
 /* Is `path` written by one of the first `count` outputs, as its own file or beside it? */
 static bool is_taken(const struct bead_output *outputs, size_t count, const char *path)
 {
     bool taken = false;
     const char *key;
     for (size_t i = 0; i < count; i++)
-        taken = taken || same_path(outputs[i].path, path) || (*path && same_path(second_file(&outputs[i], &key), path));
+        taken = taken || same_path(outputs[i].path, path) || (*path && same_path(bead_output_second(&outputs[i], &key), path));
     return taken;
 }
 
@@ -340,7 +332,7 @@ static bool is_taken(const struct bead_output *outputs, size_t count, const char
 static enum bead_error check_paths(const struct bead_reader *reader, const struct bead_at *at, size_t index)
 {
     const struct bead_output *outputs = reader->scene->outputs, *output = &outputs[index];
-    const char *key, *second = second_file(output, &key);
+    const char *key, *second = bead_output_second(output, &key);
     struct bead_at where = bead_at_key(at, bead_output_key(output->kind));
     if (is_taken(outputs, index, output->path))
         return bead_wrong(reader, &where, "`%s` is the file of another output, too; names must differ", output->path);

@@ -123,9 +123,10 @@ static void add_results(struct bead_session *s, const struct bead_made *m)
     uint64_t bytes = 0;
     add_result(s, m, m->path);
     const char *beside = m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
+    struct bead_result second = {.path = beside, .bytes = bytes, .items = 1};
+    second.name = bead_output_second(m->output, &second.kind);
     if (beside && bytes > 0)
-        s->results[s->result_count++] =
-            (struct bead_result){.path = beside, .bytes = bytes, .items = 1, .name = m->output->movie.poster, .kind = "poster"};
+        s->results[s->result_count++] = second;
 }
 
 /* One that has nothing to leave does not keep others from leaving theirs. */

@@ -46,6 +46,13 @@ for scene in one two utf8 run; do
     ok "$scene: the checks came to their end" grep -q "^1\.\." "$T/out"
 done
 
+named() { exits 0 "$beadsim" "$T/two.yaml" -o "$T" --json && prints '"name": "two.xdmf"' && prints '"kind": "xdmf"'; }
+ok "the file for ParaView is one of the results" named
+colon() { fails 2 "$beadsim" "$T/two.yaml" -o "$T" --set 'outputs.0.trajectory=a:b.h5' && says "colon"; }
+ok "... not of a name with a colon" colon
+still() { fails 2 "$beadsim" "$T/two.yaml" -o "$T" --set 'outputs.0.fields=[velocity]' && says "add displacement"; }
+ok "... nor without places" still
+
 # While a run writes, h5py reads what was flushed; HDF5's locks, which the writer does not need, are left out.
 cat >"$T/long.yaml" <<'YAML'
 chain: {beads: [{bead: large-steel, count: 300}]}

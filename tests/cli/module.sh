@@ -1,0 +1,35 @@
+#!/bin/bash
+# The Python module, and the notebook that uses it.
+source "$(dirname "$0")/../shell.bash"
+python=/usr/bin/python3
+export PYTHONPATH=$top/assets/python PYTHONDONTWRITEBYTECODE=1 BEADREEL=$beadreel
+if ! "$python" -c 'import h5py, numpy' 2>/dev/null; then
+    skip "python3-h5py" "the Python module"
+    finish
+fi
+ok "the module has at most 300 lines" test "$(wc -l <"$top/assets/python/beadreel.py")" -le 300
+run "$python" "$top/tests/module.py" "$T"
+while read -r line; do
+    case $line in
+    "# missing: "*) missing=${line#* missing: } ;;
+    "ok "*" # SKIP") line=${line% # SKIP} && skip "$missing" "${line#ok * - }" ;;
+    "ok "*) ok "${line#ok * - }" true ;;
+    "not ok "*) ok "${line#not ok * - }" false ;;
+    esac
+done <"$T/out"
+ok "the checks came to their end" bash -c "grep -q '^1\.\.' '$T/out' || { cat '$T/err'; false; }"
+
+found() { # the program of the source tree that the module is in, without a variable
+    mkdir -p "$T/tree/assets/python" "$T/tree/build" && cp "$top/assets/python/beadreel.py" "$T/tree/assets/python" &&
+        ln -sf "$beadreel" "$T/tree/build/beadreel" &&
+        [ "$(env -u BEADREEL PYTHONPATH="$T/tree/assets/python" "$python" -c 'import beadreel; print(beadreel._program())')" = "$T/tree/build/beadreel" ]
+}
+ok "the module finds the program of its tree" found
+if "$python" -c 'import nbconvert, ipykernel' 2>/dev/null && "$python" -c 'import xarray, h5netcdf' 2>/dev/null; then
+    cp "$top/assets/python/waves.ipynb" "$T"
+    ok "the notebook runs" exits 0 env HOME="$T" "$python" -m nbconvert --to notebook --execute "$T/waves.ipynb" --output done.ipynb
+    ok "... and shows a picture and a film" bash -c "grep -q 'data:image/png;base64' '$T/done.ipynb' && grep -q 'data:video/mp4' '$T/done.ipynb'"
+else
+    skip "jupyter-nbconvert, python3-ipykernel, python3-xarray, python3-h5netcdf" "the notebook runs"
+fi
+finish

@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+"""The module assets/python/beadreel.py, as a user has it: module.py FOLDER. numpy and h5py are needed. Prints TAP."""
+import os
+import pathlib
+import sys
+import warnings
+
+import h5py
+import numpy as np
+
+import beadreel
+
+folder = pathlib.Path(sys.argv[1])
+STEEL = {"chain": {"beads": [{"bead": "large-steel", "count": 20}]}}
+count = failed = 0
+
+
+def ok(good, what):
+    global count, failed
+    count += 1
+    failed += not good
+    print("ok" if good else "not ok", count, "-", what)
+
+
+def refused(kind, words, function, *arguments, **settings):
+    """Does it raise `kind`, and say `words`?"""
+    try:
+        function(*arguments, **settings)
+    except kind as error:
+        return words in str(error)
+    return False
+
+
+def has_xarray():
+    try:
+        import h5netcdf  # noqa: F401
+        import xarray  # noqa: F401
+    except ImportError:
+        return False
+    return True
+
+
+def demo():
+    """The numbers of the demo, as the program wrote them."""
+    run = beadreel.run("clean-vs-delocalised", out=folder / "demo", only=["peaks.csv", "run.h5"])
+    ok(sorted(run.outputs) == ["peaks.csv", "run.h5"] and run.outputs["run.h5"] == folder / "demo/run.h5", "outputs by name")
+    peaks = run.peaks
+    ok(len(peaks) == 258 and set(peaks["chain"]) == {"Clean", "Delocalised"} and peaks["contact"].dtype.kind == "i"
+       and abs(peaks["peak_force_N"].max() - 84.3222) < 1e-3, "peaks are a structured array")
+    ok([chain["chain"] for chain in run.result["runs"]] == ["Clean", "Delocalised"], "the result has each chain")
+    with h5py.File(run.outputs["run.h5"]) as file:
+        stored = file["particles/chain/bead_force/value"][:]
+        if not has_xarray():
+            print("# missing: xarray and h5netcdf (python3-xarray, python3-h5netcdf)")
+            global count
+            count += 1
+            print("ok", count, "- the trajectory in xarray # SKIP")
+            return
+        data = run.trajectory
+        ok(data.bead_force.dims == ("time", "bead") and np.array_equal(data.bead_force, stored)
+           and np.array_equal(data.time, file["time"][:]) and data.position.dims == ("time", "bead", "spatial"), "trajectory: an xarray")
+    clean = data.isel(bead=(data.chain == "Clean").values)
+    ok(clean.sizes["bead"] == 129 and float(clean.bead_force.max()) == stored[:, :129].max(), "... that knows chains by name")
+
+
+def without_xarray():
+    names = {name: sys.modules.get(name) for name in ("xarray", "h5netcdf")}
+    sys.modules.update(dict.fromkeys(names))
+    file = beadreel.open_trajectory(folder / "demo/run.h5")
+    ok(isinstance(file, h5py.File) and len(file["time"]) == 2801, "trajectory without xarray: an h5py.File")
+    file.close()
+    for name, module in names.items():
+        sys.modules.pop(name)
+        if module:
+            sys.modules[name] = module
+
+
+def scenes():
+    run = beadreel.run(STEEL, simulate={"until": "0.1 ms"}, chain__striker__velocity="1 m/s")
+    ok(run.settings == {"simulate.until": "0.1 ms", "chain.striker.velocity": "1 m/s"}, "settings by sections and by paths")
+    ok(abs(run.result["runs"][0]["end_s"] - 1e-4) < 1e-12 and run.peaks["peak_force_N"][0] > 200, "... reach the run")
+    ok(sorted(run.outputs) == ["force.png", "peaks.csv", "run.h5"], "a dictionary without outputs has some")
+    ok(run._repr_html_().startswith('<img alt="force.png"') and "base64,iVBOR" in run._repr_html_(), "a notebook shows the picture")
+    film = run.film(size=[320, 240], duration="0.2 s")
+    ok(film.exists() and "<video" in film._repr_html_() and b"ftyp" in film.read_bytes()[:16], "a film from the trajectory")
+    ok("peak_force_N" in run.outputs["peaks.csv"]._repr_html_(), "a notebook shows a table")
+    place = run.folder
+    del run, film
+    ok(not place.exists(), "a temporary folder goes with its run")
+    text = beadreel.run("chain: {beads: [{bead: brass, count: 3}]}\noutputs: [{table: peaks.csv}]\n", out=folder / "text")
+    ok(len(text.peaks) == 3 and text.table("peaks.csv").dtype.names == text.peaks.dtype.names, "a scene as text")
+    ok(refused(LookupError, "no trajectory", lambda: text.trajectory) and refused(LookupError, "no film", text.film), "what is not there")
+    numbers = beadreel.run(STEEL, only="peaks.csv", simulate={"until": np.float64(5e-5)}, threads=1)
+    ok(numbers.result["runs"][0]["end_s"] == 5e-5, "NumPy's numbers")
+
+
+def errors():
+    wrong = {"chain": {"beads": [{"bead": "lrge-steel"}]}}
+    ok(refused(beadreel.SceneError, "there is no material `lrge-steel`; did you mean `large-steel`?", beadreel.run, wrong), "a wrong scene")
+    ok(refused(ValueError, "simulate.until", beadreel.run, STEEL, simulate__until="5 kg"), "a wrong setting is a ValueError")
+    try:
+        beadreel.run(wrong)
+    except beadreel.BeadreelError as error:
+        ok(error.errors[0]["line"] > 1 and "chain.beads.0.bead" in error.errors[0]["message"], "... with its place")
+    (folder / "file").write_text("")
+    ok(refused(beadreel.BeadreelError, "file", beadreel.run, STEEL, out=folder / "file" / "x"), "a folder that cannot be")
+    program = os.environ["BEADREEL"]
+    os.environ["BEADREEL"] = "/bin/false"
+    ok(refused(beadreel.BeadreelError, "status 1", beadreel.run, STEEL), "a program that says nothing")
+    os.environ["BEADREEL"] = program
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        beadreel.run(STEEL, only="peaks.csv", simulate={"step": "20 us"})
+    ok(len(told) == 1 and "step" in str(told[0].message), "warnings are Python's")
+    seen = []
+    beadreel.run(STEEL, only="peaks.csv", progress=seen.append, chain__beads__0__count=4000)
+    ok(bool(seen) and all("done" in line for line in seen), "progress")
+
+
+def sweeps():
+    scene = {**STEEL, "outputs": [{"table": "peaks.csv", "show": "peaks"}]}
+    runs = beadreel.sweep(scene, over={"chain.striker.velocity": ["0.1 m/s", "1 m/s"], "chain.beads.0.count": [5, 10]},
+                          out=folder / "over")
+    first = [run.peaks["peak_force_N"][0] for run in runs]
+    ok(len(runs) == 4 and [len(run.peaks) for run in runs] == [5, 10, 5, 10], "a sweep over values: each combination")
+    ok(abs(first[2] / first[0] / 10**1.2 - 1) < 1e-4, "... with the forces of Hertz's law")
+    ok(runs[3].settings["chain.beads.0.count"] == 10, "... and its values")
+    waves = beadreel.sweep(cells=8, magnetism=[1, 0.5], configurations=3, seed=1)
+    table = waves.table("force.csv")
+    ok(list(table["magnetism"]) == [0.5, 1.0] and waves.result["sweep"]["computed"] > 3 and waves._repr_html_().startswith("<img"),
+       "a sweep of random chains")
+
+
+demo()
+without_xarray()
+scenes()
+errors()
+sweeps()
+print(f"1..{count}")
+sys.exit(failed > 0)
