@@ -9,7 +9,8 @@
 static const struct bead_sink_type *const sinks[] = {
     &bead_image_sink, &bead_plot_sink, &bead_movie_sink, &bead_report_sink, NULL,
 };
-static const struct bead_sweep_sink *const sweep_sinks[] = {&bead_sweep_plot_sink, &bead_contact_sheet_sink, NULL};
+static const struct bead_sweep_sink *const sweep_sinks[] = {&bead_sweep_plot_sink, &bead_contact_sheet_sink,
+                                                            &bead_report_sweep_sink, NULL};
 
 const struct bead_sink_type *const *bead_render_sinks(void)
 {

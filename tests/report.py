@@ -1,6 +1,8 @@
 """Read reports as people do, in a headless Chromium: report.py CHROMIUM ASSETS DIRECTORY; one line of TAP a finding.
 
-DIRECTORY has run.html with force.csv, the forces at its sensors at the same times."""
+DIRECTORY has run.html with force.csv, the forces at its sensors at the same times; and sweep.html with force of configurations.csv and
+image.png, the pixels of configuration 3 in inferno."""
+import base64
 import csv
 import math
 import re
@@ -161,6 +163,46 @@ def check_text(page, scene):
     tell(re.search(r"\d ± 0\.0*\d", table), "numbers have their uncertainty", table)
 
 
+def check_sweep(page, directory):
+    """A click on a point shows its image, which is that of the configuration's own run."""
+    page.resize(1280, 800)
+    page.prefer("dark")
+    page.open("file://%s/sweep.html" % directory)
+    page.settle()
+    with open(directory + "/configurations.csv") as file:
+        forces = {int(row["configuration"]): float(row["peak_force_N"]) for row in csv.DictReader(file) if row["configuration"]}
+    shown = page.run("Object.fromEntries(report.data.panels[0].places[0].indices.map((index, i) => "
+                     "[index, report.data.panels[0].places[0].values[i] * report.data.panels[0].places[0].clean]))")
+    tell(len(shown) == len(forces) and all(abs(shown[str(i)] - f) < 1e-9 * f for i, f in forces.items()), "points have the forces of the table", shown)
+    for number in (3, 0):
+        spot = page.run("(() => { const b = document.querySelector('#force-chart [data-index=\"%d\"]').getBoundingClientRect();"
+                        "return {x: b.x + b.width / 2, y: b.y + b.height / 2}; })()" % number)
+        page.click(spot["x"], spot["y"])
+        page.settle()
+        tell(page.run("report.state.image.index") == number, "a click on the point of configuration %d shows it" % number)
+    page.run("report.choose(3)")
+    with open(directory + "/image.png", "rb") as file:
+        picture = base64.b64encode(file.read()).decode()
+    mean = page.run("""(async () => {
+        const image = new Image(), canvas = document.createElement('canvas'), mine = report.pixels(report.state.image);
+        image.src = 'data:image/png;base64,%s';
+        await image.decode();
+        if (image.width !== mine.width || image.height !== mine.height)
+            return 999;
+        canvas.width = image.width, canvas.height = image.height;
+        const context = canvas.getContext('2d');
+        context.drawImage(image, 0, 0);
+        const other = context.getImageData(0, 0, image.width, image.height).data;
+        return other.reduce((sum, v, i) => sum + Math.abs(v - mine.data[i]), 0) / other.length; })()""" % picture)
+    tell(mean < 1.5, "its pixels are those of the run itself", "%s levels apart" % mean)
+    page.press("ArrowRight")
+    tell(page.run("report.state.image.index") != 3 and page.run("document.getElementById('said').textContent") != "", "arrows go to the next")
+    page.resize(390, 844, mobile=True)
+    page.open("file://%s/sweep.html" % directory)
+    page.settle()
+    tell(page.run("document.documentElement.scrollWidth <= innerWidth"), "a sweep fits a phone")
+
+
 def main():
     chromium, assets, directory = sys.argv[1:4]
     with open(directory + "/force.csv") as file:
@@ -181,6 +223,7 @@ def main():
             page.settle()
             fits = page.run("document.documentElement.scrollWidth <= innerWidth && document.getElementById('controls').getBoundingClientRect().bottom <= innerHeight + 1")
             tell(fits, "%d x %d: nothing is wider than the window, and the controls are in it" % (width, height))
+        check_sweep(page, directory)
         tell(not page.errors, "no error in the console", page.errors)
         tell(all(r.startswith("file://%s/" % directory) and r.endswith(".html") for r in page.requests), "nothing is asked for but the page",
              page.requests)

@@ -10,10 +10,12 @@ const svgElement = (name, attributes = {}, text) => {
 };
 
 /* what: {x, y: {title, low, high, factor}, series: [{name, colour, x: [], y: [], error: [], line, points, hollow}], label,
- * pick(x, y), tip(series, index)}. Numbers are SI, `factor` is that of the unit shown. Returns {now(x)}. */
+ * rulers, pick(x, found), tip(series, index), plane: the nearest point is meant}. Numbers are SI, `factor` is that of the
+ * unit shown. Returns {now(x), mark(x, y)}. */
 function drawChart(svg, what) {
     const width = svg.clientWidth || 600, height = svg.clientHeight || 260;
-    const box = {x: 52, y: 30, w: width - 52 - 12, h: height - 30 - 42};
+    const crowded = width < 460 && what.series.some(s => s.name), top = crowded ? 46 : 30; /* the legend has a line of its own */
+    const box = {x: 52, y: top, w: width - 52 - 12, h: height - top - 42};
     const px = v => box.x + box.w * (v - what.x.low) / (what.x.high - what.x.low);
     const py = v => box.y + box.h * (1 - (v - what.y.low) / (what.y.high - what.y.low));
     svg.textContent = '';
@@ -28,9 +30,11 @@ function drawChart(svg, what) {
     });
     const across = roundTicks(what.x.low / what.x.factor, what.x.high / what.x.factor, box.w / 80), acrossTexts = tickLabels(across);
     across.forEach((v, i) => svg.append(svgElement('text', {x: px(v * what.x.factor), y: box.y + box.h + 18, 'text-anchor': 'middle'}, acrossTexts[i])));
-    svg.append(svgElement('text', {class: 'title', x: 8, y: box.y - 12}, what.y.title),
+    svg.append(svgElement('text', {class: 'title', x: 8, y: 18}, what.y.title),
                svgElement('text', {class: 'title', x: box.x + box.w, y: box.y + box.h + 36, 'text-anchor': 'end'}, what.x.title));
     drawLegend(svg, what.series, box);
+    for (const ruler of what.rulers || [])
+        drawRuler(svg, ruler, box, px, py);
     for (const series of what.series)
         drawSeries(svg, series, px, py);
     const now = svgElement('line', {class: 'now', y1: box.y, y2: box.y + box.h, visibility: 'hidden'});
@@ -43,12 +47,36 @@ function drawChart(svg, what) {
             what.pick(found.series.x[found.index], found);
     };
     return {
+        mark(x, y) { /* a ring around a point */
+            svg.querySelector('.chosen')?.remove();
+            svg.append(svgElement('circle', {class: 'chosen', cx: px(x), cy: py(y), r: 7}));
+        },
         now(x) {
             now.setAttribute('visibility', x >= what.x.low && x <= what.x.high ? 'visible' : 'hidden');
             now.setAttribute('x1', px(x));
             now.setAttribute('x2', px(x));
         }
     };
+}
+
+/* Text that ends there; what follows `_` up to a blank is set below. */
+function words(place, text) {
+    const made = svgElement('text', {class: 'ruler-words', 'text-anchor': 'end', ...place}), [plain, low, rest] = text.split(/_(\S+)/);
+    made.append(plain);
+    if (low)
+        made.append(svgElement('tspan', {dy: 4, 'font-size': '0.75em'}, low), svgElement('tspan', {dy: -4}, rest));
+    return made;
+}
+/* A line across the chart with its words: {x or y, band, words}. */
+function drawRuler(svg, ruler, box, px, py) {
+    const upright = ruler.x !== undefined, at = upright ? px(ruler.x) : py(ruler.y);
+    const line = upright ? {x1: at, x2: at, y1: box.y, y2: box.y + box.h} : {x1: box.x, x2: box.x + box.w, y1: at, y2: at};
+    if (ruler.band > 0) {
+        const size = Math.abs(upright ? px(ruler.x + ruler.band) - at : py(ruler.y + ruler.band) - at);
+        svg.append(svgElement('rect', {class: 'band', ...(upright ? {x: at - size, y: box.y, width: 2 * size, height: box.h} : {x: box.x, y: at - size, width: box.w, height: 2 * size})}));
+    }
+    svg.append(svgElement('line', {class: 'ruler', ...line}),
+               words(upright ? {x: at - 7, y: box.y + 20} : {x: box.x + box.w - 8, y: at + 18}, ruler.words));
 }
 
 function drawLegend(svg, list, box) {

@@ -52,11 +52,11 @@ function quantity(value, unit, digits = 4) {
     const [factor, sign] = prefix(value, unit);
     return figures(value / factor, digits) + (unit ? ' ' + sign + unit : '');
 }
-/* A value to the digit in which its uncertainty begins. */
+/* A value to the digit in which its uncertainty begins, one more after a 1. */
 function uncertain(value, error, unit) {
     if (!(error > 0))
         return quantity(value, unit, 6);
-    const [factor, sign] = prefix(value, unit), decimals = Math.max(0, Math.min(9, -Math.floor(Math.log10(error / factor))));
+    const [factor, sign] = prefix(value, unit), decimals = Math.max(0, Math.min(9, -Math.floor(Math.log10(error / factor / 2))));
     const step = Math.pow(10, -decimals);
     return `${(value / factor).toFixed(decimals)} ± ${(Math.ceil(error / factor / step - 1e-9) * step).toFixed(decimals)} ${sign}${unit}`;
 }

@@ -6,7 +6,6 @@ let oneChart = null, frame = 0, before = 0;
 
 /* Seconds that the whole run takes at speed 1. */
 const filmSeconds = 10;
-const say = text => { element('said').textContent = text; };
 const chainName = chain => chain.name || 'the chain';
 
 /* ---- the stage ---- */

@@ -1,22 +1,4 @@
-/* Peaks, numbers and the scene's text; and everything set going. */
-
-function buildTable(table, head, rows) {
-    const add = (parent, kind, text, scope) => {
-        const cell = document.createElement(kind);
-        cell.textContent = text;
-        if (scope)
-            cell.scope = scope;
-        parent.append(cell);
-    };
-    table.textContent = '';
-    const top = table.createTHead().insertRow(), body = table.createTBody();
-    head.forEach(text => add(top, 'th', text, 'col'));
-    for (const [name, ...values] of rows) {
-        const row = body.insertRow();
-        add(row, 'th', name, 'row');
-        values.forEach(value => add(row, 'td', value));
-    }
-}
+/* Peaks and numbers of a run; and everything set going. */
 
 /* ---- peaks ---- */
 
@@ -108,26 +90,6 @@ function showFacts() {
     }
 }
 
-/* ---- the scene ---- */
-
-function buildCopy() {
-    const button = element('copy'), text = element('scene-text').textContent;
-    button.addEventListener('click', async () => {
-        try {
-            await navigator.clipboard.writeText(text);
-        } catch { /* pages from files may not, but what is selected can be copied */
-            const range = document.createRange();
-            range.selectNodeContents(element('scene-text'));
-            getSelection().removeAllRanges();
-            getSelection().addRange(range);
-            document.execCommand('copy');
-        }
-        button.textContent = 'Copied';
-        say('The scene is copied');
-        setTimeout(() => { button.textContent = 'Copy'; }, 2000);
-    });
-}
-
 function refresh() {
     layOut();
     showOne();
@@ -157,8 +119,6 @@ function startRun() {
     addEventListener('beforeprint', refresh);
 }
 
-element('made').textContent = `Made by ${data.program}. Everything is in this file; it asks nothing of the network.`;
-buildCopy();
 startRun();
 /* For tests and consoles: SI units and numbers of beads. */
 window.report = {

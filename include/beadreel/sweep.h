@@ -184,6 +184,7 @@ struct bead_sweep_sink {
     /* Instead of write: needs no results of the sweep, and runs what it shows. */
     enum bead_error (*run)(const struct bead_output *output, const struct bead_sweep *sweep,
                            const struct bead_sweep_settings *settings, const char *path, uint64_t *bytes, struct bead_message *msg);
+    bool needs_results; /* `run` does need those of the sweep */
 };
 /* Tables. NULL-terminated. */
 BEAD_API const struct bead_sweep_sink *const *bead_sweep_data_sinks(void);

@@ -185,4 +185,4 @@ static const char *sheet_why(const struct bead_output *output)
     return "small pictures of many configurations, rows by magnetism; nothing but these is run for it";
 }
 
-const struct bead_sweep_sink bead_contact_sheet_sink = {"sheet", BEAD_OUTPUT_SHEET, sheet_why, NULL, sheet_run};
+const struct bead_sweep_sink bead_contact_sheet_sink = {"sheet", BEAD_OUTPUT_SHEET, sheet_why, NULL, sheet_run, false};

@@ -338,4 +338,4 @@ static const char *sweep_plot_why(const struct bead_output *output)
                                                          : "peak force against magnetism, with plateau and threshold";
 }
 
-const struct bead_sweep_sink bead_sweep_plot_sink = {"plot", BEAD_OUTPUT_PLOT, sweep_plot_why, write_plot, NULL};
+const struct bead_sweep_sink bead_sweep_plot_sink = {"plot", BEAD_OUTPUT_PLOT, sweep_plot_why, write_plot, NULL, false};

@@ -104,30 +104,6 @@ static enum bead_error write_pictures(const void *context, FILE *file, struct be
 
 /* ---- numbers ---- */
 
-static void write_range(const struct bead_sink *s, FILE *file)
-{
-    static const char *const scales[] = {[BEAD_SCALE_LINEAR] = "linear", [BEAD_SCALE_SQRT] = "sqrt", [BEAD_SCALE_LOG] = "log"};
-    fputs("{\"low\":", file);
-    report_number(file, s->range.low);
-    report_key(file, true, "high");
-    report_number(file, s->range.high);
-    fprintf(file, ",\"scale\":\"%s\",\"over\":%s,\"under\":%s}", scales[s->output->colours.scale], s->range.over ? "true" : "false",
-            s->range.under ? "true" : "false");
-}
-
-static void write_field(const struct bead_sink *s, FILE *file)
-{
-    const struct bead_field_info *own = bead_chain_field(s->context.chains[0], s->output->shown.field);
-    const struct bead_field_info *info = own ? own : bead_field_info(s->output->shown.field);
-    fputs("{\"title\":", file);
-    report_string(file, info->title);
-    report_key(file, true, "name");
-    report_string(file, bead_field_info(s->output->shown.field)->name);
-    report_key(file, true, "unit");
-    report_string(file, info->unit);
-    fprintf(file, ",\"contacts\":%s}", info->of_contacts ? "true" : "false");
-}
-
 static void write_colour(FILE *file, const double colour[3])
 {
     double levels[3];
@@ -297,6 +273,8 @@ static enum bead_error write_chain(const struct bead_sink *s, size_t index, FILE
 static enum bead_error write_data(const void *context, FILE *file, struct bead_message *msg)
 {
     const struct bead_sink *s = context;
+    const enum bead_field field = s->output->shown.field;
+    const struct bead_field_info *own = bead_chain_field(s->context.chains[0], field);
     size_t samples = s->chains[0].fed;
     enum bead_error err = BEAD_OK;
     fputs("{\"kind\":\"run\",\"program\":\"beadreel " BEADREEL_VERSION "\",\"title\":", file);
@@ -307,15 +285,11 @@ static enum bead_error write_data(const void *context, FILE *file, struct bead_m
     report_number(file, s->grid.every);
     fprintf(file, ",\"count\":%zu,\"unit\":", samples);
     report_string(file, bead_chain_time_unit(s->context.chains[0]));
-    fputs("},\"field\":", file);
-    write_field(s, file);
-    fputs(",\"range\":", file);
-    write_range(s, file);
-    fputs(",\"maps\":{\"light\":\"", file);
-    report_base64(file, s->maps[0].rgb[0], sizeof s->maps[0].rgb);
-    fputs("\",\"dark\":\"", file);
-    report_base64(file, s->maps[1].rgb[0], sizeof s->maps[1].rgb);
-    fputs("\"},\"magnify\":", file);
+    fputs("},", file);
+    report_field(file, own ? own : bead_field_info(field), field);
+    report_range(file, &s->range, s->output->colours.scale);
+    report_maps(file, s->maps);
+    fputs("\"magnify\":", file);
     report_number(file, s->magnify);
     fputs(",\"materials\":", file);
     write_materials(s->context.scene, file);

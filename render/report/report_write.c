@@ -78,6 +78,37 @@ void report_base64(FILE *file, const unsigned char *bytes, size_t count)
     }
 }
 
+void report_field(FILE *file, const struct bead_field_info *info, enum bead_field field)
+{
+    fputs("\"field\":{\"title\":", file);
+    report_string(file, info->title);
+    report_key(file, true, "name");
+    report_string(file, bead_field_info(field)->name);
+    report_key(file, true, "unit");
+    report_string(file, info->unit);
+    fprintf(file, ",\"contacts\":%s},", info->of_contacts ? "true" : "false");
+}
+
+void report_range(FILE *file, const struct bead_colour_range *range, enum bead_scale scale)
+{
+    static const char *const scales[] = {[BEAD_SCALE_LINEAR] = "linear", [BEAD_SCALE_SQRT] = "sqrt", [BEAD_SCALE_LOG] = "log"};
+    fputs("\"range\":{\"low\":", file);
+    report_number(file, range->low);
+    report_key(file, true, "high");
+    report_number(file, range->high);
+    fprintf(file, ",\"scale\":\"%s\",\"over\":%s,\"under\":%s},", scales[scale], range->over ? "true" : "false",
+            range->under ? "true" : "false");
+}
+
+void report_maps(FILE *file, const struct bead_colormap maps[2])
+{
+    fputs("\"maps\":{\"light\":\"", file);
+    report_base64(file, maps[0].rgb[0], sizeof maps[0].rgb);
+    fputs("\",\"dark\":\"", file);
+    report_base64(file, maps[1].rgb[0], sizeof maps[1].rgb);
+    fputs("\"},", file);
+}
+
 enum bead_error report_samples(FILE *file, const float *values, size_t count, struct bead_message *msg)
 {
     double low = 0, high = 0;
@@ -133,13 +164,13 @@ static enum bead_error write_part(const struct report_part *parts, const void *c
 struct filling {
     const struct report_part *parts;
     const void *context;
-    const char *template;
+    const char *name, *text; /* of the template */
 };
 
 static enum bead_error fill_template(void *context, FILE *file, const char *part, struct bead_message *msg)
 {
     const struct filling *filling = context;
-    const char *text = filling->template;
+    const char *text = filling->text;
     enum bead_error err = BEAD_OK;
     (void)part; /* what cannot be written is told as the file is closed */
     while (!err) {
@@ -150,7 +181,7 @@ static enum bead_error fill_template(void *context, FILE *file, const char *part
             return BEAD_OK;
         }
         if (!close || (size_t)(close - open - 2) >= sizeof name)
-            return bead_fail(msg, BEAD_ERROR_FORMAT, "report/page.html: `{{` without a name and `}}`");
+            return bead_fail(msg, BEAD_ERROR_FORMAT, "report/%s: `{{` without a name and `}}`", filling->name);
         fwrite(text, 1, (size_t)(open - text), file);
         snprintf(name, sizeof name, "%.*s", (int)(close - open - 2), open + 2);
         err = write_part(filling->parts, filling->context, name, file, msg);
@@ -159,23 +190,24 @@ static enum bead_error fill_template(void *context, FILE *file, const char *part
     return err;
 }
 
-enum bead_error report_write_page(const struct report_part *parts, const void *context, const char *path, uint64_t *bytes,
-                                  struct bead_message *msg)
+enum bead_error report_write_page(const char *template, const struct report_part *parts, const void *context, const char *path,
+                                  uint64_t *bytes, struct bead_message *msg)
 {
-    char *template = NULL;
+    char *text = NULL, asset[96];
     size_t length = 0;
     locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    snprintf(asset, sizeof asset, "report/%.64s", template);
     enum bead_error err = plain == (locale_t)0 ? bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a report") : BEAD_OK;
     if (!err)
-        err = bead_asset_read("report/page.html", &template, &length, msg);
+        err = bead_asset_read(asset, &text, &length, msg);
     if (!err) {
-        struct filling filling = {parts, context, template};
+        struct filling filling = {parts, context, template, text};
         locale_t before = uselocale(plain);
         err = bead_file_write(path, fill_template, &filling, bytes, msg);
         uselocale(before);
     }
     if (plain != (locale_t)0)
         freelocale(plain);
-    free(template);
+    free(text);
     return err;
 }

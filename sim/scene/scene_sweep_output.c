@@ -19,10 +19,10 @@ enum bead_error bead_output_check_sweep(const struct bead_reader *reader, const 
     if (!type->options && scene->sweep_count == 0)
         return bead_wrong(reader, &where, "needs a sweep: the scene has neither `sweep` nor `sweeps`");
     if (scene->sweep_count > 0 && !type->sweep_options)
-        return bead_wrong(
-            reader, &where,
-            "shows a single run, and a sweep has many; must be sweep, sheet, plot or table (--configuration N shows one run of a "
-            "sweep's file)");
+        return bead_wrong(reader, &where,
+                          "shows a single run, and a sweep has many; must be sweep, sheet, plot, table or report (--configuration "
+                          "N shows one run of a "
+                          "sweep's file)");
     for (size_t i = 0; i < index && type->stores_sweep; i++) {
         if (outputs[i].kind == outputs[index].kind)
             return bead_wrong(reader, &where, "is a second file of the same results; one is enough");

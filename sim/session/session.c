@@ -79,12 +79,9 @@ static enum bead_error find_end(struct bead_session *s, struct bead_message *msg
 /* The scene, or where `-o` names a file, nothing but that. */
 static enum bead_error load_scene(struct bead_session *s, struct bead_message *msg)
 {
-    static const struct bead_file_kind kinds[] = {{BEAD_OUTPUT_IMAGE, NULL},
-                                                  {BEAD_OUTPUT_MOVIE, NULL},
-                                                  {BEAD_OUTPUT_TABLE, NULL},
-                                                  {BEAD_OUTPUT_TRAJECTORY, NULL},
-                                                  {BEAD_OUTPUT_REPORT, NULL},
-                                                  {BEAD_OUTPUT_KINDS, NULL}};
+    static const struct bead_file_kind kinds[] = {{BEAD_OUTPUT_IMAGE, NULL},  {BEAD_OUTPUT_MOVIE, NULL},
+                                                  {BEAD_OUTPUT_TABLE, NULL},  {BEAD_OUTPUT_TRAJECTORY, NULL},
+                                                  {BEAD_OUTPUT_REPORT, NULL}, {BEAD_OUTPUT_KINDS, NULL}};
     char path[4096];
     struct bead_scene *plain = NULL;
     struct bead_settings settings = {0};

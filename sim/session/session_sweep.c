@@ -58,8 +58,11 @@ enum bead_error bead_session_open_sweep(struct bead_session *s, struct bead_mess
     return err ? err : bead_sweep_create(s->scene, &s->sweep, msg);
 }
 
-const struct bead_file_kind bead_sweep_file_kinds[] = {
-    {BEAD_OUTPUT_PLOT, NULL}, {BEAD_OUTPUT_TABLE, NULL}, {BEAD_OUTPUT_SWEEP, NULL}, {BEAD_OUTPUT_KINDS, NULL}};
+const struct bead_file_kind bead_sweep_file_kinds[] = {{BEAD_OUTPUT_PLOT, NULL},
+                                                       {BEAD_OUTPUT_TABLE, NULL},
+                                                       {BEAD_OUTPUT_SWEEP, NULL},
+                                                       {BEAD_OUTPUT_REPORT, NULL},
+                                                       {BEAD_OUTPUT_KINDS, NULL}};
 static const struct bead_file_kind sheet_kinds[] = {{BEAD_OUTPUT_SHEET, NULL}, {BEAD_OUTPUT_KINDS, NULL}};
 
 /* More configurations than sheets have room for. */
@@ -193,11 +196,9 @@ static enum bead_error open_configurations(const struct bead_session *s, struct 
 enum bead_error bead_session_load_configuration(struct bead_session *s, struct bead_message *msg)
 {
     /* The peaks that sweeps measure are those of bead forces. */
-    static const struct bead_file_kind kinds[] = {{BEAD_OUTPUT_IMAGE, NULL},
-                                                  {BEAD_OUTPUT_MOVIE, NULL},
-                                                  {BEAD_OUTPUT_TABLE, ", show: bead-peaks"},
-                                                  {BEAD_OUTPUT_TRAJECTORY, NULL},
-                                                  {BEAD_OUTPUT_KINDS, NULL}};
+    static const struct bead_file_kind kinds[] = {
+        {BEAD_OUTPUT_IMAGE, NULL},      {BEAD_OUTPUT_MOVIE, NULL},  {BEAD_OUTPUT_TABLE, ", show: bead-peaks"},
+        {BEAD_OUTPUT_TRAJECTORY, NULL}, {BEAD_OUTPUT_REPORT, NULL}, {BEAD_OUTPUT_KINDS, NULL}};
     struct bead_sweep *sweep = NULL;
     struct bead_scene *scene = NULL;
     char *outputs = NULL, *text = NULL;
@@ -254,7 +255,9 @@ static bool needs_results(const struct bead_session *s)
     bool needs = false;
     for (size_t i = 0; i < s->made_count; i++) {
         const struct bead_made *m = &s->made[i];
-        needs = needs || (m->asked && (bead_session_holds_sweep(m) || (m->sweep_type && !m->sweep_type->run)));
+        needs =
+            needs ||
+            (m->asked && (bead_session_holds_sweep(m) || (m->sweep_type && (!m->sweep_type->run || m->sweep_type->needs_results))));
     }
     return needs;
 }

@@ -193,7 +193,7 @@ static enum bead_error write_table(const struct bead_output *output, const struc
     return bead_file_write(path, sweep_table_fill, &o, bytes, msg);
 }
 
-static const struct bead_sweep_sink table = {"table", BEAD_OUTPUT_TABLE, sweep_table_why, write_table, NULL};
+static const struct bead_sweep_sink table = {"table", BEAD_OUTPUT_TABLE, sweep_table_why, write_table, NULL, false};
 static const struct bead_sweep_sink *const sinks[] = {&table, NULL};
 
 const struct bead_sweep_sink *const *bead_sweep_data_sinks(void)

@@ -64,6 +64,7 @@ base() {
     sweep.measure) scene=sweep prefix=sweep.measure. before=('sweep.measure={peak: force}') ;;
     'outputs (plot of a sweep)') scene=sweep prefix=outputs.0. before=('outputs=[{plot: p.pdf}]') ;;
     'outputs (table of a sweep)') scene=sweep prefix=outputs.0. ;;
+    'outputs (report of a sweep)') scene=sweep prefix=outputs.0. before=('outputs=[{report: r.html}]') ;;
     'outputs (sweep)') scene=sweep prefix=outputs.0. before=('outputs=[{sweep: s.h5}]') ;;
     'outputs (sheet)') scene=sweep prefix=outputs.0. before=('outputs=[{sheet: s.png}]') ;;
     'outputs (trajectory)') prefix=outputs.0. before=('outputs=[{trajectory: r.h5}]') ;;

@@ -65,6 +65,25 @@ ok "no file of its program is long" long_files
 no_script_end() { ! grep -n '</script' "$top"/assets/report/*.js; }
 ok "... or ends the script" no_script_end
 
+cat >sweep.yaml <<'YAML'
+title: Ten cells
+sweep: {cells: 10, magnetism: [0, 0.6, 1], configurations: 3, seed: 4}
+simulate: {until: 0.4 ms}
+outputs: [{report: sweep.html, range: [0, 30 N]}, {sweep: sweep.h5}, {table: configurations.csv, show: configurations}]
+YAML
+ok "a sweep has a report" exits 0 "$beadreel" sweep.yaml -o .
+ok "... with the clean chain's image and those of its configurations" json 'len(d["panels"][0]["images"]) == 8 and d["kind"] == "sweep"' sweep.html
+ok "... and its size is bounded" test "$(stat -c %s sweep.html)" -le 3000000
+size=$(grep -oE '"times":[0-9]+' sweep.html | head -n 1 | tr -dc 0-9)
+wide=$(grep -oE '"places":[0-9]+' sweep.html | head -n 1 | tr -dc 0-9)
+ok "a run of a configuration" exits 0 "$beadreel" sweep.h5 --configuration 3 -o image.png --set outputs.0.axes=false --set outputs.0.orientation=time-down \
+    --set "outputs.0.size=[$wide, $size]" --set 'outputs.0.range=[0, 30 N]' --set outputs.0.scale=sqrt --set outputs.0.colormap=inferno
+ok "the file of a sweep becomes a report" exits 0 "$beadreel" sweep.h5 -o read.html
+same_data() { diff <(grep -A9999 'id="data"' sweep.html) <(grep -A9999 'id="data"' read.html) >/dev/null; }
+ok "... the same" same_data
+no_peaks() { fails 2 "$beadreel" sweep.yaml -o made --set 'outputs=[{report: r.html}]' --set 'sweep.measure={peak: none, decay: true}' && says 'measures none'; }
+ok "peaks that are not measured are missed" no_peaks
+
 # Lines of TAP from a program, as tests of this script.
 browser=$(command -v chromium || command -v google-chrome)
 if [ -n "$browser" ] && timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom about:blank >/dev/null 2>&1; then

@@ -1,0 +1,167 @@
+/* A sweep: force against magnetism, and the space-time images of its configurations. */
+
+const state = {panel: 0, place: 0, image: null};
+let chart = null;
+
+/* ---- images ---- */
+
+/* Rows of an image: how many places the wave has reached, then their colours; the rest have the colour of 0. */
+function pixels(image) {
+    const from = bytes(image.data), map = colourMap(), out = new ImageData(image.places, data.times), rest = 3 * colourIndex(0);
+    for (let t = 0, p = 0; t < data.times; t++) {
+        const reached = from[p] | from[p + 1] << 8;
+        p += 2;
+        for (let i = 0; i < image.places; i++) {
+            const c = i < reached ? 3 * from[p + i] : rest, to = 4 * (t * image.places + i);
+            out.data[to] = map[c], out.data[to + 1] = map[c + 1], out.data[to + 2] = map[c + 2], out.data[to + 3] = 255;
+        }
+        p += reached;
+    }
+    return out;
+}
+/* With axes: places along, time down. */
+function drawImage(canvas, image, height) {
+    const width = canvas.parentElement.clientWidth, box = {x: 46, y: 20, w: width - 46 - 6, h: height - 20 - 24};
+    const context = prepare(canvas, width, height), source = document.createElement('canvas');
+    const [factor, sign] = prefix(data.end, 's'), title = data.field.contacts ? 'contact' : 'bead';
+    source.width = image.places, source.height = data.times;
+    source.getContext('2d').putImageData(pixels(image), 0, 0);
+    context.imageSmoothingEnabled = false;
+    context.drawImage(source, box.x, box.y, box.w, box.h);
+    context.fillStyle = style('ink');
+    context.font = font(13);
+    context.textBaseline = 'middle';
+    context.textAlign = 'right';
+    const down = roundTicks(0, data.end / factor, Math.max(2, box.h / 45)), along = roundTicks(0, image.values - 1, box.w / 62);
+    tickLabels(down).forEach((text, k) => context.fillText(text, box.x - 8, clamp(box.y + box.h * down[k] * factor / data.end, box.y + 6, box.y + box.h - 5)));
+    context.textAlign = 'center';
+    tickLabels(along).forEach((text, k) => context.fillText(text, clamp(box.x + box.w * (along[k] + 0.5) / image.values, box.x + 4, box.x + box.w - 8), box.y + box.h + 13));
+    context.textAlign = 'left';
+    context.fillText(title, 2, box.y + box.h + 13);
+    context.fillText(`time (${sign}s)`, 2, 8);
+}
+
+/* ---- what is chosen ---- */
+
+const panelNow = () => data.panels[state.panel];
+const placeNow = () => panelNow().places[state.place];
+const cleanImage = () => panelNow().images.find(i => i.index === null);
+/* Configurations that have images, by rising magnetism. */
+const shownImages = () => panelNow().images.filter(i => i.index !== null).sort((a, b) => a.magnetism - b.magnetism || a.index - b.index);
+const forceOf = index => placeNow().values[placeNow().indices.indexOf(index)];
+
+function heading(target, image, words) {
+    const sign = document.createElement('em'), letter = document.createElement('i');
+    target.textContent = '';
+    letter.textContent = 'M';
+    sign.append(letter, ` = ${figures(image.magnetism, 3)}`);
+    target.append(sign, words);
+}
+function show(image) {
+    const force = forceOf(image.index), clean = cleanImage();
+    state.image = image;
+    heading(element('shown-title'), image, ` · no. ${image.index} · F = ${figures(force, 3)}`);
+    heading(element('clean-title'), clean, ` · all upright · F = 1 (${quantity(placeNow().clean, 'N')})`);
+    const free = element('force-chart').clientHeight - 66, narrow = matchMedia('(max-width: 760px)').matches;
+    const height = narrow ? 240 : Math.max(170, Math.round(free / 2));
+    drawImage(element('shown-image'), image, height);
+    drawImage(element('clean-image'), clean, height);
+    element('shown-image').setAttribute('aria-label', `${data.field.title} over beads and time, configuration ${image.index}, magnetism ${figures(image.magnetism, 3)}, force ${figures(force, 3)} of the clean chain's`);
+    element('clean-image').setAttribute('aria-label', `${data.field.title} over beads and time of the chain with all cells upright`);
+    const spins = element('spins');
+    spins.textContent = '';
+    spins.append(...[...image.spins].map(s => Object.assign(document.createElement('i'), {className: s === '1' ? 'up' : ''})));
+    spins.setAttribute('aria-label', `Random cells, left to right: ${[...image.spins].filter(s => s === '1').length} of ${image.spins.length} upright`);
+    chart.mark(image.magnetism, force);
+}
+function step(by) {
+    const all = shownImages(), at = all.indexOf(state.image);
+    show(all[clamp(at + by, 0, all.length - 1)]);
+    say(element('shown-title').textContent);
+}
+/* The nearest configuration that has an image. */
+function choose(index) {
+    const near = shownImages().reduce((a, b) => Math.abs(b.index - index) < Math.abs(a.index - index) ? b : a);
+    show(near);
+}
+
+/* ---- the chart ---- */
+
+function drawForces() {
+    const place = placeNow(), rows = place.rows.map(([magnetism, count, mean, error, median]) => ({magnetism, count, mean, error, median}));
+    const x = rows.flatMap(r => Array(r.count).fill(r.magnetism)), largest = place.values.reduce((a, b) => Math.max(a, b), 1);
+    const lone = {points: 2.6, line: false, faint: 0.5};
+    chart = drawChart(element('force-chart'), {
+        x: {title: 'magnetism M', low: Math.min(0, ...x) - 0.02, high: 1.02, factor: 1},
+        y: {title: 'peak force F / F(M = 1)', low: 0, high: 1.05 * largest, factor: 1},
+        series: [
+            {name: 'each configuration', colour: '--curve0', x, y: place.values, id: place.indices, ...lone},
+            {name: 'mean', colour: '--curve1', x: rows.map(r => r.magnetism), y: rows.map(r => r.mean), error: rows.map(r => r.error), mute: true},
+            {name: 'median', colour: '--curve2', x: rows.map(r => r.magnetism), y: rows.map(r => r.median), dashed: true, mute: true}
+        ],
+        rulers: place.threshold ? [
+            {y: place.threshold[0], band: place.threshold[1], words: `plateau ${figures(place.threshold[0], 3)}`},
+            ...(place.threshold[2] === null ? [] : [{x: place.threshold[2], band: place.threshold[3], words: `M_c = ${place.threshold[2].toFixed(3)}${place.threshold[3] ? ' ± ' + place.threshold[3].toFixed(3) : ''}`}])
+        ] : [],
+        plane: true,
+        label: `Peak force against magnetism of ${place.values.length} configurations, in units of the clean chain's ${quantity(place.clean, 'N')}. Arrows go from one configuration to the next.`,
+        pick: (_, found) => choose(place.indices[found.index]),
+        tip: (series, i) => [['', `M = ${figures(x[i], 3)}`, `no. ${place.indices[i]}`], ['', 'F', `${figures(place.values[i], 4)} (${quantity(place.values[i] * place.clean, 'N', 4)})`]]
+    });
+    element('force-note').textContent = `Forces in units of that of the clean chain, ${quantity(place.clean, 'N', 5)}. Bars are standard errors of means.`;
+    showRows(rows, place);
+}
+function showRows(rows, place) {
+    const t = place.threshold;
+    element('threshold').textContent = t ? `Plateau ${uncertain(t[0], t[1], '').trim()}${t[2] === null ? '' : `, threshold in M ${uncertain(t[2], t[3], '').trim()}`}.` : '';
+    buildTable(element('numbers-table'), ['M', 'configurations', 'mean ± standard error', 'median'],
+               rows.map(r => [figures(r.magnetism, 4), String(r.count), uncertain(r.mean, r.error, '').trim(), figures(r.median, 4)]));
+}
+
+function drawAll() {
+    const narrow = matchMedia('(max-width: 760px)').matches, bar = element('bar');
+    drawForces();
+    show(state.image);
+    bar.style.width = narrow ? '100%' : barWidth() + 'px';
+    drawBar(bar, !narrow, narrow ? bar.parentElement.clientWidth : barWidth(), narrow ? 28 : element('plot').clientHeight - 10);
+}
+/* Another sweep or place begins in the middle of its magnetisms. */
+function enter() {
+    state.image = shownImages().reduce((a, b) => Math.abs(b.magnetism - 0.5) < Math.abs(a.magnetism - 0.5) ? b : a);
+    drawAll();
+}
+function buildPicks() {
+    const panel = element('panel'), place = element('place');
+    data.panels.forEach((p, i) => panel.add(new Option(p.name || `sweep ${i + 1}`, i)));
+    const fill = () => {
+        place.textContent = '';
+        panelNow().places.forEach((p, i) => place.add(new Option(p.name, i)));
+        element('place-label').hidden = panelNow().places.length < 2;
+    };
+    element('panel-label').hidden = data.panels.length < 2;
+    panel.addEventListener('change', () => { state.panel = Number(panel.value), state.place = 0; fill(); enter(); });
+    place.addEventListener('change', () => { state.place = Number(place.value); drawAll(); });
+    fill();
+}
+
+const all = data.panels.reduce((sum, p) => sum + p.configurations, 0);
+element('facts').textContent = `${all} configurations of ${panelNow().cells} random cells`;
+buildPicks();
+enter();
+element('previous').addEventListener('click', () => step(-1));
+element('next').addEventListener('click', () => step(1));
+addEventListener('keydown', event => {
+    const by = {ArrowLeft: -1, ArrowRight: 1}[event.key];
+    if (by && !/^(INPUT|SELECT)$/.test(event.target.tagName) && !event.ctrlKey && !event.altKey && !event.metaKey) {
+        event.preventDefault();
+        step(by);
+    }
+});
+let wide = innerWidth;
+addEventListener('resize', () => {
+    if (innerWidth !== wide)
+        wide = innerWidth, drawAll();
+});
+dark.addEventListener('change', drawAll);
+/* For tests and consoles. */
+window.report = {data, state, choose, shownImages, pixels};

@@ -1,0 +1,371 @@
+/* Reports of sweeps: force against magnetism, with the space-time image of each configuration behind its point. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/api.h"
+#include "beadreel/sweep.h"
+#include "render/draw/colour_range.h"
+#include "render/draw/colour_table.h"
+#include "render/report/report.h"
+#include "render/report/report_write.h"
+#include "render/view/area.h"
+
+/* Pixels of all images together, about half of which the wave has not reached and cost nothing; of one image along the chain, and
+ * along time as a part of that. Beyond `most_images` each second configuration is shown, or each third and so on. */
+static const double wanted_pixels = 3.6e6, least_places = 24, most_places = 200, tall = 0.75;
+enum { MOST_IMAGES = 4000, SAMPLES_A_ROW = 4 };
+
+/* The image of a configuration. */
+struct sweep_image {
+    size_t panel, index; /* or BEAD_SWEEP_CLEAN */
+    struct bead_area *area;
+    size_t values;
+    enum bead_field field;
+};
+
+struct sweep_report {
+    const struct bead_output *output;
+    const struct bead_sweep *sweep;
+    struct sweep_image *images;
+    struct bead_sweep_watch *watches;
+    size_t count;
+    double end;        /* s: of all images */
+    int places, times; /* pixels */
+    struct bead_colormap maps[2];
+    struct bead_colour_range range;
+    struct bead_field_info field;
+};
+
+static enum bead_error sweep_memory(struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a report of a sweep");
+}
+
+static void sweep_clear(struct sweep_report *r)
+{
+    for (size_t i = 0; r->images && i < r->count; i++)
+        bead_area_destroy(r->images[i].area);
+    free(r->images);
+    free(r->watches);
+}
+
+/* ---- which images, and their pixels ---- */
+
+static void add_image(struct sweep_report *r, size_t panel, size_t index)
+{
+    r->images[r->count++] = (struct sweep_image){.panel = panel, .index = index, .field = r->output->shown.field};
+}
+
+/* The clean chain and the known configurations of each panel. */
+static enum bead_error list_images(struct sweep_report *r, struct bead_message *msg)
+{
+    struct bead_sweep_configuration found;
+    size_t panels = bead_sweep_panels(r->sweep), all = panels;
+    for (size_t p = 0; p < panels; p++)
+        all += bead_sweep_panel(r->sweep, p)->configurations;
+    const size_t stride = (all + MOST_IMAGES - 1) / MOST_IMAGES;
+    r->images = calloc(all, sizeof *r->images);
+    r->watches = calloc(all, sizeof *r->watches);
+    if (!r->images || !r->watches)
+        return sweep_memory(msg);
+    for (size_t p = 0; p < panels; p++) {
+        add_image(r, p, BEAD_SWEEP_CLEAN);
+        for (size_t i = 0; i < bead_sweep_panel(r->sweep, p)->configurations; i += stride) {
+            if (bead_sweep_configuration(r->sweep, p, i, &found))
+                add_image(r, p, i);
+        }
+    }
+    double places = floor(sqrt(wanted_pixels / (double)r->count / tall));
+    r->places = (int)fmax(least_places, fmin(most_places, places));
+    r->times = (int)round(tall * r->places);
+    return BEAD_OK;
+}
+
+static enum bead_error prepare_colours(struct sweep_report *r, struct bead_message *msg)
+{
+    const char *file = bead_sweep_scene(r->sweep)->file;
+    struct bead_sweep_chain *made = NULL;
+    enum bead_error err = bead_colour_range_check(r->output, file, msg);
+    if (!err)
+        err = bead_sweep_chain_create(r->sweep, 0, BEAD_SWEEP_CLEAN, &made, msg);
+    for (int dark = 0; dark < 2 && !err; dark++)
+        err = bead_colour_range_map(r->output, bead_sweep_chain_of(made), dark, &r->maps[dark], msg);
+    bead_sweep_chain_destroy(made);
+    return err;
+}
+
+static enum bead_error make_area(struct sweep_report *r, struct sweep_image *image, struct bead_message *msg)
+{
+    const size_t beads = bead_sweep_panel(r->sweep, image->panel)->beads;
+    struct bead_sweep_chain *made = NULL;
+    image->values = beads;
+    if (bead_field_info(image->field)->of_contacts) {
+        enum bead_error err = bead_sweep_chain_create(r->sweep, image->panel, image->index, &made, msg);
+        if (err)
+            return err;
+        image->values = bead_chain_contacts(bead_sweep_chain_of(made));
+        bead_sweep_chain_destroy(made);
+    }
+    const struct bead_area_setup setup = {{0, image->values - 1},
+                                          {0, r->end},
+                                          image->values < (size_t)r->places ? (int)image->values : r->places,
+                                          r->times,
+                                          BEAD_SAMPLING_AREA};
+    return bead_area_create(&setup, &image->area, msg);
+}
+
+/* ---- running them ---- */
+
+static enum bead_error take_sample(void *context, const struct bead_sample *sample, struct bead_message *msg)
+{
+    const struct sweep_image *image = context;
+    (void)msg;
+    bead_area_feed(image->area, sample->time, sample->field[image->field], sample->active);
+    return BEAD_OK;
+}
+
+/* All images end as the last front arrives, or where the scene says. */
+static enum bead_error find_end(struct sweep_report *r, const struct bead_sweep_settings *settings, struct bead_message *msg)
+{
+    const double until = bead_sweep_scene(r->sweep)->simulate.until;
+    r->end = isnan(until) ? 0 : until;
+    if (!isnan(until))
+        return BEAD_OK;
+    for (size_t i = 0; i < r->count; i++)
+        r->watches[i] = (struct bead_sweep_watch){.panel = r->images[i].panel, .index = r->images[i].index};
+    enum bead_error err = bead_sweep_watch(r->sweep, r->watches, r->count, settings, msg);
+    for (size_t i = 0; i < r->count; i++)
+        r->end = fmax(r->end, r->watches[i].arrival);
+    return err;
+}
+
+static enum bead_error run_images(struct sweep_report *r, const struct bead_sweep_settings *settings, struct bead_message *msg)
+{
+    enum bead_error err = find_end(r, settings, msg);
+    for (size_t i = 0; i < r->count && !err; i++) {
+        err = make_area(r, &r->images[i], msg);
+        r->watches[i] = (struct bead_sweep_watch){.panel = r->images[i].panel,
+                                                  .index = r->images[i].index,
+                                                  .end = r->end,
+                                                  .fields = BEAD_FIELD_BIT(r->output->shown.field),
+                                                  .every = r->end / (SAMPLES_A_ROW * (double)r->times),
+                                                  .take = take_sample,
+                                                  .context = &r->images[i]};
+    }
+    return err ? err : bead_sweep_watch(r->sweep, r->watches, r->count, settings, msg);
+}
+
+static enum bead_error find_range(struct sweep_report *r, struct bead_message *msg)
+{
+    struct bead_shown_values shown = {INFINITY, -INFINITY, -INFINITY};
+    struct bead_sweep_chain *made = NULL;
+    enum bead_error err = bead_sweep_chain_create(r->sweep, 0, BEAD_SWEEP_CLEAN, &made, msg);
+    if (err)
+        return err;
+    for (size_t i = 0; i < r->count; i++) {
+        double low, high;
+        bead_area_extremes(r->images[i].area, &low, &high);
+        shown.least = fmin(shown.least, low);
+        shown.largest = fmax(shown.largest, high);
+        shown.typical = fmax(shown.typical, bead_area_typical(r->images[i].area));
+    }
+    const struct bead_chain *chain = bead_sweep_chain_of(made);
+    r->field = *bead_chain_field(chain, r->output->shown.field);
+    r->range = bead_colour_range_find(&r->output->colours, bead_chain_signed(chain, r->output->shown.field), &shown);
+    bead_sweep_chain_destroy(made);
+    return BEAD_OK;
+}
+
+/* ---- writing ---- */
+
+static enum bead_error sweep_title(const void *context, FILE *file, struct bead_message *msg)
+{
+    const struct sweep_report *r = context;
+    const char *title = bead_sweep_scene(r->sweep)->title;
+    (void)msg;
+    report_html(file, title && *title ? title : "beadreel");
+    return BEAD_OK;
+}
+
+static enum bead_error sweep_scene(const void *context, FILE *file, struct bead_message *msg)
+{
+    const struct sweep_report *r = context;
+    (void)msg;
+    report_html(file, bead_sweep_scene(r->sweep)->text);
+    return BEAD_OK;
+}
+
+/* Indices of colours, a row for each time: first how many places differ from the colour of 0 up to the last that does (two bytes),
+ * then theirs. */
+static enum bead_error write_image(const struct sweep_report *r, const struct sweep_image *image, FILE *file,
+                                   struct bead_message *msg)
+{
+    const struct bead_colours colours = {&r->maps[0], r->output->colours.scale, r->range.low, r->range.high};
+    const size_t places = bead_area_places(image->area), room = (places + 2) * (size_t)r->times;
+    const uint8_t rest = bead_colours_index(&colours, 0);
+    double *means = malloc(places * sizeof *means);
+    unsigned char *bytes = malloc(room);
+    size_t used = 0;
+    if (!means || !bytes) {
+        free(means);
+        free(bytes);
+        return sweep_memory(msg);
+    }
+    for (int t = 0; t < r->times; t++) {
+        size_t reached = bead_area_column(image->area, t, means) ? places : 0;
+        while (reached > 0 && bead_colours_index(&colours, means[reached - 1]) == rest)
+            reached--;
+        bytes[used++] = (unsigned char)(reached & 255);
+        bytes[used++] = (unsigned char)(reached >> 8);
+        for (size_t i = 0; i < reached; i++)
+            bytes[used++] = bead_colours_index(&colours, means[i]);
+    }
+    report_base64(file, bytes, used);
+    free(means);
+    free(bytes);
+    return BEAD_OK;
+}
+
+static void write_spins(const char *spins, size_t cells, FILE *file)
+{
+    for (size_t i = 0; i < cells; i++)
+        fputc(spins[i] == '1' ? '1' : '0', file);
+}
+
+static enum bead_error write_configurations(const struct sweep_report *r, size_t panel, FILE *file, struct bead_message *msg)
+{
+    const size_t cells = bead_sweep_panel(r->sweep, panel)->spec->cells;
+    const char *comma = "";
+    enum bead_error err = BEAD_OK;
+    fputs(",\n\"images\":[", file);
+    for (size_t i = 0; i < r->count && !err; i++) {
+        const struct sweep_image *image = &r->images[i];
+        struct bead_sweep_configuration found;
+        if (image->panel != panel)
+            continue;
+        (void)bead_sweep_configuration(r->sweep, panel, image->index, &found);
+        fprintf(file, "%s{\"index\":", comma);
+        comma = ",\n";
+        if (image->index == BEAD_SWEEP_CLEAN)
+            fputs("null", file);
+        else
+            fprintf(file, "%zu", image->index);
+        report_key(file, true, "magnetism");
+        report_number(file, found.magnetism);
+        fputs(",\"spins\":\"", file);
+        write_spins(found.spins, cells, file);
+        fprintf(file, "\",\"places\":%zu,\"values\":%zu,\"data\":\"", bead_area_places(image->area), image->values);
+        err = write_image(r, image, file, msg);
+        fputs("\"}", file);
+    }
+    fputc(']', file);
+    return err;
+}
+
+static void write_rows(const struct bead_sweep_statistics *s, FILE *file)
+{
+    fputs("\"rows\":[", file);
+    for (size_t i = 0; i < s->row_count; i++) {
+        const struct bead_sweep_row *row = &s->rows[i];
+        const double numbers[] = {row->magnetism, (double)row->count, row->summary.mean, row->summary.standard_error,
+                                  row->summary.median};
+        fputs(i ? "," : "", file);
+        report_numbers(file, numbers, sizeof numbers / sizeof *numbers);
+    }
+    fputs("],\"values\":", file);
+    report_numbers(file, s->values, s->row_count ? s->rows[s->row_count - 1].first + s->rows[s->row_count - 1].count : 0);
+    fputs(",\"indices\":[", file);
+    for (size_t i = 0, first = 1; i < s->row_count; i++) {
+        for (size_t k = 0; k < s->rows[i].count; k++, first = 0)
+            fprintf(file, "%s%zu", first ? "" : ",", s->indices[s->rows[i].first + k]);
+    }
+    fputc(']', file);
+}
+
+static enum bead_error write_place(const struct sweep_report *r, size_t panel, size_t place, FILE *file, struct bead_message *msg)
+{
+    struct bead_sweep_statistics s = {0};
+    enum bead_error err = bead_sweep_statistics(r->sweep, panel, place, r->output->sweep_curves.threshold, &s, msg);
+    if (err)
+        return err;
+    fputs(place ? ",\n{\"name\":" : "{\"name\":", file);
+    report_string(file, bead_sweep_place(r->sweep, panel, place));
+    report_key(file, true, "clean");
+    report_number(file, s.clean);
+    if (s.has_threshold) {
+        const double numbers[] = {s.threshold.plateau, s.threshold.plateau_error, s.threshold.critical, s.threshold.critical_error};
+        report_key(file, true, "threshold");
+        report_numbers(file, numbers, sizeof numbers / sizeof *numbers);
+    }
+    fputc(',', file);
+    write_rows(&s, file);
+    fputc('}', file);
+    bead_sweep_statistics_free(&s);
+    return BEAD_OK;
+}
+
+static enum bead_error write_panel(const struct sweep_report *r, size_t index, FILE *file, struct bead_message *msg)
+{
+    const struct bead_sweep_panel *panel = bead_sweep_panel(r->sweep, index);
+    enum bead_error err = BEAD_OK;
+    fputs(index ? ",\n{\"name\":" : "{\"name\":", file);
+    report_string(file, panel->spec->title && *panel->spec->title ? panel->spec->title : panel->name);
+    fprintf(file, ",\"configurations\":%zu,\"beads\":%zu,\"cells\":%zu,\"places\":[", panel->configurations, panel->beads,
+            panel->spec->cells);
+    for (size_t p = 0; p < panel->places && !err; p++)
+        err = write_place(r, index, p, file, msg);
+    fputc(']', file);
+    if (!err)
+        err = write_configurations(r, index, file, msg);
+    fputc('}', file);
+    return err;
+}
+
+static enum bead_error sweep_data(const void *context, FILE *file, struct bead_message *msg)
+{
+    const struct sweep_report *r = context;
+    const struct bead_scene *scene = bead_sweep_scene(r->sweep);
+    enum bead_error err = BEAD_OK;
+    fputs("{\"kind\":\"sweep\",\"program\":\"beadreel " BEADREEL_VERSION "\",\"title\":", file);
+    report_string(file, scene->title ? scene->title : "");
+    fputs(",\"end\":", file);
+    report_number(file, r->end);
+    fprintf(file, ",\"times\":%d,", r->times);
+    report_field(file, &r->field, r->output->shown.field);
+    report_range(file, &r->range, r->output->colours.scale);
+    report_maps(file, r->maps);
+    fputs("\"panels\":[", file);
+    for (size_t p = 0; p < bead_sweep_panels(r->sweep) && !err; p++)
+        err = write_panel(r, p, file, msg);
+    fputs("]}", file);
+    return err;
+}
+
+static enum bead_error sweep_run(const struct bead_output *output, const struct bead_sweep *sweep,
+                                 const struct bead_sweep_settings *settings, const char *path, uint64_t *bytes,
+                                 struct bead_message *msg)
+{
+    static const struct report_part parts[] = {{"title", sweep_title}, {"scene", sweep_scene}, {"data", sweep_data}, {NULL, NULL}};
+    struct sweep_report r = {.output = output, .sweep = sweep};
+    enum bead_error err = prepare_colours(&r, msg);
+    if (!err)
+        err = list_images(&r, msg);
+    if (!err)
+        err = run_images(&r, settings, msg);
+    if (!err)
+        err = find_range(&r, msg);
+    if (!err)
+        err = report_write_page("sweep.html", parts, &r, path, bytes, msg);
+    sweep_clear(&r);
+    return err;
+}
+
+static const char *sweep_why(const struct bead_output *output)
+{
+    (void)output;
+    return "a page with force against magnetism, and an image behind each point: these are run again";
+}
+
+const struct bead_sweep_sink bead_report_sweep_sink = {
+    .name = "report", .kind = BEAD_OUTPUT_REPORT, .why = sweep_why, .run = sweep_run, .needs_results = true};
