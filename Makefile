@@ -36,7 +36,7 @@ BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev li
 TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py man-db mandoc zsh fish
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
 WISHED_DEPS = libosmesa6
-CI_DEPS    = clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian chromium
+CI_DEPS    = clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian pandoc chromium
 # Programs of others that read trajectories; tests of what is missing are skipped and counted. Their readers in JavaScript come with npm.
 READER_DEPS = octave python3-paraview python3-mdanalysis python3-xarray python3-h5netcdf python3-silx python3-nbconvert python3-ipykernel \
               nodejs $(if $(shell command -v npm),,npm)
@@ -311,9 +311,8 @@ lint: ## formatting, static analysis
 MANUALS = $(wildcard assets/man/*.[15])
 man: $(PROGRAMS) ## write options, keys and lists into the man pages again
 	@BEADREEL_ASSETS=assets assets/man/make.sh $(BUILD) $(MANUALS)
-doc: ## the man pages as HTML, into build/doc
-	@mkdir -p $(BUILD)/doc
-	@for m in $(MANUALS); do mandoc -T html -O man=%N.%S.html,toc $$m >$(BUILD)/doc/$${m##*/}.html || exit 1; done
+doc: $(BUILD)/beadreel ## the manual and the man pages as HTML, into build/doc (pandoc, mandoc)
+	@rm -rf $(BUILD)/doc && assets/manual/make.py html $(BUILD) $(BUILD)/doc
 	@ls $(BUILD)/doc/*.html
 
 ASSETS = $(shell cd assets && find . -type f ! -name '*.png' ! -path './man/*' ! -path './completions/*' ! -path './gallery/*' ! -path './findings/*' ! -path './python/*' ! -path './manual/*' | sed 's,^\./,,')

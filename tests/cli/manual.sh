@@ -1,0 +1,52 @@
+#!/bin/bash
+# The manual: what its chapters say is done here, chapter by chapter, with smaller pictures; and its HTML is whole.
+source "$(dirname "$0")/../shell.bash"
+manual=$top/assets/manual
+export top PATH=$BUILD:$PATH
+# Slurm's command, for one machine: the tasks of the array, one after the other.
+sbatch() {
+    local task tasks
+    tasks=$(sed -n 's/^#SBATCH --array=1-//p' "$1")
+    for ((task = 1; task <= tasks; task++)); do SLURM_ARRAY_TASK_ID=$task SLURM_CPUS_PER_TASK=1 sh "$1" || return 1; done
+}
+command -v python3 >/dev/null || { skip python3 "the chapters of the manual"; finish; }
+works() { # CHAPTER
+    local name
+    name=$(basename "$1" .md)
+    mkdir -p "$T/$name" && "$manual/make.py" script "$1" >"$T/$name.sh" && (cd "$T/$name" && bash "$T/$name.sh" >"$T/log" 2>&1) || { tail -n 5 "$T/log"; return 1; }
+}
+for chapter in "$manual"/*.md; do ok "the commands of $(basename "$chapter") work" works "$chapter"; done
+
+# The job of the cluster's chapter, with a smaller sweep.
+slurm_works() {
+    cd "$T/cluster" && rm -rf parts && sed -i 's/cells: 32/cells: 8/; s/configurations: 200/configurations: 2/' sweep.yaml && sbatch sweep.slurm >"$T/log" &&
+        beadsim --merge parts/sweep.*of8.h5 -o merged.h5 >"$T/log" && beadsim sweep.yaml -o one >"$T/log" && cmp merged.h5 one/sweep.h5
+}
+ok "the Slurm job computes a sweep in parts" slurm_works
+broken() { # a chapter with a command that fails, a file that is not made, another message
+    printf '```sh\n%s\n```\n%s\n' "$1" "${2:-}" >"$T/broken.md"
+    ! works "$T/broken.md" >/dev/null
+}
+ok "a command that fails is found" broken 'beadreel nothing.yaml'
+ok "a file that is not made is found" broken 'true' '<!-- makes: nothing.png -->'
+ok "a test elsewhere that is none is found" broken 'true' '<!-- elsewhere: tests/run.sh: nothing of the kind -->'
+
+if command -v pandoc >/dev/null && command -v mandoc >/dev/null; then
+    ok "the manual becomes HTML" "$manual/make.py" html "$BUILD" "$T/html"
+    linked() { # every link and picture leads to a file; nothing comes from elsewhere
+        local page link
+        for page in "$T"/html/*.html; do
+            for link in $(grep -oE '(href|src)="[^"#]+' "$page" | sed 's/.*="//'); do
+                [[ $link == https://* || $link == mailto:* ]] && continue
+                [ -s "$T/html/$link" ] || { echo "${page##*/}: $link"; return 1; }
+            done
+        done
+        ! grep -lE '<script|src="http|@import|url\(' "$T"/html/*.html "$T"/html/*.css
+    }
+    ok "... whose links lead to files, and which needs no network" linked
+    listed() { for f in "$manual"/*.md; do f=$(basename "$f" .md); grep -q "\"$f.html\"" "$T/html/index.html" || { echo "$f"; return 1; }; done; }
+    ok "... with every chapter in its contents" listed
+else
+    skip pandoc,mandoc "the manual becomes HTML"
+fi
+finish
