@@ -8,7 +8,13 @@
 #include "beadreel/look.h"
 #include "render/draw/quantity.h"
 
-enum { MOST_TICKS = sizeof((struct bead_axis *)0)->ticks / sizeof(struct bead_tick), ENOUGH = 7, ENOUGH_UNEVEN = 9, FEW = 4 };
+enum {
+    MOST_TICKS = sizeof((struct bead_axis *)0)->ticks / sizeof(struct bead_tick),
+    ENOUGH = 7,
+    ENOUGH_TO_THE_END = 11,
+    ENOUGH_UNEVEN = 9,
+    FEW = 4
+};
 
 /* Room for labels, in units of the font size. A digit is 0.5 wide in STIX and 0.58 in Lato. */
 static const double character = 0.6, between_labels = 1.2, least_between = 0.5, line_apart = 1.9, least_line = 1.4,
@@ -17,6 +23,7 @@ static const double character = 0.6, between_labels = 1.2, least_between = 0.5, 
 struct room {
     double length, em;
     bool horizontal, tight;
+    int most; /* steps, less one */
 };
 
 static size_t characters(const char *label)
@@ -64,7 +71,7 @@ static bool try_step(struct bead_axis *axis, const struct room *room, int mantis
     double step = multiple(1, mantissa, exponent);
     double from = ceil((low - slack) / step), to = floor((high + slack) / step);
     axis->count = 0;
-    if (to - from >= ENOUGH)
+    if (to - from >= room->most)
         return false;
     size_t widest = 0;
     for (double k = from; k <= to; k++) {
@@ -88,7 +95,7 @@ static bool uneven_step(struct bead_axis *axis, const struct room *room, int fir
 }
 
 /* The smallest step of 1, 2, 5 x 10^n whose labels fit. */
-static void equal_steps(struct bead_axis *axis, struct room room, bool counts)
+static void round_steps(struct bead_axis *axis, struct room room, bool counts)
 {
     int first = (int)floor(log10((axis->high - axis->low) * axis->factor)) - 2;
     for (int pass = 0; pass < 2; pass++) {
@@ -108,6 +115,42 @@ static void equal_steps(struct bead_axis *axis, struct room room, bool counts)
     }
     if (axis->count > 1)
         axis->count = 0;
+}
+
+static bool has_tick(const struct bead_axis *axis, double place)
+{
+    for (size_t i = 0; i < axis->count; i++) {
+        if (fabs(axis->ticks[i].place - place) < 1e-6)
+            return true;
+    }
+    return false;
+}
+
+/* Steps that lead to the end, of an axis that began with a tick from there, too: the widest with so many ticks. */
+static bool steps_to_the_end(struct bead_axis *axis, const struct room *room, bool counts, bool from_low, size_t least)
+{
+    enum { MANTISSAS = 5 };
+    int first = (int)floor(log10((axis->high - axis->low) * axis->factor));
+    for (int i = 0; i < 2 * MANTISSAS; i++) {
+        int exponent = first - i / MANTISSAS, mantissa = MANTISSAS - i % MANTISSAS;
+        bool fits = !(counts && exponent < 0) && try_step(axis, room, mantissa, exponent) && axis->count >= least;
+        if (fits && has_tick(axis, 1) && (!from_low || has_tick(axis, 0)))
+            return true;
+    }
+    return false;
+}
+
+/* An axis from 0.6 to 1.5 has both numbers: in smaller steps or in threes and fours, if those fit. */
+static void equal_steps(struct bead_axis *axis, struct room room, bool counts)
+{
+    round_steps(axis, room, counts);
+    if (axis->count < 2 || has_tick(axis, 1))
+        return;
+    const struct bead_axis found = *axis;
+    const bool from_low = has_tick(axis, 0);
+    room.most = ENOUGH_TO_THE_END;
+    if (!steps_to_the_end(axis, &room, counts, from_low, 4) && !steps_to_the_end(axis, &room, counts, from_low, 3))
+        *axis = found;
 }
 
 /* The fewest decimals that write mantissa * 10^exponent * k exactly. */
@@ -273,7 +316,7 @@ void bead_axis_make(struct bead_axis *axis, double low, double high, const char 
     bool sensible = isfinite(low) && isfinite(high) && high - low > 1e-12 * largest && length > 0 && em > 0;
     if (!sensible || (scale == BEAD_SCALE_LOG && (!(low > 0) || !isfinite(high / low))))
         return;
-    struct room room = {length, em, horizontal, false};
+    struct room room = {length, em, horizontal, false, ENOUGH};
     if (scale == BEAD_SCALE_LINEAR)
         equal_steps(axis, room, counts);
     else if (scale == BEAD_SCALE_LOG && high / low > 30)

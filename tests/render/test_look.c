@@ -477,9 +477,32 @@ static void film_type_is_a_part_of_the_frame(void **state)
     }
 }
 
+/* An axis that ends on a round number has a tick there. */
+static void test_round_ends_have_ticks(void **state)
+{
+    (void)state;
+    static const struct {
+        double low, high, length;
+        const char *last;
+    } axes[] = {
+        {0.6e-3, 1.5e-3, 800, "1.5"}, {0, 1.6, 1100, "1.6"}, {0, 800e-6, 160, "800"}, {0, 900e-6, 460, "900"}, {0, 70, 600, "70"}};
+    for (size_t i = 0; i < sizeof axes / sizeof *axes; i++) {
+        struct bead_axis axis;
+        bead_axis_make(&axis, axes[i].low, axes[i].high, "s", BEAD_SCALE_LINEAR, axes[i].length, 20, true);
+        assert_true(axis.count >= 3 && axis.count <= 12);
+        assert_string_equal(axis.ticks[axis.count - 1].label, axes[i].last);
+        assert_true(axis.ticks[axis.count - 1].place > 1 - 1e-9);
+        for (size_t k = 2; k < axis.count; k++) { /* in equal steps */
+            double step = axis.ticks[1].place - axis.ticks[0].place;
+            assert_true(fabs(axis.ticks[k].place - axis.ticks[k - 1].place - step) < 1e-9);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_round_ends_have_ticks),
         cmocka_unit_test(test_linear_ticks),
         cmocka_unit_test(test_uneven_ticks),
         cmocka_unit_test(test_logarithmic_axes_have_minor_ticks),
