@@ -13,6 +13,11 @@ static inline const char *bead_chain_title(const struct bead_chain *chain)
     return title ? title : "";
 }
 
+/* Fewest decimals, at most three, that write a magnetism: 0 for 1, 2 for 0.25, 3 for 1/3. */
+int bead_magnetism_digits(double magnetism);
+/* As many as the chain that needs most, for all of a picture. */
+int bead_magnetism_decimals(const struct bead_chain *const *chains, size_t count);
+
 /* Plain text: "brass wall", "rigid wall". */
 void bead_wall_name(const struct bead_chain *chain, char *out, size_t size);
 

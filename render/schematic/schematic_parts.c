@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/draw/markup.h"
 #include "render/draw/names.h"
+#include "render/draw/quantity.h"
 #include "render/schematic/schematic_parts.h"
 #include "render/schematic/schematic_words.h"
 
@@ -13,13 +15,11 @@ enum { MOST_DIGITS = 12 };
 
 static void spin_words(const struct bead_segment *segment, char *out, size_t size)
 {
-    char magnetism[128];
     out[0] = '\0';
     if (!segment->spins_given || segment->cell_beads < 2)
         return;
-    bead_text_magnetism(segment->magnetism, magnetism, sizeof magnetism);
-    if (segment->spins == BEAD_SPINS_RANDOM)
-        snprintf(out, size, "random, %s", magnetism);
+    if (segment->spins == BEAD_SPINS_RANDOM) /* the header says which M came of it */
+        snprintf(out, size, "random");
     else if (segment->spins == BEAD_SPINS_DIGITS && segment->count > MOST_DIGITS)
         snprintf(out, size, "given spins");
     else
@@ -38,23 +38,70 @@ static void segment_words(const struct bead_segment *segment, struct bead_part *
     spin_words(segment, part->words[1], sizeof part->words[1]);
 }
 
-size_t bead_parts_make(const struct bead_chain *chain, size_t most, struct bead_part *parts)
+/* Entries from `from` on that are beads of one kind each, such as those of a tapered chain. */
+static size_t plain_entries(const struct bead_chain_spec *spec, size_t from)
+{
+    size_t s = from;
+    while (s < spec->segment_count && spec->segments[s].cell_beads == 1 && !spec->segments[s].sensor &&
+           !spec->segments[s].spins_given)
+        s++;
+    return s - from;
+}
+
+/* Such a row of this many or more is one part. */
+enum { ROW = 5 };
+
+/* "20 beads", "R = 4.76 mm to 1.80 mm". */
+static void row_words(const struct bead_chain *chain, struct bead_part *part)
+{
+    const double *radius = bead_chain_radius(chain);
+    const double first = radius[part->first], last = radius[part->first + part->beads - 1];
+    char from[32], to[32];
+    snprintf(part->words[0], sizeof part->words[0], "%zu beads", part->beads);
+    bead_quantity(first, "m", 3, from, sizeof from);
+    bead_quantity(last, "m", 3, to, sizeof to);
+    if (strcmp(from, to) != 0)
+        snprintf(part->words[1], sizeof part->words[1], BEAD_SYMBOL("R") " = %s to %s", from, to);
+}
+
+/* The part that begins with entry *s at bead `first`; *s is then the entry behind it. */
+static struct bead_part part_from(const struct bead_chain *chain, size_t *s, size_t first)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
-    size_t count = spec->segment_count, used = 0, bead = 1;
+    const size_t row = plain_entries(spec, *s), entries = row >= ROW ? row : 1;
+    struct bead_part part = {.segment = &spec->segments[*s], .first = first};
+    for (size_t i = 0; i < entries; i++, (*s)++)
+        part.beads += spec->segments[*s].cell_beads * spec->segments[*s].count;
+    if (row >= ROW)
+        row_words(chain, &part);
+    else
+        segment_words(part.segment, &part);
+    return part;
+}
+
+static size_t count_parts(const struct bead_chain *chain)
+{
+    size_t count = 0, s = 0;
+    for (; s < bead_chain_spec(chain)->segment_count; count++)
+        (void)part_from(chain, &s, 1);
+    return count;
+}
+
+size_t bead_parts_make(const struct bead_chain *chain, size_t most, struct bead_part *parts)
+{
+    size_t count = count_parts(chain), used = 0, bead = 1, s = 0;
     size_t front = count <= most ? count : (most + 1) / 2, back = count <= most ? 0 : most / 2;
-    for (size_t s = 0; s < count; s++) {
-        const struct bead_segment *segment = &spec->segments[s];
-        size_t beads = segment->cell_beads * segment->count;
-        if (s < front || s >= count - back) {
-            parts[used] = (struct bead_part){.segment = segment, .first = bead, .beads = beads};
-            segment_words(segment, &parts[used++]);
-        } else if (s == front) {
-            parts[used++] = (struct bead_part){.first = bead, .beads = beads};
+    for (size_t i = 0; i < count; i++) {
+        struct bead_part part = part_from(chain, &s, bead);
+        bead += part.beads;
+        if (i < front || i >= count - back) {
+            parts[used++] = part;
+        } else if (i == front) {
+            part.segment = NULL;
+            parts[used++] = part;
         } else {
-            parts[used - 1].beads += beads;
+            parts[used - 1].beads += part.beads;
         }
-        bead += beads;
     }
     for (size_t i = 0; i < used; i++) {
         if (parts[i].segment)
@@ -150,7 +197,7 @@ void bead_parts_labels(struct bead_plan_row *row, const struct bead_text_style *
 }
 
 /* Name, number of beads, M, tilt, precompression: as much as fits. */
-void bead_parts_header(struct bead_plan_row *row, const struct bead_text_style *style, double width)
+void bead_parts_header(struct bead_plan_row *row, const struct bead_text_style *style, int decimals, double width)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(row->chain);
     char name[160], pieces[5][200] = {"", "", "", "", ""}, text[sizeof row->header], number[128];
@@ -160,8 +207,8 @@ void bead_parts_header(struct bead_plan_row *row, const struct bead_text_style *
     snprintf(pieces[1], sizeof pieces[1], "%zu bead%s", bead_chain_beads(row->chain) - 1,
              bead_chain_beads(row->chain) == 2 ? "" : "s");
     if (*bead_chain_spins(row->chain)) {
-        bead_text_magnetism(bead_chain_magnetism(row->chain), number, sizeof number);
-        snprintf(pieces[2], sizeof pieces[2], "%s", number);
+        bead_number(bead_chain_magnetism(row->chain), decimals, number, sizeof number);
+        snprintf(pieces[2], sizeof pieces[2], BEAD_SYMBOL("M") " = %s", number);
     }
     if (spec->tilt > 0)
         snprintf(pieces[3], sizeof pieces[3], "tilt %.3g°%s", spec->tilt * 180 / M_PI,

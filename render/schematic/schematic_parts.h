@@ -12,6 +12,7 @@ BEAD_CHECK bool bead_parts_strip(const struct bead_chain *chain, const struct be
                                  struct bead_strip *strip);
 /* Words above and below with their widths. */
 void bead_parts_labels(struct bead_plan_row *row, const struct bead_text_style *style, bool details);
-void bead_parts_header(struct bead_plan_row *row, const struct bead_text_style *style, double width);
+/* `decimals`: of M. */
+void bead_parts_header(struct bead_plan_row *row, const struct bead_text_style *style, int decimals, double width);
 
 #endif

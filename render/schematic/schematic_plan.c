@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "render/draw/names.h"
 #include "render/schematic/schematic_parts.h"
 
 /* In units of the label's font size. */
@@ -228,8 +229,9 @@ bool bead_plan_make(const struct bead_drafting *d, struct bead_box area, struct 
     plan->row_count = wanted;
     if (found) {
         struct bead_text_style style = bead_sketch_style(d->sketch, plan->em);
+        const int decimals = bead_magnetism_decimals(d->context->chains, count);
         for (size_t i = 0; i < wanted; i++)
-            bead_parts_header(&plan->rows[i], &style, area.width);
+            bead_parts_header(&plan->rows[i], &style, decimals, area.width);
         centre_rows(plan);
     }
     return found;

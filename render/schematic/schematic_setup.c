@@ -2,11 +2,12 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "render/schematic/schematic_plan.h"
 #include "render/schematic/schematic_words.h"
 
-enum { MOST_MATERIALS = 60 };
+enum { MOST_ENTRIES = 8, PIECES = MOST_ENTRIES + 1 };
 /* In units of the label's font size. */
 static const double guide_height = 0.28, brace_gap = 0.25, brace_depth = 0.7, arrow_length = 2.0, arrow_above = 0.45;
 
@@ -174,7 +175,34 @@ static void setup_draw_row(const struct bead_plan *plan, const struct bead_plan_
     draw_below(plan, row);
 }
 
-/* Materials of beads, in the order of the scene. */
+static bool near(double a, double b)
+{
+    return fabs(a - b) <= 1e-3 * fabs(a);
+}
+
+/* Beads of one stuff, whatever their size. */
+static bool differ_in_size_only(const struct bead_material *a, const struct bead_material *b)
+{
+    return near(a->modulus, b->modulus) && near(a->poisson, b->poisson) &&
+           near(a->mass / pow(a->radius, 3), b->mass / pow(b->radius, 3)) && memcmp(a->colour, b->colour, sizeof a->colour) == 0;
+}
+
+/* The last of those that differ from `first` in size only; all but `first` itself are marked as not used, and *listed counts them
+ * all where there are several. */
+static size_t last_alike(const struct bead_scene *scene, bool *used, size_t first, size_t *listed)
+{
+    size_t last = first;
+    for (size_t m = first + 1; m < scene->material_count; m++) {
+        if (!used[m] || !differ_in_size_only(&scene->materials[first], &scene->materials[m]))
+            continue;
+        *listed += last == first ? 2 : 1;
+        used[m] = false;
+        last = m;
+    }
+    return last;
+}
+
+/* Materials of beads, in the order of the scene; many that differ in size only are one entry. */
 static size_t list_materials(const struct bead_drafting *d, struct bead_piece *pieces)
 {
     const struct bead_scene *scene = d->context->scene;
@@ -185,12 +213,19 @@ static size_t list_materials(const struct bead_drafting *d, struct bead_piece *p
         for (size_t j = 0; j < bead_chain_beads(d->context->chains[c]); j++)
             used[scene->materials[bead_chain_material(d->context->chains[c])[j]].of] = true;
     }
-    for (size_t m = 0; used && m < scene->material_count && count < MOST_MATERIALS; m++) {
+    size_t all = 0, listed = 0;
+    for (size_t m = 0; used && m < scene->material_count; m++)
+        all += used[m];
+    for (size_t m = 0; used && m < scene->material_count && count < MOST_ENTRIES; m++) {
         if (!used[m])
             continue;
-        bead_material_words(&scene->materials[m], pieces[count].markup, sizeof pieces[count].markup);
+        const size_t last = all > MOST_ENTRIES ? last_alike(scene, used, m, &listed) : m;
+        listed += last == m;
+        bead_materials_words(&scene->materials[m], &scene->materials[last], pieces[count].markup, sizeof pieces[count].markup);
         pieces[count++].colour = scene->materials[m].colour;
     }
+    if (listed < all)
+        snprintf(pieces[count++].markup, sizeof pieces->markup, "and %zu more", all - listed);
     free(used);
     return count;
 }
@@ -205,7 +240,7 @@ static bool say_rest(const struct bead_drafting *d, struct bead_box *area, size_
 
 bool bead_schematic_setup(const struct bead_drafting *d)
 {
-    struct bead_piece *pieces = calloc(MOST_MATERIALS, sizeof *pieces);
+    struct bead_piece *pieces = calloc(PIECES, sizeof *pieces);
     struct bead_plan plan = {0};
     struct bead_box area = d->area;
     d->sketch->failed = d->sketch->failed || !pieces;

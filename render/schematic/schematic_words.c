@@ -45,17 +45,39 @@ static bool says_radius(const char *label, const char *radius)
     return *number && strstr(label, number);
 }
 
+static void mass_words(const struct bead_material *material, char *out, size_t size)
+{
+    if (material->mass < 1)
+        bead_quantity(1e3 * material->mass, "g", 3, out, size);
+    else
+        snprintf(out, size, "%.3g kg", material->mass);
+}
+
 void bead_material_words(const struct bead_material *material, char *out, size_t size)
 {
     char name[96], radius[32], mass[32];
     bead_text_escape(material->label, name, sizeof name);
     bead_quantity(material->radius, "m", 3, radius, sizeof radius);
-    if (material->mass < 1)
-        bead_quantity(1e3 * material->mass, "g", 3, mass, sizeof mass);
-    else
-        snprintf(mass, sizeof mass, "%.3g kg", material->mass);
+    mass_words(material, mass, sizeof mass);
     if (says_radius(material->label, radius))
         snprintf(out, size, "%s, %s", name, mass);
     else
         snprintf(out, size, "%s, " BEAD_SYMBOL("R") " = %s, %s", name, radius, mass);
+}
+
+void bead_materials_words(const struct bead_material *first, const struct bead_material *last, char *out, size_t size)
+{
+    char name[2][96], radius[2][32], mass[2][32];
+    const struct bead_material *ends[] = {first, last};
+    if (first == last) {
+        bead_material_words(first, out, size);
+        return;
+    }
+    for (int i = 0; i < 2; i++) {
+        bead_text_escape(ends[i]->label, name[i], sizeof name[i]);
+        bead_quantity(ends[i]->radius, "m", 3, radius[i], sizeof radius[i]);
+        mass_words(ends[i], mass[i], sizeof mass[i]);
+    }
+    snprintf(out, size, "%s to %s, " BEAD_SYMBOL("R") " = %s to %s, %s to %s", name[0], name[1], radius[0], radius[1], mass[0],
+             mass[1]);
 }

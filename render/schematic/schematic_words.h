@@ -22,5 +22,7 @@ bool bead_cell_mirrored(const struct bead_segment *segment);
 
 /* Markup: "large steel, R = 4.76 mm, 3.63 g". */
 void bead_material_words(const struct bead_material *material, char *out, size_t size);
+/* Of several that differ in size only: "a to b, R = 4.76 mm to 1.80 mm, 3.63 g to 0.195 g"; of one, if first is last. */
+void bead_materials_words(const struct bead_material *first, const struct bead_material *last, char *out, size_t size);
 
 #endif

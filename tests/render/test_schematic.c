@@ -212,6 +212,49 @@ static void what_is_left_out_is_said(void **state)
     clear_stage(s);
 }
 
+/* A tapered chain is one row of beads and one entry of the legend; of many other materials some are named. One M is said. */
+static void tapered_chains_are_one_row(void **state)
+{
+    (void)state;
+    char text[8192] = "materials:\n";
+    size_t used = strlen(text);
+    for (int i = 0; i < 20; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used,
+                                 "  s%d: {density: 8027 kg/m3, radius: %.3f mm, modulus: 193 GPa, poisson: 0.3}\n", i, 5 - 0.2 * i);
+    used += (size_t)snprintf(text + used, sizeof text - used, "chain:\n  beads:\n");
+    for (int i = 0; i < 20; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "  - {bead: s%d}\n", i);
+    snprintf(text + used, sizeof text - used, "outputs: [{plot: a.png, show: setup}]\n");
+    struct staged *s = set_stage(text);
+    struct seen seen = {.count = 0};
+    assert_int_equal(draw(s, 0, &seen, NULL), BEAD_OK);
+    assert_true(wrote(&seen, "20 beads") && wrote(&seen, "s0 to s19") && wrote(&seen, "5.00\u00a0mm to 1.20\u00a0mm"));
+    assert_false(wrote(&seen, "1 bead ") || wrote(&seen, "s7") || wrote(&seen, "more"));
+    clear_stage(s);
+
+    used = (size_t)snprintf(text, sizeof text, "materials:\n");
+    for (int i = 0; i < 20; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used,
+                                 "  s%d: {density: 8027 kg/m3, radius: 5 mm, modulus: %d GPa, poisson: 0.3}\n", i, 10 + 10 * i);
+    used += (size_t)snprintf(text + used, sizeof text - used, "chain:\n  beads:\n");
+    for (int i = 0; i < 20; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "  - {bead: s%d, count: 2}\n", i);
+    snprintf(text + used, sizeof text - used, "outputs: [{plot: a.png, show: setup}]\n");
+    s = set_stage(text);
+    seen.count = 0;
+    assert_int_equal(draw(s, 0, &seen, NULL), BEAD_OK);
+    assert_true(wrote(&seen, "40 beads") && wrote(&seen, "s5") && wrote(&seen, "and 13 more"));
+    clear_stage(s);
+
+    s = set_stage("chain:\n  beads: [{cell: [glass, ptfe], count: 9, spins: random, magnetism: 0.2}]\n"
+                  "outputs: [{plot: a.png, show: setup}]\n");
+    seen.count = 0;
+    assert_int_equal(draw(s, 0, &seen, NULL), BEAD_OK);
+    assert_true(wrote(&seen, "random") && wrote(&seen, "0.111"));
+    assert_false(wrote(&seen, "0.2"));
+    clear_stage(s);
+}
+
 /* N1 : N2 cells of many beads, and one of too many groups for a brace each. */
 static void long_cells(void **state)
 {
@@ -458,11 +501,17 @@ static void text_is_text(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(setups_of_all_lengths),    cmocka_unit_test(the_experiment_is_all_there),
-        cmocka_unit_test(what_is_left_out_is_said), cmocka_unit_test(long_cells),
-        cmocka_unit_test(too_small_is_an_error),    cmocka_unit_test(contact_is_to_scale),
-        cmocka_unit_test(cells_are_to_scale),       cmocka_unit_test(setup_shows_the_beads),
-        cmocka_unit_test(nothing_is_computed),      cmocka_unit_test(text_is_text),
+        cmocka_unit_test(tapered_chains_are_one_row),
+        cmocka_unit_test(setups_of_all_lengths),
+        cmocka_unit_test(the_experiment_is_all_there),
+        cmocka_unit_test(what_is_left_out_is_said),
+        cmocka_unit_test(long_cells),
+        cmocka_unit_test(too_small_is_an_error),
+        cmocka_unit_test(contact_is_to_scale),
+        cmocka_unit_test(cells_are_to_scale),
+        cmocka_unit_test(setup_shows_the_beads),
+        cmocka_unit_test(nothing_is_computed),
+        cmocka_unit_test(text_is_text),
     };
     return cmocka_run_group_tests_name("schematic", tests, make_directory, remove_directory);
 }
