@@ -3,6 +3,8 @@
 #include <stdio.h>
 
 #include "render/draw/markup.h"
+#include "render/draw/names.h"
+#include "render/draw/quantity.h"
 #include "render/figure/contact_sheet.h"
 
 /* Colours of the spins, from those of curves: up is pale, reversed stands out. */
@@ -95,8 +97,16 @@ void contact_sheet_row_name(const struct contact_sheet *s, const struct contact_
     char name[256] = "";
     if (s->several)
         bead_text_escape(bead_sweep_panel(s->sweep, row->panel)->spec->title, name, sizeof name);
-    if (isnan(row->magnetism))
+    if (isnan(row->magnetism)) {
         snprintf(text, size, "%s", name);
-    else
-        snprintf(text, size, "%s%s" BEAD_SYMBOL("M") " = %.3g", name, *name ? "\n" : "", row->magnetism);
+        return;
+    }
+    int decimals = 0;
+    char number[32];
+    for (size_t i = 0; i < s->row_count; i++) {
+        const int digits = isnan(s->rows[i].magnetism) ? 0 : bead_magnetism_digits(s->rows[i].magnetism);
+        decimals = digits > decimals ? digits : decimals;
+    }
+    bead_number(row->magnetism, decimals, number, sizeof number);
+    snprintf(text, size, "%s%s" BEAD_SYMBOL("M") " = %s", name, *name ? "\n" : "", number);
 }

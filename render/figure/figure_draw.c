@@ -88,6 +88,15 @@ static void part_words(const struct bead_figure *f, struct words *words)
     snprintf(words->moment, sizeof words->moment, BEAD_SYMBOL("t") " = %s", time);
 }
 
+/* Of all chains with as many decimals. */
+static void figure_magnetism(const struct bead_figure *f, const struct bead_chain *chain, char *text, size_t size)
+{
+    char number[32];
+    const int decimals = bead_magnetism_decimals(f->context.chains, f->context.chain_count);
+    bead_number(bead_chain_magnetism(chain), decimals, number, sizeof number);
+    snprintf(text, size, BEAD_SYMBOL("M") " = %s", number);
+}
+
 static bool words_of(const struct bead_figure *f, const struct bead_cell *cell, struct words *words)
 {
     const struct bead_chain *chain = f->context.chains[cell->chain];
@@ -98,7 +107,7 @@ static bool words_of(const struct bead_figure *f, const struct bead_cell *cell, 
     if (!f->part && f->page.paper && f->cell_count > 1 && index < 26)
         snprintf(words->letter, sizeof words->letter, "(%c)", (char)('a' + (int)index));
     if (*bead_chain_spins(chain) && words->name == bead_chain_title(chain))
-        bead_text_magnetism(bead_chain_magnetism(chain), words->magnetism, sizeof words->magnetism);
+        figure_magnetism(f, chain, words->magnetism, sizeof words->magnetism);
     return f->output->views.axes && (*words->letter || *words->name || *words->magnetism || *words->moment);
 }
 
@@ -117,14 +126,16 @@ struct heading {
 static void make_heading(const struct bead_figure *f, const struct bead_cell *cell, struct heading *h)
 {
     const struct bead_look *look = &f->look;
+    const bool plain = f->page.paper || f->part; /* as the headings of plots, which may stand beside it */
+    const double size = f->part ? look->label : look->title;
     (void)words_of(f, cell, &h->words);
-    h->letter = h->name = figure_style_of(look, look->title, look->ink);
-    h->magnetism = figure_style_of(look, look->title, f->page.paper ? look->ink : look->accent);
+    h->letter = h->name = figure_style_of(look, size, look->ink);
+    h->magnetism = figure_style_of(look, size, plain ? look->ink : look->accent);
     h->label = figure_style_of(look, look->label, look->faint);
-    h->name.bold = !f->page.paper;
+    h->name.bold = !plain;
     h->gap = 0.7 * look->label;
-    h->letter.bold = f->part;
-    if (f->page.paper || f->part)
+    h->letter.bold = true;
+    if (plain)
         h->words.label = h->words.moment;
 }
 

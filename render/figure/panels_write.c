@@ -79,6 +79,12 @@ static enum bead_error draw_plot(const struct bead_still *s, const struct still_
     return BEAD_OK;
 }
 
+/* Of the first panel's plots. */
+static double plots_left(const struct bead_still *s)
+{
+    return s->panels[0].area.x + s->panels[0].insets.left;
+}
+
 static void panels_draw_words(const struct bead_still *s, cairo_t *cr)
 {
     double margin = s->look.margin, wrap = s->page.width - 2 * margin;
@@ -88,7 +94,8 @@ static void panels_draw_words(const struct bead_still *s, cairo_t *cr)
     style.size = graph_title_size(&s->look);
     style.bold = true;
     if (s->title)
-        bead_text_draw_lines(cr, &style, wrap, margin, margin, s->title);
+        bead_text_draw_lines(cr, &style, wrap, graph_title_x(&style, s->title, plots_left(s), margin, s->page.width - margin),
+                             margin, s->title);
 }
 
 static enum bead_error panels_decorate(void *context, cairo_t *cr, struct bead_message *msg)

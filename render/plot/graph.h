@@ -20,20 +20,28 @@
 #include "beadreel/look.h"
 #include "beadreel/scene.h"
 
-enum bead_mark { BEAD_MARK_LINE, BEAD_MARK_POINTS, BEAD_MARK_LINE_POINTS };
+/* Marks on a line that have no room at every point stand at every n-th, in turn with those of the other curves. A band lies between
+ * y and `upper`. */
+enum bead_mark { BEAD_MARK_LINE, BEAD_MARK_POINTS, BEAD_MARK_LINE_POINTS, BEAD_MARK_BAND };
+/* Curves of one panel differ by dashes and shapes of marks, so that they are told apart in grey, too: the first DASHES patterns are
+ * for them, the dotted one is for fits. */
+enum { BEAD_DASHES = 6, BEAD_DASH_DOTTED = BEAD_DASHES, BEAD_SHAPES = 6 };
 
 /* One curve. It is interrupted where y is NaN; points outside the axes are cut off at the frame. */
 struct bead_series {
     const double *x, *y; /* [count] */
     const double *error; /* [count], bars from y - error to y + error; NULL: none */
+    const double *upper; /* [count], of a band */
     size_t count;
     enum bead_mark mark;
-    size_t colour;      /* number of the colour, as bead_look_curve has them */
-    size_t shape;       /* of points: disc, square, triangle, diamond, ring, cross, and so on in turn */
-    bool dashed, faint; /* faint: thin and pale, below the others (many configurations behind their mean) */
-    const char *label;  /* in the legend; NULL: not there */
-    bool hollow;        /* points are outlines */
-    bool arrows;        /* points beyond the axis are shown as arrows at the frame */
+    size_t colour;     /* number of the colour, as bead_look_curve has them */
+    size_t shape;      /* of points: disc, square, triangle, diamond, triangle on its tip, star, ring, cross, and so on in turn */
+    size_t dash;       /* of lines: 0 is whole, and so on in turn */
+    bool faint;        /* thin and pale, below the others (many configurations behind their mean) */
+    const char *label; /* in the legend; NULL: not there */
+    bool hollow;       /* points are outlines */
+    bool arrows;       /* points beyond the axis are shown as arrows at the frame */
+    bool jitter;       /* points of equal x stand side by side, in part of the way to the next */
 };
 
 /* A line across the panel at a value of x (vertical) or y, with a band around it if low < high, and a word beside it. */

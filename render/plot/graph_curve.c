@@ -1,13 +1,20 @@
-/* Draws the curves, points and error bars of a panel; graph_draw.c calls it between axes and words. */
+/* Draws the curves, points, bands and error bars of a panel; graph_draw.c calls it between axes and words. */
+#include <assert.h>
 #include <math.h>
 
 #include "render/plot/graph_private.h"
 
 /* In units of the label's font size. */
-static const double point_radius = 0.24, cap = 0.16;
-/* Points on a curve that are closer than this, in line widths, are left out; with more points than this, points get smaller. */
-static const double least_spacing = 4, many_points = 150;
-static const double paleness = 0.55, faint_paleness = 0.35;
+static const double point_radius = 0.24, cap = 0.16, curve_width = 0.09;
+/* Marks on a curve whose points are closer than the first, in radii of a mark, stand the second apart. */
+static const double least_spacing = 2.6, thinned_spacing = 16;
+/* The marks of a single curve shrink to this before that. */
+static const double least_mark = 0.6;
+/* With more points than this, points of a cloud get smaller. */
+static const double many_points = 150;
+static const double paleness = 0.55, faint_paleness = 0.35, band_paleness = 0.22;
+/* Points of equal x that stand side by side take this part of the way to the next. */
+static const double jitter_share = 0.55, most_jitter = 1.6; /* at most so much, in units of the label's font size */
 static const double full_turn = 6.283185307179586;
 
 void graph_set_colour(cairo_t *cr, struct bead_rgb colour)
@@ -32,9 +39,22 @@ static const struct shape {
     int corners;
     double turn, size;
     bool hollow, cross;
-} shapes[] = {{0, 0, 1, false, false},   {4, 0.125, 1.2, false, false}, {3, 0.75, 1.3, false, false},
-              {4, 0, 1.3, false, false}, {0, 0, 1, true, false},        {4, 0.125, 1.2, false, true}};
+    double dent; /* > 0: every other corner is so far in */
+} shapes[] = {{0, 0, 1, false, false, 0},   {4, 0.125, 1.2, false, false, 0}, {3, 0.75, 1.3, false, false, 0},
+              {4, 0, 1.3, false, false, 0}, {3, 0.25, 1.3, false, false, 0},  {10, 0.75, 1.5, false, false, 0.4},
+              {0, 0, 1, true, false, 0},    {4, 0.125, 1.2, false, true, 0}};
 enum { SHAPES = sizeof shapes / sizeof shapes[0] };
+
+/* On and off, in widths of the line: whole, dashed, dash-dot, short dashes, long dashes, dash-dot-dot; dotted. */
+static const struct dashes {
+    int count;
+    double lengths[6];
+} dashes[] = {{0, {0}},        {2, {5.5, 2.5}}, {4, {6, 2, 1.3, 2}},
+              {2, {2.5, 1.8}}, {2, {12, 2.8}},  {6, {6, 1.8, 1.3, 1.8, 1.3, 1.8}},
+              {2, {1.2, 1.8}}};
+enum { PATTERNS = sizeof dashes / sizeof dashes[0] };
+static_assert((int)PATTERNS == BEAD_DASHES + 1, "patterns of dashes");
+static_assert((int)SHAPES >= BEAD_SHAPES, "shapes of marks");
 
 static void curve_outline(cairo_t *cr, const struct shape *shape, double x, double y, double radius)
 {
@@ -43,7 +63,8 @@ static void curve_outline(cairo_t *cr, const struct shape *shape, double x, doub
         cairo_arc(cr, x, y, radius, 0, full_turn);
     for (int i = 0; i < shape->corners; i++) {
         double angle = full_turn * (shape->turn + (double)i / shape->corners);
-        double px = x + radius * cos(angle), py = y + radius * sin(angle);
+        double far = shape->dent > 0 && i % 2 ? shape->dent * radius : radius;
+        double px = x + far * cos(angle), py = y + far * sin(angle);
         if (shape->cross)
             cairo_move_to(cr, x, y);
         cairo_line_to(cr, px, py);
@@ -216,14 +237,37 @@ static void trace(cairo_t *cr, const struct graph_cell *cell, const struct bead_
     flush(&pen, &column);
 }
 
-static bool points_have_room(const struct graph_cell *cell, const struct bead_look *look, const struct bead_series *series)
-{
-    return series->count < 2 || cell->plot.width / (double)(series->count - 1) >= least_spacing * look->line;
-}
-
 double graph_full_point(const struct bead_look *look)
 {
     return point_radius * look->label;
+}
+
+/* Between neighbouring points, if they are evenly spaced along the axis. */
+static double spacing_of(const struct graph_cell *cell, const struct bead_series *series)
+{
+    return series->count > 1 ? cell->plot.width / (double)(series->count - 1) : cell->plot.width;
+}
+
+/* Which of the panel's curves with marks this is, and of how many. */
+static size_t turn_of(const struct bead_panel *panel, const struct bead_series *series, size_t *count)
+{
+    size_t turn = 0;
+    *count = 0;
+    for (size_t s = 0; s < panel->series_count; s++) {
+        turn = &panel->series[s] == series ? *count : turn;
+        *count += panel->series[s].mark == BEAD_MARK_LINE_POINTS;
+    }
+    return turn;
+}
+
+struct graph_thinning graph_thin(const struct graph_cell *cell, const struct bead_look *look, const struct bead_series *series)
+{
+    double spacing = spacing_of(cell, series), radius = graph_full_point(look);
+    size_t curves, turn = turn_of(cell->panel, series, &curves);
+    if (series->mark != BEAD_MARK_LINE_POINTS || spacing >= least_spacing * radius * (curves > 1 ? 1 : least_mark))
+        return (struct graph_thinning){1, 0};
+    size_t every = (size_t)ceil(thinned_spacing * radius / spacing);
+    return (struct graph_thinning){every, (2 * turn + 1) * every / (2 * (curves > 0 ? curves : 1))};
 }
 
 static bool is_rising(const struct bead_series *series)
@@ -237,7 +281,7 @@ static bool is_rising(const struct bead_series *series)
 
 bool graph_look_alike(const struct bead_series *a, const struct bead_series *b)
 {
-    return a->mark == b->mark && a->colour == b->colour && a->shape == b->shape && a->dashed == b->dashed && a->faint == b->faint &&
+    return a->mark == b->mark && a->colour == b->colour && a->shape == b->shape && a->dash == b->dash && a->faint == b->faint &&
            a->hollow == b->hollow;
 }
 
@@ -251,19 +295,28 @@ double graph_point_size(const struct bead_series *series, const struct graph_cel
     double size = graph_full_point(look), least = fmax(0.7 * look->line, 0.4 * size);
     if (graph_cloud(series) > 0)
         return fmax(least, size * fmin(1, sqrt(many_points / (double)(cell->most_points + 1))));
-    double spacing = series->count > 1 ? cell->plot.width / (double)(series->count - 1) : cell->plot.width;
-    return fmax(series->mark == BEAD_MARK_POINTS ? 0.5 * least : 0, fmin(size, 0.35 * spacing));
+    double alone = fmin(size, spacing_of(cell, series) / least_spacing); /* side by side */
+    if (graph_thin(cell, look, series).every > 1)
+        return size;
+    return series->mark == BEAD_MARK_POINTS ? fmax(0.5 * least, alone) : fmax(least_mark * size, alone);
 }
 
-void graph_stroke_style(cairo_t *cr, const struct bead_look *look, const struct bead_series *series)
+void graph_stroke_style(cairo_t *cr, const struct bead_look *look, const struct bead_series *series, bool guide)
 {
-    bool guide = series->mark == BEAD_MARK_LINE_POINTS;
-    double width = series->faint || guide ? look->line : 1.5 * look->line, dashes[] = {4 * width, 2.5 * width};
+    const struct dashes *pattern = &dashes[series->dash % PATTERNS];
+    double width = series->faint || guide ? look->line : fmax(1.5 * look->line, curve_width * look->label), lengths[6];
     struct bead_rgb ink = ink_of(look, series);
+    for (int i = 0; i < pattern->count; i++)
+        lengths[i] = width * pattern->lengths[i];
     graph_set_colour(cr, guide && !series->faint ? graph_mix(ground(look), ink, paleness) : ink);
     cairo_set_line_width(cr, width);
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
-    cairo_set_dash(cr, dashes, series->dashed ? 2 : 0, 0);
+    cairo_set_dash(cr, lengths, pattern->count, 0);
+}
+
+struct bead_rgb graph_band_colour(const struct bead_look *look, const struct bead_series *series)
+{
+    return graph_mix(ground(look), bead_look_curve(look, series->colour), band_paleness);
 }
 
 /* ---- error bars ---- */
@@ -322,39 +375,82 @@ static void draw_arrow(cairo_t *cr, const struct bead_look *look, const struct g
     cairo_stroke(cr);
 }
 
+/* How far right of its x a point stands: points of equal x side by side, in the order of a sequence that spreads any number of them
+ * evenly. */
+static double aside(const struct graph_cell *cell, const struct bead_look *look, const struct bead_series *series, size_t i)
+{
+    static const double golden = 0.6180339887498949;
+    size_t from = i, to = i + 1;
+    while (from > 0 && series->x[from - 1] == series->x[i])
+        from--;
+    while (to < series->count && series->x[to] == series->x[i])
+        to++;
+    double next = to < series->count ? px_x(cell, series->x[to]) - px_x(cell, series->x[i])
+                  : from > 0         ? px_x(cell, series->x[i]) - px_x(cell, series->x[from - 1])
+                                     : 0;
+    double x = px_x(cell, series->x[i]), frame = fmin(x - cell->plot.x, cell->plot.x + cell->plot.width - x);
+    double width = fmin(fmin(jitter_share * fabs(next), most_jitter * look->label), 2 * fmax(frame, 0));
+    return to - from < 2 ? 0 : width * (fmod(golden * (double)(i - from + 1), 1) - 0.5);
+}
+
 static void draw_points(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series)
 {
     double size = graph_point_size(series, cell, look);
-    for (size_t i = 0; i < series->count; i++) {
+    struct graph_thinning thin = graph_thin(cell, look, series);
+    for (size_t i = thin.first; i < series->count; i += thin.every) {
         if (!is_there(cell, series, i) || beyond(&cell->axis[0], series->x[i]) != 0)
             continue;
         int off = beyond(&cell->axis[1], series->y[i]);
+        double x = px_x(cell, series->x[i]) + (series->jitter ? aside(cell, look, series, i) : 0);
         if (off == 0)
-            graph_draw_point(cr, look, series, px_x(cell, series->x[i]), px_y(cell, series->y[i]), size);
+            graph_draw_point(cr, look, series, x, px_y(cell, series->y[i]), size);
         else if (series->arrows)
-            draw_arrow(cr, look, cell, series, px_x(cell, series->x[i]), size, off > 0);
+            draw_arrow(cr, look, cell, series, x, size, off > 0);
     }
+}
+
+/* From y to the upper values, between thin lines of the series' dashes. */
+static void draw_band(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series)
+{
+    struct bead_series edge = *series;
+    const double *edges[] = {series->y, series->upper};
+    cairo_new_path(cr);
+    for (size_t i = 0; i < series->count; i++)
+        cairo_line_to(cr, px_x(cell, series->x[i]), px_y(cell, series->y[i]));
+    for (size_t i = series->count; i-- > 0;)
+        cairo_line_to(cr, px_x(cell, series->x[i]), px_y(cell, series->upper[i]));
+    cairo_close_path(cr);
+    graph_set_colour(cr, graph_band_colour(look, series));
+    cairo_fill(cr);
+    for (int k = 0; k < 2; k++) {
+        edge.y = edges[k];
+        trace(cr, cell, &edge, 8 * look->line);
+        graph_stroke_style(cr, look, &edge, true);
+        cairo_stroke(cr);
+    }
+}
+
+static void draw_line(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series)
+{
+    bool guide = series->mark == BEAD_MARK_LINE_POINTS && graph_thin(cell, look, series).every == 1;
+    trace(cr, cell, series, 8 * look->line);
+    graph_stroke_style(cr, look, series, guide);
+    cairo_stroke(cr);
 }
 
 void graph_draw_series(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series)
 {
     const struct bead_rect *plot = &cell->plot;
-    bool points =
-        series->mark == BEAD_MARK_POINTS || (series->mark == BEAD_MARK_LINE_POINTS && points_have_room(cell, look, series));
-    struct bead_series alone = *series;
-    if (series->mark == BEAD_MARK_LINE_POINTS && !points)
-        alone.mark = BEAD_MARK_LINE;
     cairo_save(cr);
     cairo_rectangle(cr, plot->x, plot->y, plot->width, plot->height);
     cairo_clip(cr);
-    if (series->mark != BEAD_MARK_POINTS) {
-        trace(cr, cell, series, 8 * look->line);
-        graph_stroke_style(cr, look, &alone);
-        cairo_stroke(cr);
-    }
+    if (series->mark == BEAD_MARK_BAND)
+        draw_band(cr, look, cell, series);
+    else if (series->mark != BEAD_MARK_POINTS)
+        draw_line(cr, look, cell, series);
     if (series->error)
         draw_bars(cr, look, cell, series);
     cairo_restore(cr);
-    if (points) /* those on the frame are whole */
+    if (series->mark == BEAD_MARK_POINTS || series->mark == BEAD_MARK_LINE_POINTS) /* those on the frame are whole */
         draw_points(cr, look, cell, series);
 }

@@ -121,6 +121,13 @@ static void draw_cell(cairo_t *cr, const struct graph_layout *layout, const stru
     graph_draw_head(cr, layout, cell);
 }
 
+double graph_title_x(const struct bead_text_style *style, const char *markup, double axes, double left, double right)
+{
+    double width, height;
+    bead_text_size(NULL, style, markup, &width, &height);
+    return axes + width <= right ? axes : left;
+}
+
 void graph_draw_all(cairo_t *cr, const struct graph_layout *layout)
 {
     const struct bead_look *look = layout->look;
@@ -140,5 +147,8 @@ void graph_draw_all(cairo_t *cr, const struct graph_layout *layout)
     style.size = graph_title_size(look);
     style.bold = true;
     if (layout->title)
-        bead_text_draw_lines(cr, &style, wrap, margin, margin, layout->title);
+        bead_text_draw_lines(
+            cr, &style, wrap,
+            graph_title_x(&style, layout->title, layout->cells[0].plot.x, margin, layout->width - layout->frame.margin), margin,
+            layout->title);
 }

@@ -183,6 +183,7 @@ static void gather_legends(struct graph_layout *l)
                 continue;
             if (i < cell->panel->series_count) {
                 entry.series = &cell->panel->series[i];
+                entry.cell = cell;
                 entry.markup = cell->labels[i];
             } else if (cell->words[r].state == GRAPH_WORD_IN_LEGEND) {
                 entry.ruler = &cell->panel->rulers[r];
@@ -400,7 +401,8 @@ static bool raise_axes(struct graph_layout *l, struct graph_cell *cell)
 {
     double air = 4 * graph_air(l->look), free = cell->plot.height;
     struct graph_legend legend = cell->legend;
-    if (!l->part || cell->raised || isfinite(cell->panel->y.high))
+    bool own = l->graph->panel_count > 1 && !l->graph->share_y; /* outside nobody would know which panel it is of */
+    if (!(l->part || own) || cell->raised || isfinite(cell->panel->y.high))
         return false;
     graph_legend_measure(&legend, l->look, 0.9 * cell->plot.width, 0);
     free -= legend.box.height + air;

@@ -4,7 +4,7 @@
 #include "render/plot/graph_private.h"
 
 /* In units of the label's font size. */
-static const double sample_length = 1.8, sample_gap = 0.5, between_columns = 1.3, least_row = 1.32, narrowest_words = 3;
+static const double sample_length = 2.6, sample_gap = 0.5, between_columns = 1.3, least_row = 1.32, narrowest_words = 3;
 /* Places tried inside a panel, across and down. */
 enum { ACROSS = 17, DOWN = 13 };
 
@@ -156,14 +156,36 @@ bool graph_legend_place(struct graph_legend *legend, const struct bead_look *loo
     return true;
 }
 
+static void draw_band_sample(const struct graph_entry *entry, const struct bead_look *look, double em, cairo_t *cr, double x,
+                             double y)
+{
+    double length = sample_length * em, half = 0.35 * em;
+    cairo_new_path(cr);
+    cairo_rectangle(cr, x, y - half, length, 2 * half);
+    graph_set_colour(cr, graph_band_colour(look, entry->series));
+    cairo_fill(cr);
+    graph_stroke_style(cr, look, entry->series, true);
+    for (int side = -1; side <= 1; side += 2) {
+        cairo_move_to(cr, x, y + side * half);
+        cairo_rel_line_to(cr, length, 0);
+        cairo_stroke(cr);
+    }
+    cairo_set_dash(cr, NULL, 0, 0);
+}
+
 static void draw_sample(const struct graph_entry *entry, const struct bead_look *look, double em, cairo_t *cr, double x, double y)
 {
     double length = sample_length * em;
     bool line = entry->ruler || entry->series->mark != BEAD_MARK_POINTS;
+    if (entry->series && entry->series->mark == BEAD_MARK_BAND) {
+        draw_band_sample(entry, look, em, cr, x, y);
+        return;
+    }
     if (entry->ruler)
         graph_ruler_style(cr, look, entry->ruler);
     else
-        graph_stroke_style(cr, look, entry->series);
+        graph_stroke_style(cr, look, entry->series,
+                           entry->series->mark == BEAD_MARK_LINE_POINTS && graph_thin(entry->cell, look, entry->series).every == 1);
     cairo_new_path(cr);
     cairo_move_to(cr, x, y);
     cairo_line_to(cr, x + length, y);

@@ -21,8 +21,9 @@ struct graph_mask {
 struct graph_entry {
     const struct bead_series *series; /* or */
     const struct bead_ruler *ruler;
-    char *markup;               /* borrowed */
-    double width, height, x, y; /* x, y: left end of the sample and middle of the row, within the legend */
+    const struct graph_cell *cell; /* of the series */
+    char *markup;                  /* borrowed */
+    double width, height, x, y;    /* x, y: left end of the sample and middle of the row, within the legend */
 };
 
 struct graph_legend {
@@ -116,6 +117,8 @@ void graph_legend_draw(const struct graph_legend *legend, const struct bead_look
 /* Drawing. */
 void graph_set_colour(cairo_t *cr, struct bead_rgb colour);
 struct bead_rgb graph_mix(struct bead_rgb a, struct bead_rgb b, double part);
+/* Where a title begins: above the left end of the `axes`; one too long for that at `left`. */
+double graph_title_x(const struct bead_text_style *style, const char *markup, double axes, double left, double right);
 double graph_title_size(const struct bead_look *look);
 struct bead_text_style graph_text(const struct bead_look *look);
 /* Curves that one entry of a legend explains, if they have the same label. */
@@ -126,7 +129,14 @@ size_t graph_cloud(const struct bead_series *series);
 double graph_full_point(const struct bead_look *look);
 double graph_point_size(const struct bead_series *series, const struct graph_cell *cell, const struct bead_look *look);
 void graph_draw_point(cairo_t *cr, const struct bead_look *look, const struct bead_series *series, double x, double y, double size);
-void graph_stroke_style(cairo_t *cr, const struct bead_look *look, const struct bead_series *series);
+/* Of every how many points one has its mark, and which is the first. */
+struct graph_thinning {
+    size_t every, first;
+};
+struct graph_thinning graph_thin(const struct graph_cell *cell, const struct bead_look *look, const struct bead_series *series);
+/* A guide joins marks and is thin and pale; other lines are curves. */
+void graph_stroke_style(cairo_t *cr, const struct bead_look *look, const struct bead_series *series, bool guide);
+struct bead_rgb graph_band_colour(const struct bead_look *look, const struct bead_series *series);
 void graph_draw_series(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series);
 /* Dashes for a threshold, at a value of x; dots for a plateau. */
 void graph_ruler_style(cairo_t *cr, const struct bead_look *look, const struct bead_ruler *ruler);

@@ -8,6 +8,7 @@
 #include "beadreel/profile_times.h"
 #include "render/draw/markup.h"
 #include "render/draw/names.h"
+#include "render/draw/quantity.h"
 #include "render/plot/plot_private.h"
 
 /* The first is the default. */
@@ -27,21 +28,30 @@ bool plot_shows(const struct bead_plot_data *data, size_t chain)
     return data->chain == SIZE_MAX || data->chain == chain;
 }
 
-void plot_heading(const struct bead_chain *chain, char *text, size_t size)
+void plot_heading(const struct bead_plot_data *data, size_t number, char *text, size_t size)
 {
-    char name[300], magnetism[64] = "";
+    const struct bead_chain *chain = data->context.chains[number];
+    char name[300], value[32], magnetism[64] = "";
     bead_markup_quote(bead_chain_title(chain), name, sizeof name);
-    if (*bead_chain_spins(chain))
-        snprintf(magnetism, sizeof magnetism, "*M*\u00a0=\u00a0%.3g", bead_chain_magnetism(chain));
+    if (*bead_chain_spins(chain)) {
+        const int decimals = bead_magnetism_decimals(data->context.chains, data->context.chain_count);
+        bead_number(bead_chain_magnetism(chain), decimals, value, sizeof value);
+        snprintf(magnetism, sizeof magnetism, "*M*\u00a0=\u00a0%s", value);
+    }
     snprintf(text, size, "%s%s%s", name, *name && *magnetism ? ", " : "", magnetism);
 }
 
 void plot_tell_apart(struct bead_series *series, size_t index)
 {
     enum { COLOURS = 6 };
+    size_t round = index / BEAD_DASHES;
     series->colour = index % COLOURS;
-    series->shape = (index + index / COLOURS) % 4; /* rings are for what is open */
-    series->dashed = index / COLOURS % 2 == 1;
+    series->dash = (series->mark == BEAD_MARK_LINE ? index : index + round) % BEAD_DASHES;
+    series->shape = index % BEAD_SHAPES;               /* rings are for what is open */
+    if (series->mark == BEAD_MARK_LINE && round > 0) { /* more curves than dashes: with marks, too */
+        series->mark = BEAD_MARK_LINE_POINTS;
+        series->shape = (round - 1) % BEAD_SHAPES;
+    }
 }
 
 enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct bead_message *msg)

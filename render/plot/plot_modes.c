@@ -104,13 +104,14 @@ static enum bead_error plot_modes_finish(struct bead_plot_data *data, const stru
     double low = isnan(output->plot.range[0]) ? lowest(data) : output->plot.range[0];
     for (size_t p = 0; p < data->count; p++) {
         struct plot_panel *part = &data->parts[p];
-        for (size_t k = 0; k < output->curves.modes; k++)
+        for (size_t k = 0; k < output->curves.modes; k++) {
             part->series[k] = (struct bead_series){.x = data->sample,
                                                    .y = part->values + k * bead_grid_count(&data->grid),
                                                    .count = part->taken,
                                                    .mark = BEAD_MARK_LINE,
-                                                   .colour = k,
                                                    .label = p == 0 ? part->labels[k] : NULL};
+            plot_tell_apart(&part->series[k], k);
+        }
     }
     plot_modes_make_axes(data, low);
     return BEAD_OK;

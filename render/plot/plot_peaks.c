@@ -35,7 +35,7 @@ static enum bead_error plot_peaks_create(struct bead_plot_data *data, struct bea
         .y = {"peak force", unit, data->output->plot.range[0], data->output->plot.range[1], data->output->plot.scale, true}};
     size_t only = only_chain(data);
     if (only != SIZE_MAX)
-        plot_heading(data->context.chains[only], data->parts[0].title, sizeof data->parts[0].title);
+        plot_heading(data, only, data->parts[0].title, sizeof data->parts[0].title);
     snprintf(data->why, sizeof data->why, "peaks of contacts");
     return BEAD_OK;
 }
@@ -98,7 +98,6 @@ static size_t plot_peaks_fill(const struct bead_plot_data *data, const struct be
                                          .hollow = s,
                                          .arrows = true};
         plot_tell_apart(&series[s], only_chain(data) == SIZE_MAX ? chain : 0);
-        series[s].dashed = false;
     }
     return hollow;
 }
@@ -123,7 +122,7 @@ static enum bead_error plot_peaks_finish(struct bead_plot_data *data, const stru
             continue;
         hollow += plot_peaks_fill(data, &outcomes[c], c, part->values + used, part->series + series);
         used += 3 * contacts_of(data, c);
-        plot_heading(data->context.chains[c], part->labels[c], sizeof part->labels[c]);
+        plot_heading(data, c, part->labels[c], sizeof part->labels[c]);
         if (only_chain(data) == SIZE_MAX && *part->labels[c])
             part->series[series].label = part->labels[c];
         series += 2;

@@ -48,9 +48,10 @@ BEAD_CHECK enum bead_error plot_reserve(struct bead_plot_data *data, size_t pane
  */
 BEAD_CHECK enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, struct bead_message *msg);
 bool plot_shows(const struct bead_plot_data *data, size_t chain);
-/* Name and magnetism of a chain, in the markup of graphs. */
-void plot_heading(const struct bead_chain *chain, char *text, size_t size);
-/* Sets colour, shape and dashes that distinguish curve `index` from the others. */
+/* Name and magnetism of chain `number`, in the markup of graphs. */
+void plot_heading(const struct bead_plot_data *data, size_t number, char *text, size_t size);
+/* Sets colour, dashes and shape that distinguish curve `index` from the others, in grey, too; of a line with many others, its mark.
+ */
 void plot_tell_apart(struct bead_series *series, size_t index);
 
 #endif

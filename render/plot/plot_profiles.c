@@ -7,19 +7,32 @@
 #include "render/draw/quantity.h"
 #include "render/plot/plot_private.h"
 
-/* As many digits as the time needs, at most five. */
-static void plot_profiles_time_words(double time, const char *unit, char *text, size_t size)
+/* One unit and one number of decimals for all times: as many as they need, unless the last has five digits with fewer. */
+struct time_words {
+    int exponent, decimals;
+    const char *unit;
+};
+
+static struct time_words words_for(const double *times, size_t count, const char *unit)
 {
-    double shown = time / bead_power_of_ten(bead_prefix_exponent(time, unit));
-    int digits = 1;
-    while (digits < 5 && shown != 0) {
-        double part = bead_power_of_ten(digits - 1 - (int)floor(log10(fabs(shown))));
-        if (fabs(round(shown * part) / part - shown) < 1e-7 * fabs(shown))
-            break;
-        digits++;
+    enum { MOST = 5 };
+    const double last = times[count - 1]; /* they rise */
+    struct time_words words = {bead_prefix_exponent(last, unit), 0, unit};
+    const double part = bead_power_of_ten(words.exponent), shown = last / part;
+    const int whole = shown >= 1 ? (int)floor(log10(shown)) + 1 : 1;
+    for (size_t m = 0; m < count; m++) {
+        while (whole + words.decimals < MOST && fabs(remainder(times[m] / part, bead_power_of_ten(-words.decimals))) > 1e-7 * shown)
+            words.decimals++;
     }
-    int whole = shown >= 1 ? (int)floor(log10(shown)) + 1 : 1; /* 500, not 5e2 */
-    bead_quantity(time, unit, digits > whole ? digits : whole, text, size);
+    return words;
+}
+
+static void plot_profiles_time_words(const struct time_words *words, double time, char *text, size_t size)
+{
+    char number[48];
+    bead_number(time / bead_power_of_ten(words->exponent), words->decimals, number, sizeof number);
+    const char *prefix = *words->unit ? bead_prefix_sign(words->exponent) : "";
+    snprintf(text, size, "%.40s%s%s%s", number, *words->unit ? "\u00a0" : "", prefix, words->unit);
 }
 
 static void plot_profiles_make_axes(struct bead_plot_data *data)
@@ -43,9 +56,10 @@ static enum bead_error plot_profiles_create(struct bead_plot_data *data, struct 
     enum bead_error err = bead_profile_times_create(data->output, &data->context, &data->moments, msg);
     if (!err)
         err = plot_reserve_chains(data, data->output->curves.profile_time_count, msg);
+    const struct time_words words = words_for(data->output->curves.profile_times, data->output->curves.profile_time_count,
+                                              bead_chain_time_unit(data->context.chains[0]));
     for (size_t m = 0; !err && m < data->output->curves.profile_time_count; m++) {
-        plot_profiles_time_words(data->output->curves.profile_times[m], bead_chain_time_unit(data->context.chains[0]), time,
-                                 sizeof time);
+        plot_profiles_time_words(&words, data->output->curves.profile_times[m], time, sizeof time);
         snprintf(data->parts[0].labels[m], sizeof *data->parts[0].labels, "*t* = %s", time);
     }
     if (!err)
@@ -72,13 +86,14 @@ static enum bead_error plot_profiles_finish(struct bead_plot_data *data, const s
         struct plot_panel *part = &data->parts[p];
         const double *places = bead_profile_times_places(data->moments, part->chain);
         size_t count = bead_profile_times_values(data->moments, part->chain);
-        for (size_t m = 0; m < output->curves.profile_time_count; m++)
+        for (size_t m = 0; m < output->curves.profile_time_count; m++) {
             part->series[m] = (struct bead_series){.x = places,
                                                    .y = bead_profile_times_profile(data->moments, part->chain, m),
                                                    .count = count,
                                                    .mark = BEAD_MARK_LINE,
-                                                   .colour = m,
                                                    .label = p == 0 ? part->labels[m] : NULL};
+            plot_tell_apart(&part->series[m], m);
+        }
     }
     return BEAD_OK;
 }

@@ -32,23 +32,19 @@ static const char *first_name(const struct bead_plot_data *data)
     return first->name;
 }
 
-/* What the forces are divided by. */
+/* What the forces are divided by: every figure names a fraction the same way. */
 static void name_axis(struct bead_plot_data *data)
 {
     const char *title = plot_sensors_force_of(data)->title, *first = first_name(data);
-    char quoted[128];
-    snprintf(quoted, sizeof quoted, "the first sensor");
-    if (first) {
-        char name[96];
-        bead_markup_quote(first, name, sizeof name);
-        snprintf(quoted, sizeof quoted, "\u201c%s\u201d", name);
-    }
+    char quoted[128] = "first sensor";
+    if (first)
+        bead_markup_quote(first, quoted, sizeof quoted);
     if (data->output->plot.normalise == BEAD_NORMALISE_NONE)
         snprintf(data->axis_title, sizeof data->axis_title, "%s", title);
     else if (data->output->plot.normalise == BEAD_NORMALISE_MAX)
-        snprintf(data->axis_title, sizeof data->axis_title, "%s / its largest", title);
+        snprintf(data->axis_title, sizeof data->axis_title, "%s *F*/*F*_{max}", title);
     else
-        snprintf(data->axis_title, sizeof data->axis_title, "%s / largest at %s", title, quoted);
+        snprintf(data->axis_title, sizeof data->axis_title, "%s *F*/*F*_{max}(%s)", title, quoted);
 }
 
 static void plot_sensors_make_axes(struct bead_plot_data *data)
@@ -60,7 +56,7 @@ static void plot_sensors_make_axes(struct bead_plot_data *data)
                                                     data->time[0], data->time[1], BEAD_SCALE_LINEAR, false},
                                               .y = {data->axis_title, plain ? plot_sensors_force_of(data)->unit : "",
                                                     output->plot.range[0], output->plot.range[1], BEAD_SCALE_LINEAR, true}};
-        plot_heading(data->context.chains[data->parts[p].chain], data->parts[p].title, sizeof data->parts[p].title);
+        plot_heading(data, data->parts[p].chain, data->parts[p].title, sizeof data->parts[p].title);
         data->panels[p].title = *data->parts[p].title ? data->parts[p].title : NULL;
     }
 }

@@ -6,8 +6,10 @@
 
 #include "beadreel/render.h"
 #include "beadreel/sweep.h"
+#include "render/draw/names.h"
 #include "render/draw/page.h"
-#include "render/plot/graph.h"
+#include "render/draw/quantity.h"
+#include "render/plot/plot_private.h"
 #include "render/plot/sweep_plot.h"
 
 /* Series of one panel: all configurations, or up to MARKS of each magnetism as marks with a key; median, mean; for decay, the
@@ -20,7 +22,7 @@ struct panel {
     struct bead_ruler rulers[RULERS];
     struct bead_sweep_statistics *statistics; /* [places] */
     struct bead_sweep_decay *decays;
-    size_t decay_count, places, series_count, ruler_count;
+    size_t decay_count, places, series_count, ruler_count, lines;
     double **numbers; /* [series]: x and y of series with data of their own */
     char (*words)[96];
     char ruler_words[RULERS][96];
@@ -68,8 +70,38 @@ static bool add_points(struct panel *p, const struct bead_sweep_statistics *s, s
         for (size_t k = 0; k < s->rows[i].count; k++)
             x[s->rows[i].first + k] = s->rows[i].magnetism;
     }
-    p->series[p->series_count++] =
-        (struct bead_series){.x = x, .y = s->values, .count = count, .mark = BEAD_MARK_POINTS, .colour = colour, .faint = true};
+    p->series[p->series_count++] = (struct bead_series){.x = x,
+                                                        .y = s->values,
+                                                        .count = count,
+                                                        .mark = BEAD_MARK_POINTS,
+                                                        .colour = colour,
+                                                        .shape = colour,
+                                                        .faint = true,
+                                                        .jitter = true};
+    return x != NULL;
+}
+
+/* The middle half of the configurations, where points of all would cover each other. */
+static bool add_band(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, const char *place)
+{
+    const size_t n = s->row_count;
+    double *x = take(p, n, 3);
+    for (size_t i = 0; x && i < n; i++) {
+        x[i] = s->rows[i].magnetism;
+        x[n + i] = s->rows[i].summary.quartile[0];
+        x[2 * n + i] = s->rows[i].summary.quartile[1];
+    }
+    char *word = p->words[p->series_count];
+    snprintf(word, sizeof *p->words, "%s%squartiles", place, *place ? ", " : "");
+    p->series[p->series_count++] = (struct bead_series){.x = x,
+                                                        .y = x ? x + n : NULL,
+                                                        .upper = x ? x + 2 * n : NULL,
+                                                        .count = n,
+                                                        .mark = BEAD_MARK_BAND,
+                                                        .colour = colour,
+                                                        .dash = colour % BEAD_DASHES,
+                                                        .faint = true,
+                                                        .label = word};
     return x != NULL;
 }
 
@@ -105,19 +137,21 @@ static bool add_marks(struct panel *p, const struct bead_sweep_statistics *s, si
     return x != NULL;
 }
 
-static bool add_configurations(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, const char *place)
+static bool add_configurations(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, const char *place,
+                               bool crowded)
 {
     size_t most = sweep_plot_most_configurations(s);
     bool good = true;
     if (most > MARKS)
-        return add_points(p, s, colour);
+        return crowded ? add_band(p, s, colour, place) : add_points(p, s, colour);
     for (size_t k = 0; k < most && good; k++)
         good = add_marks(p, s, colour, place, k);
     return good;
 }
 
-/* Means with bars of their standard errors, or medians. */
-static bool add_curve(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, bool median, const char *place)
+/* Means with bars of their standard errors, or medians: in a panel, each with its dashes. */
+static bool add_curve(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, bool median, bool crowded,
+                      const char *place)
 {
     const size_t n = s->row_count;
     double *x = take(p, n, 3);
@@ -133,9 +167,10 @@ static bool add_curve(struct panel *p, const struct bead_sweep_statistics *s, si
                                                         .y = x ? x + n : NULL,
                                                         .error = x && !median ? x + 2 * n : NULL,
                                                         .count = n,
-                                                        .mark = median ? BEAD_MARK_LINE : BEAD_MARK_LINE_POINTS,
+                                                        .mark = median || crowded ? BEAD_MARK_LINE : BEAD_MARK_LINE_POINTS,
                                                         .colour = colour,
-                                                        .dashed = median,
+                                                        .shape = colour,
+                                                        .dash = p->lines++ % BEAD_DASHES,
                                                         .label = word};
     return x != NULL;
 }
@@ -158,66 +193,72 @@ static void add_rulers(struct panel *p, const struct bead_sweep_statistics *s)
                                                       error ? t->critical + t->critical_error : NAN, p->ruler_words[1]};
 }
 
+/* Of all places of a panel. */
+static enum bead_error find_statistics(struct plot *plot, size_t index, struct bead_message *msg)
+{
+    struct panel *p = &plot->panels[index];
+    const size_t places = bead_sweep_panel(plot->sweep, index)->places;
+    enum bead_error err = BEAD_OK;
+    p->statistics = calloc(places + 1, sizeof *p->statistics);
+    if (!p->statistics)
+        return out_of_memory(msg);
+    for (; !err && p->places < places; p->places += !err)
+        err = bead_sweep_statistics(plot->sweep, index, p->places, plot->output->sweep_curves.threshold, &p->statistics[p->places],
+                                    msg);
+    return err;
+}
+
+/* Panels have one look, which one legend explains: marks only where these stand apart in each. */
+static bool is_crowded(const struct plot *plot)
+{
+    enum { APART = 40 };
+    for (size_t i = 0; i < plot->count; i++) {
+        for (size_t k = 0; k < plot->panels[i].places; k++) {
+            if (plot->panels[i].statistics[k].row_count > APART)
+                return true;
+        }
+    }
+    return false;
+}
+
+static bool add_place(struct panel *p, size_t place, const char *name, enum bead_sweep_show show, bool crowded)
+{
+    const struct bead_sweep_statistics *s = &p->statistics[place];
+    const bool single = p->places == 1;
+    bool good = add_configurations(p, s, place, name, crowded);
+    if (good && show != BEAD_SWEEP_MEDIAN)
+        good = add_curve(p, s, place, false, crowded, name);
+    if (good && show != BEAD_SWEEP_MEAN)
+        good = add_curve(p, s, single ? place + 1 : place, true, crowded, name);
+    if (single)
+        add_rulers(p, s);
+    return good;
+}
+
 static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct bead_message *msg)
 {
     struct panel *p = &plot->panels[index];
+    const struct bead_plot_asked *asked = &plot->output->plot;
     const enum bead_sweep_show show = plot->output->sweep_curves.show;
-    const size_t places = bead_sweep_panel(plot->sweep, index)->places;
-    bool good = true;
-    enum bead_error err = sweep_plot_reserve(p, SERIES_OF_PLACE * places, msg);
-    p->statistics = calloc(places + 1, sizeof *p->statistics);
-    if (!err && !p->statistics)
-        err = out_of_memory(msg);
-    for (; !err && p->places < places; p->places++) {
-        size_t place = p->places;
-        struct bead_sweep_statistics *s = &p->statistics[place];
-        const char *name = places > 1 ? bead_sweep_place(plot->sweep, index, place) : "";
-        err = bead_sweep_statistics(plot->sweep, index, place, plot->output->sweep_curves.threshold, s, msg);
-        if (err)
-            break;
-        good = good && add_configurations(p, s, place, name);
-        if (good && show != BEAD_SWEEP_MEDIAN)
-            good = add_curve(p, s, place, false, name);
-        if (good && show != BEAD_SWEEP_MEAN)
-            good = add_curve(p, s, places > 1 ? place : place + 1, true, name);
-        if (places == 1)
-            add_rulers(p, s);
+    enum bead_error err = sweep_plot_reserve(p, SERIES_OF_PLACE * p->places, msg);
+    for (size_t place = 0; !err && place < p->places; place++) {
+        const char *name = p->places > 1 ? bead_sweep_place(plot->sweep, index, place) : "";
+        err = add_place(p, place, name, show, is_crowded(plot)) ? BEAD_OK : out_of_memory(msg);
     }
-    if (!err && !good)
-        err = out_of_memory(msg);
     struct bead_panel *shown = &plot->shown[index];
     shown->x = (struct bead_graph_axis){.title = "magnetism *M*", .unit = "", .low = -0.02, .high = 1.02};
     shown->y = (struct bead_graph_axis){.title = "peak force *F*/*F*(*M* = 1)",
                                         .unit = "",
-                                        .low = isnan(plot->output->plot.range[0]) ? 0 : plot->output->plot.range[0],
-                                        .high = plot->output->plot.range[1],
-                                        .zero = isnan(plot->output->plot.range[0])};
+                                        .low = isnan(asked->range[0]) ? 0 : asked->range[0],
+                                        .high = asked->range[1],
+                                        .zero = isnan(asked->range[0])};
     return err;
-}
-
-/* Means have one look in all panels, which one legend explains: points only where these stand apart in each. */
-static void join_marks(struct plot *plot)
-{
-    enum { APART = 40 };
-    bool dense = false;
-    for (size_t i = 0; i < plot->count; i++) {
-        for (size_t k = 0; k < plot->panels[i].places; k++)
-            dense = dense || plot->panels[i].statistics[k].row_count > APART;
-    }
-    for (size_t i = 0; dense && i < plot->count; i++) {
-        for (size_t k = 0; k < plot->panels[i].series_count; k++) {
-            struct bead_series *series = &plot->panels[i].series[k];
-            if (series->mark == BEAD_MARK_LINE_POINTS)
-                series->mark = BEAD_MARK_LINE;
-        }
-    }
 }
 
 /* ---- decay ---- */
 
-/* The line of a fit from place `first` to `last`: exponential or power law. */
-static bool add_fit(struct panel *p, const struct bead_decay *fit, size_t first, size_t last, double half, bool power,
-                    size_t colour)
+/* The line of a fit from place `first` to `last`: exponential or power law. All have one look: each lies on its curve. */
+static bool add_fit(struct panel *p, const struct bead_decay *fit, size_t first, size_t last, double half, bool power)
 {
     enum { STEPS = 64 };
     double *x = take(p, STEPS + 1, 2);
@@ -228,13 +269,17 @@ static bool add_fit(struct panel *p, const struct bead_decay *fit, size_t first,
             exp(power ? fit->exponent_offset + fit->exponent * log(place) : fit->length_offset - place / fit->length);
     }
     p->series[p->series_count++] = (struct bead_series){
-        .x = x, .y = x ? x + STEPS + 1 : NULL, .count = STEPS + 1, .mark = BEAD_MARK_LINE, .colour = colour, .dashed = true};
+        .x = x, .y = x ? x + STEPS + 1 : NULL, .count = STEPS + 1, .mark = BEAD_MARK_LINE, .colour = 5, .dash = BEAD_DASH_DOTTED};
     return x != NULL;
 }
 
+/* The run of a configuration ends as the front arrives, before the largest force of the last beads has come, which follows the
+ * front by up to about sixty beads of a thousand: this part of the random beads is left out. */
+enum { LATE = 16 };
+
 /* Means in units of the clean chain, with the exponential and the power law. */
 static bool add_profile(struct panel *p, const struct plot *plot, size_t index, const struct bead_sweep_decay *d, bool energy,
-                        size_t colour)
+                        size_t number, int decimals)
 {
     const struct bead_sweep_panel *panel = bead_sweep_panel(plot->sweep, index);
     const struct bead_decay *fit = energy ? &d->of_energy : &d->of_force;
@@ -246,22 +291,28 @@ static bool add_profile(struct panel *p, const struct plot *plot, size_t index, 
     for (size_t i = 0; i < beads; i++)
         x[i] = energy ? d->energy[i] / clean.bead_energy[i] : d->force[i] / clean.bead_force[i];
     bead_sweep_smooth(plot->sweep, index, x, x + beads, &count);
-    double half = 0.5 * (double)(panel->spec->last + 1 - count);
+    const double half = 0.5 * (double)(panel->spec->last + 1 - count);
+    count -= count / LATE;
     for (size_t i = 0; i < count; i++)
         x[i] = (double)i + half;
     bool falls = isfinite(fit->length), power = isfinite(fit->exponent);
     char *word = p->words[p->series_count];
-    int used = snprintf(word, sizeof *p->words, "*M* = %.3g", d->magnetism);
+    char number_words[32];
+    bead_number(d->magnetism, decimals, number_words, sizeof number_words);
+    int used = snprintf(word, sizeof *p->words, "*M* = %s", number_words);
     if (falls)
         used += snprintf(word + used, sizeof *p->words - (size_t)used, ", *γ* = %.0f", fit->length);
     if (falls && isfinite(fit->length_error))
         used += snprintf(word + used, sizeof *p->words - (size_t)used, " ± %.0f", fit->length_error);
     if (power)
-        snprintf(word + used, sizeof *p->words - (size_t)used, ", *x*^{%.2f}", fit->exponent);
+        snprintf(word + used, sizeof *p->words - (size_t)used, ", *%s* ∝ *x*^{%s%.2f}", energy ? "E" : "F",
+                 fit->exponent < 0 ? "\u2212" : "", fabs(fit->exponent));
     p->series[p->series_count++] =
-        (struct bead_series){.x = x, .y = x + beads, .count = count, .mark = BEAD_MARK_LINE, .colour = colour, .label = word};
-    bool good = !falls || add_fit(p, fit, fit->first, fit->last, half, false, colour);
-    return good && (!power || add_fit(p, fit, fit->last, count - 1, half, true, colour));
+        (struct bead_series){.x = x, .y = x + beads, .count = count, .mark = BEAD_MARK_LINE_POINTS, .label = word};
+    plot_tell_apart(&p->series[p->series_count - 1], number);
+    const size_t end = fit->last < count ? fit->last : count - 1;
+    bool good = !falls || end <= fit->first || add_fit(p, fit, fit->first, end, half, false);
+    return good && (!power || end != fit->last || add_fit(p, fit, fit->last, count - 1, half, true));
 }
 
 /* Up to the last random bead; behind it the chain is ordered, or ends. */
@@ -273,10 +324,16 @@ static enum bead_error fill_decay(struct plot *plot, size_t place, struct bead_m
     enum bead_error err = bead_sweep_decays(plot->sweep, index, &p->decays, &p->decay_count, msg);
     if (!err)
         err = sweep_plot_reserve(p, SERIES_OF_DECAY * p->decay_count, msg);
+    int decimals = 0;
+    for (size_t i = 0; i < p->decay_count && !err; i++) {
+        const int digits = bead_magnetism_digits(p->decays[i].magnetism);
+        decimals = digits > decimals ? digits : decimals;
+    }
     for (size_t i = 0; i < p->decay_count && !err; i++)
-        err = add_profile(p, plot, index, &p->decays[i], energy, i) ? BEAD_OK : out_of_memory(msg);
+        err = add_profile(p, plot, index, &p->decays[i], energy, i, decimals) ? BEAD_OK : out_of_memory(msg);
     struct bead_panel *shown = &plot->shown[place];
-    shown->x = (struct bead_graph_axis){.title = "bead", .unit = "1", .low = NAN, .high = NAN};
+    const double last = (double)bead_sweep_panel(plot->sweep, index)->spec->last;
+    shown->x = (struct bead_graph_axis){.title = "bead", .unit = "1", .low = 0, .high = last};
     shown->y = (struct bead_graph_axis){.title = energy ? "energy of the front *E*/*E*(*M* = 1)" : "peak force *F*/*F*(*M* = 1)",
                                         .unit = "",
                                         .low = plot->output->plot.range[0],
@@ -313,6 +370,8 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
     plot.panels = calloc(plot.count, sizeof *plot.panels);
     plot.shown = calloc(plot.count, sizeof *plot.shown);
     enum bead_error err = plot.panels && plot.shown ? BEAD_OK : out_of_memory(msg);
+    for (size_t i = 0; i < plot.count && !decay && !err; i++)
+        err = find_statistics(&plot, i, msg);
     for (size_t i = 0; i < plot.count && !err; i++) {
         err = decay ? fill_decay(&plot, i, msg) : fill_magnetism(&plot, i, msg);
         const char *name = bead_sweep_panel(sweep, decay ? i / DECAY_PANELS : i)->spec->title;
@@ -322,8 +381,6 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
         plot.shown[i].rulers = plot.panels[i].rulers;
         plot.shown[i].ruler_count = plot.panels[i].ruler_count;
     }
-    if (!err)
-        join_marks(&plot);
     const struct bead_graph graph = {
         .panels = plot.shown, .panel_count = plot.count, .letters = true, .share_x = !decay, .share_y = !decay};
     if (!err) /* on paper the text explains it */

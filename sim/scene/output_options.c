@@ -463,7 +463,8 @@ static const struct bead_option sweep_plot_rows[] = {
      .offset = BEAD_OF_OUTPUT(sweep_curves.show),
      .initial = "both",
      .choices = sweep_plot_shows,
-     .help = "force against magnetism, with median, mean, or both; or how peaks decay along the chain (measure: {decay: true})"},
+     .help = "force against magnetism, with median, mean, or both; or how peaks decay along the chain (measure: {decay: true}), "
+             "without the last sixteenth of the random beads, whose largest force has not come when the front arrives at the end"},
     {.key = "range",
      .type = BEAD_OPTION_CUSTOM,
      .offset = BEAD_OF_OUTPUT(plot.range),

@@ -27,7 +27,7 @@ static void test_points_stand_at_their_place(void **state)
     static const double x[] = {2, 5, 7.5}, y[] = {1, 4, 2.5};
     static const enum bead_scale scales[] = {BEAD_SCALE_LINEAR, BEAD_SCALE_SQRT, BEAD_SCALE_LOG};
     for (size_t s = 0; s < 3; s++) {
-        for (size_t shape = 0; shape < 6; shape++) {
+        for (size_t shape = 0; shape < 8; shape++) {
             struct bead_series series = {.x = x, .y = y, .count = 3, .mark = BEAD_MARK_POINTS, .colour = shape, .shape = shape};
             struct bead_panel panel = plain_panel(&series);
             struct bead_graph graph = {.panels = &panel, .panel_count = 1};
@@ -41,10 +41,10 @@ static void test_points_stand_at_their_place(void **state)
             uint32_t ink = packed(bead_look_curve(&look, shape)), ground = packed(look.dark ? look.panel : look.background);
             for (int i = 0; i < 3; i++) {
                 int px = px_x(&layout.cells[0], x[i]), py = px_y(&layout.cells[0], y[i]);
-                if (!near(pixel(&c, px, py), shape == 4 ? ground : ink)) /* rings are hollow */
+                if (!near(pixel(&c, px, py), shape == 6 ? ground : ink)) /* rings are hollow */
                     fail_msg("shape %zu, scale %zu: point %d is not at its place", shape, s, i);
                 int right = px;
-                while (shape == 4 && right < px + 20 && !near(pixel(&c, right, py), ink))
+                while (shape == 6 && right < px + 20 && !near(pixel(&c, right, py), ink))
                     right++;
                 assert_true(right < px + 20);
             }
