@@ -285,22 +285,37 @@ static double moved(const struct curve *c, const struct bead_branch_point *b)
     return fabs(shift) < farthest ? b->at + shift : b->at;
 }
 
-/* The force's double integral, y = 0 to 1 being `length` steps. */
-static void find_integral(const struct curve *curve, struct bead_branch_point *b, double length)
+/* From a polynomial in z to one in y = from + (1 - from) z. */
+static void shift_polynomial(double c[BEAD_BRANCH_TERMS], double from)
+{
+    enum { N = BEAD_BRANCH_TERMS };
+    double scale = 1;
+    for (int i = 0; i < N; i++, scale /= 1 - from)
+        c[i] *= scale;
+    for (int i = 0; i < N; i++) {
+        for (int j = N - 2; j >= i; j--)
+            c[j] -= from * c[j + 1];
+    }
+}
+
+/* The force's double integral, y = 0 to 1 being `length` steps, of which the first part, `from`, are outside of the step. */
+static void find_integral(const struct curve *curve, struct bead_branch_point *b, double length, double from)
 {
     const struct bead_stepper *s = curve->stepper;
     const double unit = s->h * s->h * (length * length);
     double c[BEAD_BRANCH_TERMS] = {0};
     for (size_t j = 0; j < BEAD_BRANCH_TERMS; j++) {
-        const double x = b->base + b->side * (length * bead_gauss_node[j]);
+        const double y = from + (1 - from) * bead_gauss_node[j], x = b->base + b->side * (length * y);
         double d[2] = {bead_polynomial_value(&curve->interpolated, x), 0};
         bead_branch_points_correct_compression(curve->points, s, curve->near, b->contact, x, d);
         double force = unit * s->chain->law->force(s->table.stiffness[b->contact], s->table.law, d[0]);
         if (b->power > 0)
-            force *= curve->points->over[j];
+            force = from > 0 ? force / raise(y, b->power) : force * curve->points->over[j];
         for (size_t i = 0; i < BEAD_BRANCH_TERMS; i++)
             c[i] += force * lagrange[j][i];
     }
+    if (from > 0)
+        shift_polynomial(c, from);
     b->far[0] = b->far[1] = 0;
     for (size_t i = 0; i < BEAD_BRANCH_TERMS; i++) {
         const double e = b->power + (double)i;
@@ -327,7 +342,7 @@ static struct bead_branch_point shaped(const struct curve *curve, size_t i)
     memset(&b.taken, 0, sizeof b.taken);
     if (!(b.side * (within_step(until) - inside) > 0))
         return b;
-    find_integral(curve, &b, length);
+    find_integral(curve, &b, length, b.side * (inside - b.base) / length);
     b.slope = b.side / length;
     b.ends = until > 0 && until < 1;
     integral(&b, 0, 4, at0);
