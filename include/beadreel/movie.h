@@ -9,7 +9,7 @@
  *                                                     which leaves path.part as far as it goes; or bead_movie_abort(movie)
  *
  * path.part plays while it grows, also where the program is killed: an mp4 file grows by fragments, which close copies into a plain
- * file with its index in front.
+ * file with its index in front, and a gif as an animated PNG, of which close makes the GIF.
  *
  * Only the changed rectangles are converted. Every frame is a picture of the file, at a constant rate; in drafts a frame without
  * changes is not, and the one before is shown for longer (the last one always is, so that the duration is exact). Encoder

@@ -1,5 +1,5 @@
-/* Palettes of animations: which colours a frame gets, and its pixels as their indices. Encoders of GIF use it. */
-#include <libavutil/mem.h>
+/* Palettes of animations: which colours all frames get, and their pixels as indices. GIF files are made with it. */
+#include <limits.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 
 #include "render/draw/palette.h"
 
-enum { MOST_BOXES = 256 };
+enum { MOST_BOXES = 256, ROUNDS = 4 };
 
 /* A group of tones, by position in the array. */
 struct box {
@@ -16,10 +16,10 @@ struct box {
     double spread; /* weighted sum of squared deviations along it */
 };
 
-/* The square root keeps a large background from taking all colours. */
+/* Every pixel counts: with less for frequent colours, slow gradients of large areas would show steps. */
 static double weight(const struct bead_tone *tone)
 {
-    return sqrt(tone->count);
+    return tone->count;
 }
 
 static int channel(uint32_t colour, int shift)
@@ -136,216 +136,142 @@ size_t bead_palette_cut(struct bead_tone *tones, size_t count, size_t most, uint
     return used;
 }
 
-enum {
-    COLOURS = 1 << 24,
-    FIRST_MOST = 208,   /* colours of the first frame, if it has more than fit; the rest is for later frames */
-    EXACT_BELOW = 128,  /* with fewer colours than this, every new colour gets its own place */
-    NEAR = 3 * 12 * 12, /* squared distance of colours that may replace each other */
-    RARE_SHARE = 2000,  /* new colours on less than 1/2000 of the pixels are not worth a whole new picture */
-    MISSES = 4096       /* different new colours looked at in one frame */
-};
-
-struct bead_palette {
-    uint32_t colour[BEAD_PALETTE_MOST]; /* 0x00RRGGBB */
-    size_t used;
-    uint8_t *known; /* [COLOURS] index + 1 of a colour's stand-in, 0: not looked up yet; pages are taken as needed */
-    struct bead_tone missed[MISSES];
-    size_t missed_count;
-};
-
-enum bead_error bead_palette_create(struct bead_palette **palette, struct bead_message *msg)
-{
-    *palette = calloc(1, sizeof **palette);
-    uint8_t *known = calloc(COLOURS, 1);
-    if (*palette && known) {
-        (*palette)->known = known;
-        return BEAD_OK;
-    }
-    free(known);
-    free(*palette);
-    *palette = NULL;
-    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a palette");
-}
-
-void bead_palette_destroy(struct bead_palette *palette)
-{
-    if (palette)
-        free(palette->known);
-    free(palette);
-}
-
-/* Rows may end in padding, which belongs to no picture. */
-static int visible_end(const struct bead_frame *frame, const struct bead_rect *r)
-{
-    return r->x + r->width < frame->width ? r->x + r->width : frame->width;
-}
-
-static uint32_t pixel(const uint8_t *bgrx)
-{
-    return (uint32_t)bgrx[2] << 16 | (uint32_t)bgrx[1] << 8 | bgrx[0];
-}
-
 static int palette_distance(uint32_t a, uint32_t b)
 {
     int sum = 0;
     for (int shift = 0; shift < 24; shift += 8) {
-        int d = (int)(a >> shift & 255) - (int)(b >> shift & 255);
+        int d = channel(a, shift) - channel(b, shift);
         sum += d * d;
     }
     return sum;
 }
 
-static size_t nearest(const struct bead_palette *palette, uint32_t colour, int *least)
+static size_t nearest(const uint32_t *colours, size_t count, uint32_t colour)
 {
     size_t best = 0;
-    *least = 1 << 30;
-    for (size_t i = 0; i < palette->used; i++) {
-        int d = palette_distance(colour, palette->colour[i]);
-        if (d < *least) {
-            *least = d;
+    int least = INT_MAX;
+    for (size_t i = 0; i < count; i++) {
+        int d = palette_distance(colour, colours[i]);
+        if (d < least) {
+            least = d;
             best = i;
         }
     }
     return best;
 }
 
-static void append(struct bead_palette *palette, uint32_t colour)
+/* Of the tones that one colour stands for. */
+struct group {
+    double weight, sum[3];
+    const struct bead_tone *most; /* the most frequent */
+};
+
+static uint32_t middle_of(const struct group *g)
 {
-    palette->colour[palette->used++] = colour;
-    palette->known[colour] = (uint8_t)palette->used;
+    uint32_t colour = 0;
+    for (int c = 0; c < 3; c++)
+        colour |= (uint32_t)lround(g->sum[c] / g->weight) << 8 * c;
+    return weight(g->most) > 0.5 * g->weight ? g->most->colour : colour; /* flat areas keep what they have */
 }
 
-static enum bead_error count_tones(const struct bead_frame *frame, const struct bead_changes *rects, struct bead_tone **tones,
-                                   size_t *count, struct bead_message *msg)
+void bead_palette_refine(const struct bead_tone *tones, size_t count, uint32_t *colours, size_t used)
 {
-    *count = 0;
-    *tones = NULL;
-    uint32_t *histogram = calloc(COLOURS, sizeof *histogram);
-    if (!histogram)
+    for (int round = 0; round < ROUNDS; round++) {
+        struct group groups[MOST_BOXES] = {{.weight = 0}};
+        for (size_t i = 0; i < count; i++) {
+            struct group *g = &groups[nearest(colours, used, tones[i].colour)];
+            double w = weight(&tones[i]);
+            g->weight += w;
+            for (int c = 0; c < 3; c++)
+                g->sum[c] += w * channel(tones[i].colour, 8 * c);
+            if (!g->most || tones[i].count > g->most->count)
+                g->most = &tones[i];
+        }
+        for (size_t k = 0; k < used; k++) {
+            if (groups[k].most)
+                colours[k] = middle_of(&groups[k]);
+        }
+    }
+}
+
+enum { COLOURS = 1 << 24 };
+
+struct bead_palette {
+    uint32_t colour[BEAD_PALETTE_MOST]; /* 0x00RRGGBB */
+    size_t used;
+    uint32_t *histogram; /* [COLOURS] pixels of each; pages are taken as needed, as those of known */
+    uint8_t *known;      /* [COLOURS] index + 1 of a colour's stand-in, 0: not looked up yet */
+};
+
+enum bead_error bead_palette_create(struct bead_palette **palette, struct bead_message *msg)
+{
+    struct bead_palette *p = *palette = calloc(1, sizeof *p);
+    if (p) {
+        p->histogram = calloc(COLOURS, sizeof *p->histogram);
+        p->known = calloc(COLOURS, 1);
+    }
+    if (p && p->histogram && p->known)
+        return BEAD_OK;
+    bead_palette_destroy(p);
+    *palette = NULL;
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a palette");
+}
+
+void bead_palette_destroy(struct bead_palette *palette)
+{
+    if (!palette)
+        return;
+    free(palette->histogram);
+    free(palette->known);
+    free(palette);
+}
+
+static uint32_t pixel(const uint8_t *rgb)
+{
+    return (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
+}
+
+void bead_palette_count(struct bead_palette *palette, const uint8_t *rgb, size_t pixels)
+{
+    for (size_t i = 0; i < pixels; i++) {
+        uint32_t *bin = &palette->histogram[pixel(rgb + 3 * i)];
+        *bin += *bin < UINT32_MAX;
+    }
+}
+
+enum bead_error bead_palette_choose(struct bead_palette *palette, struct bead_message *msg)
+{
+    size_t count = 0, n = 0;
+    for (uint32_t c = 0; c < COLOURS; c++)
+        count += palette->histogram[c] > 0;
+    struct bead_tone *tones = malloc((count + 1) * sizeof *tones);
+    if (!tones)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a palette");
-    for (size_t i = 0; i < rects->count; i++) {
-        const struct bead_rect *r = &rects->rect[i];
-        for (int y = r->y; y < r->y + r->height; y++) {
-            for (int x = r->x; x < visible_end(frame, r); x++) {
-                uint32_t *bin = &histogram[pixel(frame->pixels + (size_t)y * frame->stride + 4 * (size_t)x)];
-                *count += ++*bin == 1;
-            }
-        }
+    for (uint32_t c = 0; c < COLOURS; c++) {
+        if (palette->histogram[c])
+            tones[n++] = (struct bead_tone){c, palette->histogram[c]};
     }
-    *tones = malloc((*count ? *count : 1) * sizeof **tones);
-    if (*tones) {
-        size_t n = 0;
-        for (uint32_t c = 0; c < COLOURS; c++) {
-            if (histogram[c])
-                (*tones)[n++] = (struct bead_tone){c, histogram[c]};
-        }
-    }
-    free(histogram);
-    return *tones ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a palette");
-}
-
-static enum bead_error palette_choose(struct bead_palette *palette, const struct bead_frame *frame,
-                                      const struct bead_changes *rects, struct bead_message *msg)
-{
-    struct bead_tone *tones;
-    size_t count;
-    enum bead_error err = count_tones(frame, rects, &tones, &count, msg);
-    if (err)
-        return err;
-    uint32_t chosen[BEAD_PALETTE_MOST];
-    size_t used = bead_palette_cut(tones, count, count <= BEAD_PALETTE_MOST ? BEAD_PALETTE_MOST : FIRST_MOST, chosen);
-    for (size_t i = 0; i < used; i++)
-        append(palette, chosen[i]);
+    palette->used = bead_palette_cut(tones, count, BEAD_PALETTE_MOST, palette->colour);
+    if (count > BEAD_PALETTE_MOST)
+        bead_palette_refine(tones, count, palette->colour, palette->used);
     free(tones);
     return BEAD_OK;
 }
 
-static void miss(struct bead_palette *palette, uint32_t colour)
+void bead_palette_convert(struct bead_palette *palette, const uint8_t *rgb, size_t pixels, uint8_t *indices)
 {
-    for (size_t i = palette->missed_count; i-- > 0;) {
-        if (palette->missed[i].colour == colour) {
-            palette->missed[i].count++;
-            return;
-        }
-    }
-    if (palette->missed_count < MISSES)
-        palette->missed[palette->missed_count++] = (struct bead_tone){colour, 1};
-}
-
-/* The distance from which a new colour needs a place of its own. */
-static int tolerance(const struct bead_palette *palette)
-{
-    return palette->used < EXACT_BELOW ? 0 : NEAR;
-}
-
-static uint8_t palette_look_up(struct bead_palette *palette, uint32_t colour)
-{
-    uint8_t known = palette->known[colour];
-    if (known)
-        return (uint8_t)(known - 1);
-    int least;
-    size_t index = nearest(palette, colour, &least);
-    if (least > tolerance(palette) && palette->used < BEAD_PALETTE_MOST)
-        miss(palette, colour); /* asked again next time */
-    else
-        palette->known[colour] = (uint8_t)(index + 1);
-    return (uint8_t)index;
-}
-
-static void palette_convert(struct bead_palette *palette, const struct bead_frame *frame, const struct bead_changes *rects,
-                            AVFrame *picture)
-{
-    for (size_t i = 0; i < rects->count; i++) {
-        const struct bead_rect *r = &rects->rect[i];
-        for (int y = r->y; y < r->y + r->height; y++) {
-            const uint8_t *from = frame->pixels + (size_t)y * frame->stride;
-            uint8_t *to = picture->data[0] + (ptrdiff_t)y * picture->linesize[0];
-            for (int x = r->x; x < visible_end(frame, r); x++)
-                to[x] = palette_look_up(palette, pixel(from + 4 * (size_t)x));
-        }
+    for (size_t i = 0; i < pixels; i++) {
+        uint32_t colour = pixel(rgb + 3 * i);
+        if (!palette->known[colour])
+            palette->known[colour] = (uint8_t)(nearest(palette->colour, palette->used, colour) + 1);
+        indices[i] = (uint8_t)(palette->known[colour] - 1);
     }
 }
 
-/* Gives places to all new colours, or to those that represent them best in half of the free room. A changed palette costs a whole
- * new picture in the file, so a few stray pixels do not change it. */
-static bool palette_extend(struct bead_palette *palette, const struct bead_frame *frame)
+void bead_palette_colours(const struct bead_palette *palette, uint32_t argb[256])
 {
-    uint64_t pixels = 0, enough = (uint64_t)frame->width * (uint64_t)frame->height / RARE_SHARE;
-    for (size_t i = 0; i < palette->missed_count; i++)
-        pixels += palette->missed[i].count;
-    if (!pixels || (pixels < enough && palette->used >= EXACT_BELOW))
-        return false;
-    size_t most = (BEAD_PALETTE_MOST - palette->used + 1) / 2;
-    uint32_t chosen[BEAD_PALETTE_MOST];
-    size_t count = bead_palette_cut(palette->missed, palette->missed_count, most, chosen);
-    for (size_t i = 0; i < count; i++) {
-        int least;
-        nearest(palette, chosen[i], &least);
-        if (least > tolerance(palette))
-            append(palette, chosen[i]);
-    }
-    return true;
-}
-
-static void write_colours(const struct bead_palette *palette, AVFrame *picture)
-{
-    uint32_t argb[256] = {0};
     /* Unused places are opaque, so that encoders take only the last one, which is never used, as transparent. */
     for (size_t i = 0; i < BEAD_PALETTE_MOST; i++)
         argb[i] = 0xff000000u | (i < palette->used ? palette->colour[i] : 0);
-    memcpy(picture->data[1], argb, sizeof argb);
-}
-
-enum bead_error bead_palette_convert(struct bead_palette *palette, const struct bead_frame *frame, const struct bead_changes *rects,
-                                     AVFrame *picture, struct bead_message *msg)
-{
-    enum bead_error err = palette->used ? BEAD_OK : palette_choose(palette, frame, rects, msg);
-    if (err)
-        return err;
-    palette->missed_count = 0;
-    palette_convert(palette, frame, rects, picture);
-    if (palette->missed_count && palette_extend(palette, frame))
-        palette_convert(palette, frame, rects, picture);
-    write_colours(palette, picture);
-    return BEAD_OK;
+    argb[BEAD_PALETTE_MOST] = 0;
 }

@@ -246,7 +246,7 @@ int bead_av_copy(const struct bead_av *av, int from, AVFormatContext *to, int de
     int code = reader && grown && to->pb ? 0 : AVERROR(ENOMEM);
     if (code >= 0) {
         to->avoid_negative_ts = 0; /* sound may begin before the pictures by what its encoder needs to get going */
-        to->opaque = &again; /* until the end of this function; cppcheck-suppress autoVariables */
+        to->opaque = &again;       /* until the end of this function; cppcheck-suppress autoVariables */
         to->io_open = open_again;
         to->io_close2 = close_again;
         grown->pb = reader;

@@ -64,16 +64,17 @@ static const struct bead_preset apng_clear[] = {{"apng", AV_PIX_FMT_RGBA, 1, fal
                                                 {"apng", AV_PIX_FMT_RGBA, 1, false, "pred=sub compression_level=3"},
                                                 {"apng", AV_PIX_FMT_RGBA, 1, false, "pred=sub compression_level=6"},
                                                 {"apng", AV_PIX_FMT_RGBA, 1, false, "pred=sub compression_level=6"}};
-static const struct bead_preset gif[] = {{"gif", AV_PIX_FMT_PAL8, 1, false, ""},
-                                         {"gif", AV_PIX_FMT_PAL8, 1, false, ""},
-                                         {"gif", AV_PIX_FMT_PAL8, 1, false, ""},
-                                         {"gif", AV_PIX_FMT_PAL8, 1, false, ""}};
+/* A GIF grows as an animated PNG. */
+static const struct bead_preset growing_gif[] = {{"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=1"},
+                                                 {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=1"},
+                                                 {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=1"},
+                                                 {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=1"}};
 
 /* The last chunk of a PNG file. */
 #define PNG_END "\0\0\0\0IEND\xae\x42\x60\x82"
 #define APNG                                                                                                               \
     .way = &bead_movie_libav, .muxer = "apng", .muxer_options = "plays=0", .ending = PNG_END, .comment = bead_comment_png, \
-    .presets = apng, .clear = apng_clear, .delay_unit = 1
+    .presets = apng, .clear = apng_clear, .final_delay = true
 
 static const struct bead_codec codecs[] = {
     {.info = {"mp4", "H.264, plays everywhere (lossless: RGB, not in all players)"},
@@ -113,11 +114,13 @@ static const struct bead_codec codecs[] = {
      .clear = vp9_clear},
     {.info = {"gif", "animated GIF, 255 colours, at most 50 frames a second"},
      .way = &bead_movie_libav,
-     .muxer = "gif",
-     .muxer_options = "loop=0",
+     .muxer = "apng",
+     .muxer_options = "plays=0",
+     .ending = PNG_END,
      .comment = bead_comment_gif,
-     .presets = gif,
-     .delay_unit = 100,
+     .gif = true,
+     .presets = growing_gif,
+     .final_delay = true,
      .most_fps = 50},
     {.info = {"apng", "animated PNG, lossless"}, APNG},
     {.info = {"png", "animated PNG, lossless"}, APNG},

@@ -9,6 +9,7 @@
 #include "beadreel/file.h"
 #include "render/encode/av_file.h"
 #include "render/encode/chapters.h"
+#include "render/encode/gif.h"
 #include "render/encode/libav.h"
 #include "render/encode/movie_private.h"
 #include "render/encode/pictures.h"
@@ -300,9 +301,8 @@ static enum bead_error encode(struct bead_movie *movie, int64_t time, struct bea
 
 static enum bead_error libav_reserve(struct bead_movie *movie, size_t slots, bool *reserved, struct bead_message *msg)
 {
-    struct bead_encoder *e = movie->encoder;
-    *reserved = !e->pictures.palette;
-    return *reserved ? bead_pictures_reserve(&e->pictures, slots, msg) : BEAD_OK;
+    *reserved = true;
+    return bead_pictures_reserve(&movie->encoder->pictures, slots, msg);
 }
 
 static enum bead_error libav_convert(struct bead_movie *movie, size_t slot, const struct bead_frame *frame,
@@ -352,18 +352,11 @@ static enum bead_error last_frame(struct bead_movie *movie, struct bead_message 
 static int set_final_delay(const struct bead_movie *movie)
 {
     struct bead_encoder *e = movie->encoder;
-    int64_t unit = movie->codec->delay_unit;
-    if (!unit)
+    if (!movie->codec->final_delay)
         return 0;
-    AVRational base = {1, (int)unit};
-    if (unit == 1) { /* an exact fraction of a second */
-        AVRational delay = e->av.av_mul_q((AVRational){(int)((int64_t)movie->shown - e->last), 1}, e->frame_time);
-        return e->av.av_opt_set_q(e->format->priv_data, "final_delay", delay, 0);
-    }
-    int64_t end = e->av.av_rescale_q((int64_t)movie->shown, e->frame_time, base),
-            last = e->av.av_rescale_q(e->last, e->frame_time, base);
-    int64_t least = movie->codec->most_fps ? unit / movie->codec->most_fps : 1;
-    return e->av.av_opt_set_int(e->format->priv_data, "final_delay", end - last > least ? end - last : least, 0);
+    /* An exact fraction of a second. */
+    AVRational delay = e->av.av_mul_q((AVRational){(int)((int64_t)movie->shown - e->last), 1}, e->frame_time);
+    return e->av.av_opt_set_q(e->format->priv_data, "final_delay", delay, 0);
 }
 
 /* Everything encoded is in the file, and the container closed. */
@@ -422,10 +415,14 @@ static enum bead_error make_plain(struct bead_movie *movie, struct bead_message 
         movie->plain = NULL;
         return err;
     }
-    int code = copy_plain(movie, descriptor);
+    const struct bead_encoder *e = movie->encoder;
+    int code = movie->codec->gif ? bead_gif_make(&e->av, e->file, descriptor, e->frame_time, (int64_t)movie->shown)
+                                 : copy_plain(movie, descriptor);
+    if (code >= 0 && movie->codec->gif && movie->comment)
+        err = movie->codec->comment(descriptor, movie->comment, msg);
     if (close(descriptor) != 0 && code >= 0)
         code = AVERROR(errno);
-    return code < 0 ? fail(movie, "the file cannot be finished", code, msg) : BEAD_OK;
+    return code < 0 ? fail(movie, "the file cannot be finished", code, msg) : err;
 }
 
 static enum bead_error make_tracks(struct bead_movie *movie, struct bead_message *msg)
@@ -439,7 +436,8 @@ static enum bead_error close_part(struct bead_movie *movie, struct bead_message 
 {
     struct bead_encoder *e = movie->encoder;
     bead_av_file_unwrap(&e->av, &e->format->pb);
-    enum bead_error err = movie->comment ? movie->codec->comment(e->file, movie->comment, msg) : BEAD_OK;
+    bool own = movie->comment && !movie->codec->gif; /* else the finished file has it */
+    enum bead_error err = own ? movie->codec->comment(e->file, movie->comment, msg) : BEAD_OK;
     if (err)
         return err;
     int descriptor = e->file;
@@ -454,7 +452,7 @@ static enum bead_error libav_finish(struct bead_movie *movie, bool complete, str
         err = end_part(movie, msg);
     if (!err && complete)
         err = make_tracks(movie, msg);
-    if (!err && complete && (movie->codec->plain_options || movie->encoder->tracks.count > 0))
+    if (!err && complete && (movie->codec->plain_options || movie->codec->gif || movie->encoder->tracks.count > 0))
         err = make_plain(movie, msg);
     return err ? err : close_part(movie, msg);
 }
@@ -471,7 +469,7 @@ static void libav_destroy(struct bead_movie *movie)
     e->av.av_packet_free(&e->packet);
     e->av.avcodec_free_context(&e->codec);
     /* Muxers that set delays keep a packet back, and some free it only with the trailer. */
-    if (e->begun && movie->codec->delay_unit)
+    if (e->begun && movie->codec->final_delay)
         e->av.av_write_trailer(e->format);
     if (e->format)
         bead_av_file_unwrap(&e->av, &e->format->pb);

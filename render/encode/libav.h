@@ -54,6 +54,7 @@
     X(av_packet_rescale_ts)            \
     X(av_packet_unref)                 \
     X(avcodec_alloc_context3)          \
+    X(avcodec_find_decoder)            \
     X(avcodec_find_encoder_by_name)    \
     X(avcodec_free_context)            \
     X(avcodec_open2)                   \
@@ -61,8 +62,11 @@
     X(avcodec_parameters_copy)         \
     X(avcodec_parameters_free)         \
     X(avcodec_parameters_from_context) \
+    X(avcodec_parameters_to_context)   \
+    X(avcodec_receive_frame)           \
     X(avcodec_receive_packet)          \
-    X(avcodec_send_frame)
+    X(avcodec_send_frame)              \
+    X(avcodec_send_packet)
 
 #define BEAD_AVFORMAT_FUNCTIONS(X)    \
     X(av_read_frame)                  \

@@ -100,8 +100,8 @@ static enum bead_error check_size(const char *path, const struct bead_codec *cod
 static enum bead_error check_encoders(const char *path, const struct bead_codec *codec, const struct bead_movie_settings *settings,
                                       struct bead_message *msg)
 {
-    const char *const names[] = {bead_codec_preset(codec, settings)->encoder,
-                                 settings->channels > 0 ? codec->sound->encoder : NULL};
+    const char *const names[] = {bead_codec_preset(codec, settings)->encoder, settings->channels > 0 ? codec->sound->encoder : NULL,
+                                 codec->gif ? "gif" : NULL};
     struct bead_av av;
     struct bead_message why;
     enum bead_error err = bead_av_open(&av, &why);
@@ -173,7 +173,8 @@ enum bead_error bead_movie_open(const char *path, const struct bead_movie_settin
     m->codec = codec;
     m->settings = own;
     if (codec->presets)
-        snprintf(m->encoded_by, sizeof m->encoded_by, "libavcodec (%s)", bead_codec_preset(codec, &own)->encoder);
+        snprintf(m->encoded_by, sizeof m->encoded_by, "libavcodec (%s)",
+                 codec->gif ? "gif" : bead_codec_preset(codec, &own)->encoder);
     if (own.comment && codec->comment && !(m->comment = strdup(own.comment)))
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", path);
     if (!err)

@@ -57,11 +57,12 @@ struct bead_codec {
     enum bead_error (*comment)(int descriptor, const char *text, struct bead_message *msg); /* NULL: the muxer writes it */
     const struct bead_preset *presets;                                                      /* by enum bead_quality */
     const struct bead_preset
-        *clear;     /* of transparent movies, likewise; without an encoder: of this quality there are none. NULL: at all */
-    int delay_unit; /* 1/s: of the muxer's option final_delay; 0: durations are the packets' own */
-    bool chapters;  /* the container has chapters */
+        *clear;       /* of transparent movies, likewise; without an encoder: of this quality there are none. NULL: at all */
+    bool final_delay; /* the muxer has this option, since it knows durations only from the next picture */
+    bool chapters;    /* the container has chapters */
     const struct bead_subtitle_format *subtitles; /* NULL: it has none */
     const struct bead_sound_format *sound;        /* NULL: it has none */
+    bool gif;                                     /* the finished file is a GIF, made of the one that has grown */
     bool covers;                                  /* the container has room for a picture beside the movie */
     int most_fps;                                 /* 1/s: more are thinned out, because players slow such files down; 0: no limit */
 };
@@ -87,8 +88,8 @@ struct bead_movie {
 };
 
 /* Frames in two steps: one thread converts them into pictures as the encoder wants them, another one encodes these. A slot is a
- * picture, and belongs to one of the two at a time. *reserved is false where frames are better added at once: palettes go from one
- * frame to the next, hashes need no conversion. Errors: MEMORY. */
+ * picture, and belongs to one of the two at a time. *reserved is false where frames are better added at once: hashes need
+ * no conversion. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_movie_reserve(struct bead_movie *movie, size_t slots, bool *reserved, struct bead_message *msg);
 /* Bring a slot up to date with the frame: what changed since the slot was up to date, the first time all. Errors: CODEC, MEMORY. */
 BEAD_CHECK enum bead_error bead_movie_convert(struct bead_movie *movie, size_t slot, const struct bead_frame *frame,

@@ -63,8 +63,6 @@ enum bead_error bead_pictures_open(const struct bead_av *av, const struct bead_p
 {
     *pictures = (struct bead_pictures){.av = av, .format = *format, .name = name};
     enum bead_error err = bead_pictures_reserve(pictures, 1, msg);
-    if (!err && format->pixels == AV_PIX_FMT_PAL8)
-        return bead_palette_create(&pictures->palette, msg);
     pictures->convert = bead_convert_find(format->pixels);
     if (!err && !pictures->convert)
         err = bead_fail(msg, BEAD_ERROR_CODEC, "%s: the pixels cannot be converted for this encoder", name);
@@ -76,7 +74,6 @@ void bead_pictures_close(struct bead_pictures *pictures)
     for (size_t i = 0; i < pictures->count; i++)
         pictures->av->av_frame_free(&pictures->slots[i].picture);
     free(pictures->slots);
-    bead_palette_destroy(pictures->palette);
 }
 
 /* Some encoders keep the picture they were given (x264's and VP9's do not): then it is left to them, and a copy of it
@@ -124,8 +121,6 @@ enum bead_error bead_pictures_convert(const struct bead_pictures *pictures, size
     if (!make_writable(pictures->av, to->picture))
         return no_memory(pictures, msg);
     to->filled = true;
-    if (pictures->palette)
-        return bead_palette_convert(pictures->palette, frame, &aligned, to->picture, msg);
     for (size_t i = 0; i < aligned.count; i++)
         pictures->convert(frame, aligned.rect[i], to->picture);
     return BEAD_OK;

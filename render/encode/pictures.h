@@ -6,7 +6,6 @@
 #include <stddef.h>
 
 #include "beadreel/frame.h"
-#include "render/draw/palette.h"
 #include "render/encode/convert.h"
 #include "render/encode/libav.h"
 
@@ -31,9 +30,8 @@ struct bead_picture_slot {
 struct bead_pictures {
     const struct bead_av *av; /* borrowed, as the name */
     struct bead_picture_format format;
-    const char *name;             /* of the file, for messages */
-    bead_convert convert;         /* or: */
-    struct bead_palette *palette; /* then there is one slot only */
+    const char *name; /* of the file, for messages */
+    bead_convert convert;
     struct bead_picture_slot *slots;
     size_t count;
 };

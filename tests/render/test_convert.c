@@ -214,98 +214,79 @@ static void rectangles_are_clipped(void **state)
     }
 }
 
-static uint32_t shown(const AVFrame *picture, int x, int y)
+/* An animation of `count` pictures in a palette: the root mean square difference of all channels of each. */
+enum { SHADES = 256 * 128 };
+static void reduce(uint8_t (*rgb)[3 * SHADES], size_t count, size_t pixels, uint8_t (*indices)[SHADES], uint32_t colours[256],
+                   double *difference)
 {
-    uint8_t index = picture->data[0][y * picture->linesize[0] + x];
-    assert_true(index < BEAD_PALETTE_MOST);
-    uint32_t colour;
-    memcpy(&colour, picture->data[1] + 4 * (size_t)index, 4);
-    assert_int_equal(colour >> 24, 255);
-    return colour & 0xffffff;
-}
-
-/* Returns the root mean square difference of all channels. */
-static double difference(const struct bead_frame *frame, const AVFrame *picture)
-{
-    double sum = 0;
-    for (int y = 0; y < frame->height; y++) {
-        for (int x = 0; x < frame->width; x++) {
-            const uint8_t *p = frame->pixels + (size_t)y * frame->stride + 4 * (size_t)x;
-            uint32_t colour = shown(picture, x, y);
-            for (int c = 0; c < 3; c++)
-                sum += pow(p[c] - (double)(colour >> 8 * c & 255), 2);
+    struct bead_palette *palette;
+    assert_int_equal(bead_palette_create(&palette, NULL), BEAD_OK);
+    for (size_t k = 0; k < count; k++)
+        bead_palette_count(palette, rgb[k], pixels);
+    assert_int_equal(bead_palette_choose(palette, NULL), BEAD_OK);
+    bead_palette_colours(palette, colours);
+    for (size_t k = 0; k < count; k++) {
+        double sum = 0;
+        bead_palette_convert(palette, rgb[k], pixels, indices[k]);
+        for (size_t i = 0; i < pixels; i++) {
+            assert_true(indices[k][i] < BEAD_PALETTE_MOST && colours[indices[k][i]] >> 24 == 255);
+            for (size_t c = 0; c < 3; c++)
+                sum += pow((double)rgb[k][3 * i + c] - (double)(colours[indices[k][i]] >> (16 - 8 * c) & 255), 2);
         }
+        difference[k] = sqrt(sum / (3.0 * (double)pixels));
     }
-    return sqrt(sum / (3.0 * frame->width * frame->height));
+    assert_int_equal(colours[BEAD_PALETTE_MOST], 0);
+    bead_palette_destroy(palette);
 }
 
-static void palette_convert(struct bead_palette *palette, const struct bead_frame *frame, AVFrame *picture)
-{
-    struct bead_changes all = {1, {bead_convert_align(frame, (struct bead_rect){0, 0, frame->width, frame->height})}};
-    assert_int_equal(bead_palette_convert(palette, frame, &all, picture, NULL), BEAD_OK);
-}
+static uint8_t animation[2][3 * SHADES], reduced[2][SHADES];
 
-static void set(struct bead_frame *frame, int x, int y, int r, int g, int b)
+static void set(size_t picture, int at, int r, int g, int b)
 {
-    uint8_t *p = frame->pixels + (size_t)y * frame->stride + 4 * (size_t)x;
-    p[0] = (uint8_t)b;
-    p[1] = (uint8_t)g;
-    p[2] = (uint8_t)r;
+    const uint8_t rgb[3] = {(uint8_t)r, (uint8_t)g, (uint8_t)b};
+    memcpy(animation[picture] + 3 * at, rgb, sizeof rgb);
 }
 
 static void palette_is_exact_for_few_colours(void **state)
 {
     (void)state;
     for (int colours = 1; colours <= 255; colours += 127) {
-        struct bead_frame frame;
-        struct bead_palette *palette;
-        assert_int_equal(bead_frame_create(101, 33, &frame, NULL), BEAD_OK);
-        assert_int_equal(bead_palette_create(&palette, NULL), BEAD_OK);
-        AVFrame *picture = new_picture(AV_PIX_FMT_PAL8, frame.width, frame.height);
-        for (int y = 0; y < frame.height; y++) {
-            for (int x = 0; x < frame.width; x++) {
-                int i = (y * 7 + x) % colours;
-                set(&frame, x, y, i * 37 % 256, i, 255 - i);
-            }
+        uint32_t chosen[256];
+        double difference[2];
+        for (int i = 0; i < 3333; i++) { /* the second picture has colours of its own */
+            int k = i % ((colours + 1) / 2), other = colours - 1 - k;
+            set(0, i, k * 37 % 256, k, 255 - k);
+            set(1, i, other * 37 % 256, other, 255 - other);
         }
-        palette_convert(palette, &frame, picture);
-        assert_true(difference(&frame, picture) == 0);
-        av_frame_free(&picture);
-        bead_palette_destroy(palette);
-        bead_frame_free(&frame);
+        reduce(animation, 2, 3333, reduced, chosen, difference);
+        assert_true(difference[0] == 0 && difference[1] == 0);
     }
 }
 
-/* Smooth shading in thousands of colours; then colours that the first frame did not have. */
+/* Smooth shading in thousands of colours; then colours that the first picture has not. */
 static void palette_is_close_for_many_colours(void **state)
 {
     (void)state;
-    struct bead_frame frame;
-    struct bead_palette *palette;
-    assert_int_equal(bead_frame_create(256, 128, &frame, NULL), BEAD_OK);
-    assert_int_equal(bead_palette_create(&palette, NULL), BEAD_OK);
-    AVFrame *picture = new_picture(AV_PIX_FMT_PAL8, frame.width, frame.height);
-    fill(&frame, 0xfdfdfc);
-    for (int y = 0; y < 64; y++) {
-        for (int x = 0; x < 256; x++)
-            set(&frame, x, y, x, 4 * y, 255 - x);
+    uint32_t chosen[256];
+    double difference[2];
+    for (int i = 0; i < SHADES; i++) {
+        int x = i % 256, y = i / 256;
+        for (size_t k = 0; k < 2; k++) {
+            if (y < 64)
+                set(k, i, x, 4 * y, 255 - x);
+            else if (k == 0)
+                set(k, i, 0xfd, 0xfd, 0xfc);
+            else
+                set(k, i, 10, x / 32 * 32, 20);
+        }
     }
-    palette_convert(palette, &frame, picture);
-    assert_true(difference(&frame, picture) < 7);
-    assert_int_equal(shown(picture, 9, 100), 0xfdfdfc); /* the background is what it was */
-    for (int y = 64; y < 128; y++) {
-        for (int x = 0; x < 256; x++)
-            set(&frame, x, y, 10, x / 32 * 32, 20);
-    }
-    palette_convert(palette, &frame, picture);
-    assert_true(difference(&frame, picture) < 7);
+    reduce(animation, 2, SHADES, reduced, chosen, difference);
+    assert_true(difference[0] < 7 && difference[1] < 7);
+    assert_int_equal(chosen[reduced[0][100 * 256 + 9]], 0xfffdfdfc); /* the background is what it was */
     for (int x = 0; x < 256; x += 32) {
-        int green = (int)(shown(picture, x, 100) >> 8 & 255);
+        int green = (int)(chosen[reduced[1][100 * 256 + x]] >> 8 & 255);
         assert_true(abs(green - x) <= 12);
     }
-    av_frame_free(&picture);
-    bead_palette_destroy(palette);
-    bead_frame_free(&frame);
 }
 
 static void chosen_colours_are_far_apart(void **state)

@@ -281,6 +281,36 @@ static void gif_is_playable(void **state)
     }
 }
 
+/* Noise in 200 colours that stays, and a square that moves and has new colours in every frame: of the noise only the first frame has
+ * all. */
+static void gif_has_only_what_changes(void **state)
+{
+    (void)state;
+    const char *path = place("noise.gif");
+    struct bead_movie_settings wanted = settings(BEAD_QUALITY_STANDARD);
+    struct bead_movie *movie;
+    struct bead_frame frame;
+    uint32_t noise = 1;
+    assert_int_equal(bead_frame_create(WIDTH, HEIGHT, &frame, NULL), BEAD_OK);
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        noise = noise * 1664525 + 1013904223;
+        int colour = (int)(noise >> 16) % 200;
+        put(&frame, i % WIDTH, i / WIDTH, colour, 255 - colour, colour / 2);
+    }
+    assert_int_equal(bead_movie_open(path, &wanted, &movie, NULL), BEAD_OK);
+    for (int f = 0; f < 20; f++) {
+        for (int i = 0; i < 64; i++)
+            put(&frame, 4 * f + i % 8, 20 + i / 8, 255, 12 * f, 4 * (i % 8));
+        assert_int_equal(bead_movie_add(movie, &frame, NULL, NULL), BEAD_OK);
+    }
+    uint64_t bytes;
+    assert_int_equal(bead_movie_close(movie, &bytes, NULL), BEAD_OK);
+    if (bytes > 2 * WIDTH * HEIGHT)
+        fail_msg("%llu bytes", (unsigned long long)bytes);
+    bead_frame_free(&frame);
+    unlink(path);
+}
+
 static void apng_loops_for_ever(void **state)
 {
     (void)state;
@@ -434,6 +464,7 @@ int main(void)
         cmocka_unit_test(runs_give_the_same_files),
         cmocka_unit_test(colours_are_bt709),
         cmocka_unit_test(gif_is_playable),
+        cmocka_unit_test(gif_has_only_what_changes),
         cmocka_unit_test(apng_loops_for_ever),
         cmocka_unit_test(mp4_starts_fast_and_has_a_title),
         cmocka_unit_test(every_movie_has_a_comment),
