@@ -281,8 +281,8 @@ static void gif_is_playable(void **state)
     }
 }
 
-/* Noise in 200 colours that stays, and a square that moves and has new colours in every frame: of the noise only the first frame has
- * all. */
+/* Noise in 200 colours that stays, and a square that moves and has new colours in every frame: of the noise only the first frame
+ * has all. */
 static void gif_has_only_what_changes(void **state)
 {
     (void)state;
