@@ -32,7 +32,7 @@ enum bead_error {
 #define BEAD_OK BEAD_ERROR_OK
 
 struct bead_message {
-    char text[1024];
+    char text[4096]; /* one line; of a wrong scene up to ten, one for each thing that is wrong */
 };
 
 /* The general text of a code; never NULL. */

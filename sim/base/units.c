@@ -216,6 +216,8 @@ enum bead_error bead_units_read(struct bead_units *units, const char *text, cons
     size_t length = number_length(trimmed);
     if (length == 0)
         return wrong(why, size, text, si ? "is not a number, plain or with a unit of" : "is not a number", si);
+    if (trimmed[length] == ',' && strchr("0123456789", trimmed[length + 1]) && trimmed[length + 1])
+        return wrong(why, size, text, "has a comma, but numbers have a decimal point", NULL);
     const char *unit = trimmed + length + strspn(trimmed + length, " \t\r\n");
     enum bead_error err = BEAD_OK;
     if (*unit)

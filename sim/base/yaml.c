@@ -70,7 +70,9 @@ static const char *hint(const char *problem)
          "; lines are indented with spaces, not tabs, and @, % or ` begin only texts in \"quotes\""},
         {"did not find expected ',' or '}'", quotes},
         {"did not find expected ',' or ']'", quotes},
-        {"mapping values are not allowed in this context", quotes},
+        {"mapping values are not allowed in this context",
+         "; is a colon missing in the line before? A text with a colon in it stands in \"quotes\""},
+        {"could not find expected ':'", "; a key ends with a colon and a space: is one missing here, or in the line before?"},
     };
     for (size_t i = 0; problem && i < sizeof hints / sizeof hints[0]; i++) {
         if (strcmp(problem, hints[i].problem) == 0)

@@ -78,6 +78,13 @@ static enum bead_error set_progress(struct command *command, const char *value, 
     return BEAD_OK;
 }
 
+static enum bead_error set_quiet(struct command *command, const char *value, struct bead_message *msg)
+{
+    (void)value, (void)msg;
+    command->progress = COMMAND_PROGRESS_NONE;
+    return BEAD_OK;
+}
+
 static enum bead_error set_instructions(struct command *command, const char *value, struct bead_message *msg)
 {
     (void)msg;
@@ -228,6 +235,7 @@ static const struct option_row rows[] = {
      NULL, set_canvas, NULL},
     {"progress", 0, "HOW", "how to show progress on stderr: auto (default), plain, json (the result is JSON, too) or none",
      progress_words, set_progress, NULL},
+    {"quiet", 'q', NULL, "the same as --progress none", NULL, set_quiet, NULL},
     {"json", 0, NULL, "print the result, the plan or the description as one JSON object", NULL, set_json, NULL},
     {"help", 'h', NULL, "show this help", NULL, set_help, NULL},
     {"version", 'V', NULL, "show the version and the licence", NULL, set_version, NULL},
@@ -361,7 +369,8 @@ void command_print_man(const struct command_program *program, FILE *out)
     }
 }
 
-/* For the completion of shells: a line for each option, "--name -n", its argument where it has one, the values it may have; a tab; help. */
+/* For the completion of shells: a line for each option, "--name -n", its argument where it has one, the values it may have; a tab;
+ * help. */
 void command_print_words(const struct command_program *program, FILE *out)
 {
     const char *words[WORDS];

@@ -75,12 +75,16 @@ int command_status(enum bead_error err, int signal)
     return err == BEAD_ERROR_STOPPED && signal ? 128 + signal : bead_error_status(err);
 }
 
-/* One line, whatever is in the message. */
-static void complain(const char *program, const char *text)
+/* One line, whatever is in the message; of wrong scenes one for each thing that is wrong. */
+static void complain(const char *program, const char *text, bool lines)
 {
     fprintf(stderr, "%s: ", program);
-    for (const char *c = text; *c; c++)
-        fputc((unsigned char)*c < ' ' ? ' ' : *c, stderr);
+    for (const char *c = text; *c; c++) {
+        if (lines && *c == '\n')
+            fprintf(stderr, "\n%s: ", program);
+        else
+            fputc((unsigned char)*c < ' ' ? ' ' : *c, stderr);
+    }
     fputc('\n', stderr);
 }
 
@@ -113,6 +117,6 @@ int command_main(const struct command_program *program, int argc, char **argv)
         free(command.looks[i]);
     free(command.looks);
     if (err)
-        complain(program->name, msg.text[0] ? msg.text : bead_error_text(err));
+        complain(program->name, msg.text[0] ? msg.text : bead_error_text(err), err == BEAD_ERROR_SCENE);
     return command_status(err, stop_signal);
 }

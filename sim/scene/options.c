@@ -9,7 +9,7 @@
 #include "sim/base/suggest.h"
 #include "sim/scene/scene_private.h"
 
-enum { LONGEST_TEXT = 1000 };
+enum { LONGEST_TEXT = 1000, MOST_FAULTS = 10 };
 
 static void add_path(const struct bead_at *at, char *text, size_t size)
 {
@@ -23,6 +23,19 @@ static void add_path(const struct bead_at *at, char *text, size_t size)
         snprintf(text + used, size - used, "%s%zu", used ? "." : "", at->index);
 }
 
+/* Once, in one line. */
+static void add_fault(struct bead_faults *faults, const char *line)
+{
+    char *text = faults->lines.text, *end = text + strlen(text);
+    const size_t room = sizeof faults->lines.text - (size_t)(end - text), length = strlen(line);
+    if (strstr(text, line) || faults->count >= MOST_FAULTS || length + 2 > room)
+        return;
+    if (faults->count++ > 0)
+        *end++ = '\n';
+    for (size_t i = 0; i <= length; i++)
+        end[i] = line[i] && (unsigned char)line[i] < ' ' ? ' ' : line[i];
+}
+
 enum bead_error bead_wrong(const struct bead_reader *reader, const struct bead_at *at, const char *format, ...)
 {
     char path[256] = "", shown[256], what[640];
@@ -31,9 +44,19 @@ enum bead_error bead_wrong(const struct bead_reader *reader, const struct bead_a
     vsnprintf(what, sizeof what, format, values);
     va_end(values);
     add_path(at, path, sizeof path);
-    return bead_fail(reader->msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s%s%s", bead_yaml_name(reader->yaml, at->node),
-                     at->node->place.line, at->node->place.column, bead_text_show(path, shown, sizeof shown), *path ? ": " : "",
-                     what);
+    struct bead_message line, *msg = reader->faults ? &line : reader->msg;
+    bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s%s%s", bead_yaml_name(reader->yaml, at->node), at->node->place.line,
+              at->node->place.column, bead_text_show(path, shown, sizeof shown), *path ? ": " : "", what);
+    if (reader->faults)
+        add_fault(reader->faults, line.text);
+    return BEAD_ERROR_SCENE;
+}
+
+bool bead_reads_on(const struct bead_reader *reader, enum bead_error err, enum bead_error *kept)
+{
+    if (err && *kept != BEAD_ERROR_MEMORY)
+        *kept = err;
+    return !err || (err == BEAD_ERROR_SCENE && reader->faults && reader->faults->count < MOST_FAULTS);
 }
 
 enum bead_error bead_no_memory(const struct bead_reader *reader)
@@ -294,7 +317,7 @@ static enum bead_error unknown_key(const struct bead_reader *reader, const struc
 {
     const struct bead_option *row;
     struct bead_suggest search;
-    char near[96], all[480] = "";
+    char near[96], word[64], all[480] = "";
     bead_suggest_begin(&search, at->key);
     for (size_t i = 0; (row = bead_options_row(options, i)); i++) {
         size_t used = strlen(all);
@@ -303,6 +326,15 @@ static enum bead_error unknown_key(const struct bead_reader *reader, const struc
         snprintf(all + used, sizeof all - used, "%s%s", used ? ", " : "", row->key);
         bead_suggest_try(&search, row->key);
     }
+    if (*at->key >= '0' && *at->key <= '9')
+        return bead_wrong(reader, at,
+                          "unknown key; in { } a comma ends a value: numbers have a decimal point, and texts with a comma "
+                          "stand in \"quotes\"");
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(at->key, " [{"), at->key);
+    if (strlen(word) < strlen(at->key) && bead_options_find(options, word))
+        return bead_wrong(reader, at, "unknown key; is the colon missing behind `%s`?", word);
+    if (options == &bead_scene_options && bead_scene_key_home(at->key, near, sizeof near))
+        return bead_wrong(reader, at, "unknown key; did you mean `%s`?", near);
     if (search.best)
         return bead_wrong(reader, at, "unknown key%s", bead_suggest_text(&search, near, sizeof near));
     return bead_wrong(reader, at, "unknown key; known are %s", all);
@@ -330,29 +362,46 @@ static enum bead_error foreign_key(const struct bead_reader *reader, const struc
     return bead_wrong(reader, at, "is a key of %s %s, not of %s", family->of, homes, here);
 }
 
+/* "until 2 ms" is a map whose colon is missing. */
+static enum bead_error no_map(const struct bead_reader *reader, const struct bead_at *at, const struct bead_options *options)
+{
+    char shown[64], word[64] = "", hint[128] = "";
+    if (at->node->kind == BEAD_NODE_SCALAR)
+        snprintf(word, sizeof word, "%.*s", (int)strcspn(at->node->text, " "), at->node->text);
+    if (*word && bead_options_find(options, word))
+        snprintf(hint, sizeof hint, "; is the colon missing behind `%s`?", word);
+    return bead_wrong(reader, at, "is %s; must be a map of keys and values: %s%s", bead_node_show(at->node, shown, sizeof shown),
+                      options->help, hint);
+}
+
+static enum bead_error missing_key(const struct bead_reader *reader, const struct bead_at *at, const struct bead_option *row)
+{
+    return row->example ? bead_wrong(reader, at, "is missing: %s; such as `%s: %s`", row->help, row->key, row->example)
+                        : bead_wrong(reader, at, "is missing: %s", row->help);
+}
+
 enum bead_error bead_options_read(struct bead_reader *reader, const struct bead_at *at, const struct bead_options *options,
                                   void *settings)
 {
     const struct bead_option *row;
-    char shown[64];
+    enum bead_error err = BEAD_OK, kept = BEAD_OK;
     if (at->node->kind != BEAD_NODE_MAP)
-        return bead_wrong(reader, at, "is %s; must be a map of keys and values: %s", bead_node_show(at->node, shown, sizeof shown),
-                          options->help);
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; i + 1 < at->node->count && !err; i += 2) {
+        return no_map(reader, at, options);
+    for (size_t i = 0; i + 1 < at->node->count && bead_reads_on(reader, err, &kept); i += 2) {
         struct bead_at key = {at, at->node->items[i]->text, 0, at->node->items[i]};
-        if (!bead_options_find(options, key.key))
-            err = foreign_key(reader, &key, options);
+        err = bead_options_find(options, key.key) ? BEAD_OK : foreign_key(reader, &key, options);
     }
-    for (size_t i = 0; !err && (row = bead_options_row(options, i)); i++) {
+    const bool misspelt = kept || err; /* what seems to be missing may be that */
+    for (size_t i = 0; bead_reads_on(reader, err, &kept) && (row = bead_options_row(options, i)); i++) {
         const struct bead_node *value = bead_node_get(at->node, row->key, NULL);
         struct bead_at key = {at, row->key, 0, value ? value : at->node};
+        err = BEAD_OK;
         if (value)
             err = read_value(reader, &key, row, settings);
-        else if (row->required)
-            err = bead_wrong(reader, &key, "is missing: %s", row->help);
+        else if (row->required && !misspelt)
+            err = missing_key(reader, &key, row);
         else if (row->initial)
             err = read_initial(reader, at, row, settings);
     }
-    return err;
+    return kept;
 }

@@ -39,7 +39,17 @@ struct bead_reader {
     struct bead_units *units;
     struct bead_scene *scene; /* being filled */
     struct bead_message *msg;
+    struct bead_faults *faults; /* NULL: the first is the only one */
+    bool unsound;               /* the chains are wrong: nothing can be checked against them */
 };
+
+/* What is wrong with a scene: a line for each thing, as far as there is room. */
+struct bead_faults {
+    size_t count;
+    struct bead_message lines;
+};
+/* After one thing was read: keeps the error of the whole, and says whether to read the next. */
+bool bead_reads_on(const struct bead_reader *reader, enum bead_error err, enum bead_error *kept);
 
 /* Are the scene's numbers without units: those of equations? */
 static inline bool bead_scene_plain(const struct bead_scene *scene)

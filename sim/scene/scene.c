@@ -135,19 +135,19 @@ static enum bead_error read_chains(struct bead_reader *reader, const struct bead
         return BEAD_OK; /* refused with the sweep */
     if (count == 0 || count > BEAD_SCENE_CHAINS)
         return bead_wrong(reader, at, "has %zu chains; must have from 1 to %d", count, BEAD_SCENE_CHAINS);
-    enum bead_error err = make_chains(reader, count);
-    for (size_t i = 0; i < count && !err; i++) {
+    enum bead_error err = make_chains(reader, count), kept = BEAD_OK;
+    for (size_t i = 0; bead_reads_on(reader, err, &kept) && i < count; i++) {
         struct bead_at element = {at, NULL, i, at->node->items[i]};
         err = bead_scene_read_chain(reader, &element, &scene->chains[i]);
-        if (!err)
+        if (!err && !kept)
             err = check_name(reader, &element, i);
-        if (!err)
+        if (!err && !kept)
             err = check_kind(reader, &element, i);
         beads += err ? 0 : bead_scene_count_beads(&scene->chains[i]);
         if (!err && beads > BEAD_SCENE_BEADS)
             err = bead_wrong(reader, &element, "makes more than %d beads in all, the most that is allowed", BEAD_SCENE_BEADS);
     }
-    return err;
+    return kept;
 }
 
 static enum bead_error read_simulate(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
@@ -157,14 +157,22 @@ static enum bead_error read_simulate(struct bead_reader *reader, const struct be
     return bead_scene_read_simulate(reader, at);
 }
 
-/* Without chains, nothing said of outputs would make sense. */
+/* Without chains, nothing said of outputs would make sense. Where they are wrong, outputs are read as if there were none. */
 static enum bead_error read_outputs(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
                                     void *settings)
 {
+    struct bead_scene *scene = reader->scene;
+    const size_t chains = scene->chain_count;
     (void)option, (void)settings;
-    if (reader->scene->chain_count == 0)
+    reader->unsound = reader->faults && reader->faults->count > 0;
+    if (reader->unsound && bead_sweep_node(at->up->node, 0))
+        return BEAD_OK; /* they would show what is wrong */
+    if (chains == 0 && !reader->unsound)
         return bead_wrong(reader, at->up, "`chain` is missing: %s", bead_chain_options.help);
-    return bead_scene_read_outputs(reader, at);
+    scene->chain_count = reader->unsound ? 0 : chains;
+    enum bead_error err = bead_scene_read_outputs(reader, at);
+    scene->chain_count = chains;
+    return err;
 }
 
 /* What every reader needs, and the ready materials. */
@@ -239,6 +247,18 @@ static void tighten_accuracy(struct bead_scene *scene, const struct bead_at *roo
         scene->simulate.accuracy = accuracy_of_budgets;
 }
 
+/* All that is wrong is told at once. */
+static enum bead_error read_all(struct bead_reader *reader, const struct bead_at *root)
+{
+    struct bead_faults faults = {.count = 0};
+    reader->faults = &faults;
+    enum bead_error err = bead_options_read(reader, root, &bead_scene_options, reader->scene);
+    reader->faults = NULL;
+    if (err == BEAD_ERROR_SCENE && faults.count > 0 && reader->msg)
+        *reader->msg = faults.lines;
+    return err;
+}
+
 static enum bead_error read_scene(struct bead_reader *reader, const char *text, size_t length, bool changed)
 {
     const char *name = bead_yaml_name(reader->yaml, NULL);
@@ -250,7 +270,7 @@ static enum bead_error read_scene(struct bead_reader *reader, const char *text, 
     if (!err)
         err = scene_prepare(reader);
     if (!err)
-        err = bead_options_read(reader, &root, &bead_scene_options, reader->scene);
+        err = read_all(reader, &root);
     if (!err)
         tighten_accuracy(reader->scene, &root);
     if (!err)

@@ -423,12 +423,12 @@ static enum bead_error read_list(struct bead_reader *reader, const struct bead_a
         return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), shape);
     if (at->node->count == 0)
         return bead_wrong(reader, at, "is an empty list: at least one bead is needed%s", at->up->up ? " behind the striker" : "");
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; i < at->node->count && !err; i++) {
+    enum bead_error err = BEAD_OK, kept = BEAD_OK;
+    for (size_t i = 0; bead_reads_on(reader, err, &kept) && i < at->node->count; i++) {
         struct bead_at element = {at, NULL, i, at->node->items[i]};
         err = read_entry(reader, &element, chain);
     }
-    return err;
+    return kept;
 }
 
 static int by_name(const void *a, const void *b)

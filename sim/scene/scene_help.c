@@ -51,6 +51,26 @@ static const struct bead_options *section_at(size_t index)
     return NULL;
 }
 
+bool bead_scene_key_home(const char *key, char *text, size_t size)
+{
+    static const struct {
+        const char *path;
+        const struct bead_options *options;
+    } homes[] = {{"chain.", &bead_chain_options},
+                 {"chain.striker.", &bead_striker_options},
+                 {"simulate.", &bead_simulate_options},
+                 {"sweep.", &bead_sweep_options}};
+    const char *home = NULL;
+    for (size_t i = 0; i < sizeof homes / sizeof *homes && !home; i++)
+        home = bead_options_find(homes[i].options, key) ? homes[i].path : NULL;
+    const struct bead_options *kind;
+    for (size_t i = 0; !home && (kind = bead_output_family.member(i)); i++)
+        home = bead_options_find(kind, key) ? "outputs.N." : NULL;
+    if (home)
+        snprintf(text, size, "%s%s", home, key);
+    return home != NULL;
+}
+
 void bead_scene_help(FILE *out)
 {
     const struct bead_options *options;

@@ -204,10 +204,13 @@ static enum bead_error read_one(struct bead_reader *reader, const struct bead_at
     enum bead_error err = bead_options_read(reader, at, &bead_material_options, &written);
     if (!err)
         err = check_mass(reader, at, &written);
-    if (!err)
-        err = add_material(reader, at->key, &written);
-    free(written.label);
-    return err;
+    if (err) {
+        written.mass = written.radius = 1e-3;
+        written.modulus = 1e9;
+    }
+    enum bead_error added = written.label && (!err || reader->faults) ? add_material(reader, at->key, &written) : BEAD_OK;
+    free(written.label); /* a wrong one is added, too, so that beads of it are not wrong as well */
+    return err ? err : added;
 }
 
 enum bead_error bead_scene_read_materials(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
@@ -217,12 +220,12 @@ enum bead_error bead_scene_read_materials(struct bead_reader *reader, const stru
     (void)settings;
     if (at->node->kind != BEAD_NODE_MAP)
         return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; i + 1 < at->node->count && !err; i += 2) {
+    enum bead_error err = BEAD_OK, kept = BEAD_OK;
+    for (size_t i = 0; bead_reads_on(reader, err, &kept) && i + 1 < at->node->count; i += 2) {
         struct bead_at one = {at, at->node->items[i]->text, 0, at->node->items[i + 1]};
         err = read_one(reader, &one);
     }
-    return err;
+    return kept;
 }
 
 enum bead_error bead_scene_add_ready_materials(struct bead_reader *reader)
@@ -248,14 +251,28 @@ enum bead_error bead_scene_add_ready_materials(struct bead_reader *reader)
     return err;
 }
 
+/* "; did you mean `large-steel` or `small-steel`?" of `steel`: names that have the word in them; else the nearest. */
+static const char *near_materials(const struct bead_scene *scene, const char *name, char *near, size_t size)
+{
+    struct bead_suggest search;
+    size_t used = 0;
+    bead_suggest_begin(&search, name);
+    for (size_t i = 0; i < scene->material_count; i++) {
+        const char *known = scene->materials[i].name;
+        bead_suggest_try(&search, known);
+        if (scene->materials[i].of == i && strlen(name) > 2 && strcasestr(known, name) && used + strlen(known) + 20 < size)
+            used += (size_t)snprintf(near + used, size - used, "%s`%s`", used ? " or " : "; did you mean ", known);
+    }
+    if (used == 0)
+        return bead_suggest_text(&search, near, size);
+    snprintf(near + used, size - used, "?");
+    return near;
+}
+
 static enum bead_error no_material(const struct bead_reader *reader, const struct bead_at *at, const char *name)
 {
-    char shown[64], near[96];
-    struct bead_suggest search;
-    bead_suggest_begin(&search, name);
-    for (size_t i = 0; i < reader->scene->material_count; i++)
-        bead_suggest_try(&search, reader->scene->materials[i].name);
-    bead_suggest_text(&search, near, sizeof near);
+    char shown[64], near[160];
+    near_materials(reader->scene, name, near, sizeof near);
     return bead_wrong(reader, at, "there is no material `%s`%s", bead_text_show(name, shown, sizeof shown),
                       *near ? near : "; it must be a ready one (see --list materials) or one under `materials`");
 }

@@ -324,7 +324,8 @@ static bool is_taken(const struct bead_output *outputs, size_t count, const char
     bool taken = false;
     const char *key;
     for (size_t i = 0; i < count; i++)
-        taken = taken || same_path(outputs[i].path, path) || (*path && same_path(bead_output_second(&outputs[i], &key), path));
+        taken = taken || (outputs[i].path && same_path(outputs[i].path, path)) ||
+                (*path && same_path(bead_output_second(&outputs[i], &key), path));
     return taken;
 }
 
@@ -377,6 +378,8 @@ enum bead_error bead_output_read_settings(struct bead_reader *reader, const stru
 {
     const struct bead_output_type *type = bead_output_type(output->kind);
     enum bead_error err = bead_options_read(reader, at, options, output);
+    if (reader->unsound)
+        return err;
     if (!err)
         err = settle_size(reader, at, output);
     if (err)
@@ -472,12 +475,14 @@ enum bead_error bead_scene_read_outputs(struct bead_reader *reader, const struct
     if (!scene->outputs)
         return bead_no_memory(reader);
     scene->output_count = count;
-    for (size_t i = 0; i < at->node->count && !err; i++) {
+    enum bead_error kept = BEAD_OK;
+    for (size_t i = 0; bead_reads_on(reader, err, &kept) && i < at->node->count; i++) {
         size_t files = bead_output_files(at->node->items[i]);
+        err = BEAD_OK;
         for (size_t k = 0; k < files && !err; k++) {
             struct bead_at element = {at, NULL, i, bead_output_entry(reader, at->node->items[i], k)};
             err = element.node ? read_output(reader, &element, read++) : bead_no_memory(reader);
         }
     }
-    return err;
+    return kept;
 }

@@ -46,6 +46,8 @@ BEAD_CHECK enum bead_error bead_scene_find_material(const struct bead_reader *re
 /* Add the materials of assets/materials.yaml to the reader's scene. Errors: IO, SCENE, MEMORY. */
 BEAD_CHECK enum bead_error bead_scene_add_ready_materials(struct bead_reader *reader);
 
+/* Where a key belongs that stands elsewhere: "outputs.N.colormap" into `text`; false: it is in none of the large sections. */
+bool bead_scene_key_home(const char *key, char *text, size_t size);
 /* Beads of a chain without its striker. */
 size_t bead_scene_count_beads(const struct bead_chain_spec *chain);
 /* Number of the last bead, or point, of a chain; `simulate` must have been read. */

@@ -42,7 +42,7 @@ ok "... is one" test -s film.mp4
 ok "a picture for which the scene has none" exits 0 "$beadreel" run/run.h5 -o other.svg --size 86mmx60mm
 ok "the plot of that name" exits 0 "$beadreel" run/run.h5 -o plot/sensor.png
 ok "... is not what has colours" fails 2 "$beadreel" run/run.h5 -o plot/sensor.png --colormap grey
-ok "... and says so" says "--colormap:1:1: outputs.0.colormap: is a key of outputs of kind image, movie, sheet, not of plot"
+ok "... and says so" says "--colormap:1:1: outputs.0.colormap: is a key of outputs of kind image, movie, sheet"
 ok "a picture of another name" exits 0 "$beadreel" run/run.h5 -o new.png --colormap grey
 ok "... is the first that has the key" [ "$(stat -c %s new.png)" -gt 1000 ]
 

@@ -239,15 +239,53 @@ static void wrong_settings_name_their_place(void **state)
                     cases[i].expected);
 }
 
+/* ---- several things ---- */
+
+static void all_that_is_wrong_is_told_at_once(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "materials: {x: {modulus: 1 GPs, poisson: 0.3, radius: 1 mm, mass: 1 g}}\n"
+        "chain:\n"
+        "  beads: [{bead: x}, {bead: brss, count: 0}]\n"
+        "  walll: brass\n"
+        "simulate: {until: 3 kg}\n"
+        "outputs: [{image: a.png, views: [bedas], beads: [0, 9]}, {movie: m.xyz}, {table: c.csv, show: x}]\n",
+                      *const expected[] = {
+                          "test:1:26: materials.x.modulus: `1 GPs`", "test:3:29: chain.beads.1.bead: there is no material `brss`",
+                          "test:3:42: chain.beads.1.count: `0`",     "test:4:3: chain.walll: unknown key; did you mean `wall`?",
+                          "test:5:19: simulate.until: `3 kg`",       "test:6:34: outputs.0.views.0: is `bedas`",
+                          "test:6:66: outputs.1.movie: `m.xyz`",     "test:6:95: outputs.2.show: is `x`"};
+    for (size_t i = 0; i < sizeof expected / sizeof *expected; i++)
+        refuse(text, expected[i]);
+    struct bead_message msg = {""};
+    struct bead_scene *scene = NULL;
+    assert_int_equal(bead_scene_parse("test", text, strlen(text), NULL, 0, &scene, &msg), BEAD_ERROR_SCENE);
+    size_t breaks = 0;
+    for (const char *c = msg.text; *c; c++)
+        breaks += *c == '\n';
+    assert_int_equal(breaks + 1, sizeof expected / sizeof *expected); /* and nothing that only follows from these */
+}
+
+static void no_more_than_ten_things(void **state)
+{
+    (void)state;
+    char text[2000] = "chain: {beads: [";
+    for (int i = 0; i < 30; i++)
+        snprintf(text + strlen(text), sizeof text - strlen(text), "{bead: none%d}, ", i);
+    snprintf(text + strlen(text), sizeof text - strlen(text), "]}\n" OUTPUTS);
+    refuse(text, "none9");
+}
+
 /* ---- anything at all ---- */
 
-/* Read whatever it is: a scene, or one line of why not. */
+/* Read whatever it is: a scene, or why not. */
 static void survive(const char *text, size_t length)
 {
     struct bead_message msg = {""};
     struct bead_scene *scene = NULL;
     enum bead_error err = bead_scene_parse("test", text, length, NULL, 0, &scene, &msg);
-    assert_true(err ? !scene && msg.text[0] && !strchr(msg.text, '\n') : scene != NULL);
+    assert_true(err ? !scene && msg.text[0] && is_list_of_faults(msg.text) : scene != NULL);
     bead_scene_free(scene);
 }
 
@@ -310,6 +348,8 @@ int main(void)
         cmocka_unit_test(settings_under_an_alias_change_one_place),
         cmocka_unit_test(settings_name_files_of_every_kind),
         cmocka_unit_test(wrong_settings_name_their_place),
+        cmocka_unit_test(all_that_is_wrong_is_told_at_once),
+        cmocka_unit_test(no_more_than_ten_things),
         cmocka_unit_test(cut_scenes_are_survived),
         cmocka_unit_test(changed_scenes_are_survived),
         cmocka_unit_test(noise_is_survived),
