@@ -72,6 +72,12 @@ BEAD_API BEAD_CHECK enum bead_error bead_session_open(const struct bead_job *job
                                                       struct bead_message *msg);
 /* What will be computed, what is skipped, and why: lines of text into `out`. */
 BEAD_API BEAD_CHECK enum bead_error bead_session_plan(const struct bead_session *session, FILE *out, struct bead_message *msg);
+/* Output number `index` of those that the session knows; false behind the last. Strings are the session's. */
+struct bead_planned {
+    const char *name, *path, *kind; /* as in bead_result; path NULL: not made */
+    bool made;                      /* not left out by --only, and a kind that the program makes */
+};
+BEAD_API bool bead_session_planned(const struct bead_session *session, size_t index, struct bead_planned *planned);
 BEAD_API BEAD_CHECK enum bead_error bead_session_run(struct bead_session *session, struct bead_message *msg);
 
 /* After a run: the files made, in the order of the scene; and the counts that --plan promised. */

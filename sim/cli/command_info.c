@@ -97,6 +97,11 @@ static enum bead_error scene_info(const struct command *command, FILE *out, stru
         err = bead_scene_load(path, command->settings, command->setting_count, &scene, msg);
     if (err)
         return err;
+    if (command->json) {
+        err = command_describe_scene(out, scene, msg);
+        bead_scene_free(scene);
+        return err;
+    }
     print_head(out, path, "scene", scene);
     for (size_t i = 0; i < scene->chain_count && !err; i++) {
         struct bead_chain *chain;
@@ -178,6 +183,11 @@ static enum bead_error trajectory_info(const struct command *command, FILE *out,
     enum bead_error err = bead_trajectory_open(command->input, command->settings, command->setting_count, &trajectory, msg);
     if (err)
         return err;
+    if (command->json) {
+        err = command_describe_trajectory(out, command->input, trajectory, msg);
+        bead_trajectory_close(trajectory);
+        return err;
+    }
     size_t count = 0;
     const struct bead_chain *const *chains = bead_trajectory_chains(trajectory, &count);
     const char *kind = bead_trajectory_complete(trajectory) ? "trajectory" : "trajectory of a run that was stopped or killed";
@@ -226,6 +236,11 @@ static enum bead_error sweep_info(const struct command *command, FILE *out, stru
     if (err)
         return err;
     size_t part = 0, parts = 0, known = 0, all = bead_sweep_count(sweep, &known);
+    if (command->json) {
+        command_describe_sweep(out, command->input, sweep);
+        bead_sweep_close(sweep);
+        return BEAD_OK;
+    }
     print_head(out, command->input, "sweep", bead_sweep_scene(sweep));
     for (size_t i = 0; i < bead_sweep_panels(sweep); i++)
         print_sweep(out, sweep, i);
@@ -250,7 +265,7 @@ enum bead_error command_info(const struct command *command, FILE *out, struct be
 {
     struct bead_sweep_progress progress;
     if (bead_sweep_journal_look(command->input, &progress)) {
-        print_journal(out, command->input, &progress);
+        (command->json ? command_describe_journal : print_journal)(out, command->input, &progress);
         return BEAD_OK;
     }
     if (bead_sweep_is(command->input))

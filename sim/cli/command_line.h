@@ -11,6 +11,7 @@
 #include "beadreel/error.h"
 #include "beadreel/session.h"
 #include "beadreel/sink.h"
+#include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
 
 /* One thing that --list can show: a line each with a name and a description. */
@@ -97,6 +98,13 @@ bool command_is_json(const struct command *command);
 void command_print_result(const struct bead_session *session, enum bead_error err, int status, double seconds,
                           const struct bead_message *msg);
 struct json;
+/* --plan and --info as JSON. Errors: those of what is described. */
+enum bead_error command_describe_plan(FILE *out, const struct bead_session *session, struct bead_message *msg);
+enum bead_error command_describe_scene(FILE *out, const struct bead_scene *scene, struct bead_message *msg);
+enum bead_error command_describe_trajectory(FILE *out, const char *file, struct bead_trajectory *trajectory,
+                                            struct bead_message *msg);
+void command_describe_journal(FILE *out, const char *file, const struct bead_sweep_progress *progress);
+void command_describe_sweep(FILE *out, const char *file, const struct bead_sweep *sweep);
 /* "runs": an object for each chain, with its outcome. */
 void command_write_runs(struct json *json, const struct bead_chain *const *chains, const struct bead_outcome *outcomes,
                         size_t count);

@@ -104,10 +104,11 @@ int command_main(const struct command_program *program, int argc, char **argv)
         err = bead_fail(&msg, BEAD_ERROR_MEMORY, "out of memory");
     if (!err)
         err = command_parse(&command, argc, argv, &msg);
-    if (err && command_is_json(&command))
-        command_print_result(NULL, err, command_status(err, 0), 0, &msg);
-    if (!err)
+    const bool parsed = !err;
+    if (parsed)
         err = act(&command, &msg);
+    if (err && command_is_json(&command) && !(parsed && command.action == COMMAND_RUN)) /* which has printed it */
+        command_print_result(NULL, err, command_status(err, 0), 0, &msg);
     if ((fflush(stdout) || ferror(stdout)) && !err)
         err = bead_fail(&msg, BEAD_ERROR_IO, "cannot write to standard output: %s", strerror(errno));
     free(command.settings);

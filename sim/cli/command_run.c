@@ -42,7 +42,7 @@ enum bead_error command_plan(const struct command *command, const volatile sig_a
     enum bead_error err = bead_session_open(&job, &session, msg);
     if (err)
         return err;
-    err = bead_session_plan(session, stdout, msg);
+    err = command->json ? command_describe_plan(stdout, session, msg) : bead_session_plan(session, stdout, msg);
     bead_session_close(session);
     return err;
 }

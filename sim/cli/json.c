@@ -87,6 +87,12 @@ void json_number(struct json *json, const char *key, double value)
     bead_write_number(json->out, value);
 }
 
+void json_flag(struct json *json, const char *key, bool value)
+{
+    begin(json, key);
+    fputs(value ? "true" : "false", json->out);
+}
+
 void json_null(struct json *json, const char *key)
 {
     begin(json, key);

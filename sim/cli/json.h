@@ -16,6 +16,7 @@ void json_open(struct json *json, const char *key, char bracket);     /* '{' or 
 void json_close(struct json *json, char bracket);                     /* '}' or ']' */
 void json_text(struct json *json, const char *key, const char *text); /* NULL: null; bytes that are no UTF-8 become U+FFFD */
 void json_number(struct json *json, const char *key, double value);   /* shortest that reads back; NaN, infinite: null */
+void json_flag(struct json *json, const char *key, bool value);
 void json_null(struct json *json, const char *key);
 
 #endif

@@ -82,7 +82,20 @@ enum bead_error bead_session_list_outputs(struct bead_session *s, struct bead_me
     return err;
 }
 
-/* ---- what cannot be made ---- */
+/* ---- what is made, and what cannot be ---- */
+
+bool bead_session_planned(const struct bead_session *s, size_t index, struct bead_planned *planned)
+{
+    if (index >= s->made_count)
+        return false;
+    const struct bead_made *m = &s->made[index];
+    const bool results = s->sweep && bead_session_holds_sweep(m);
+    *planned = (struct bead_planned){.name = m->output->path,
+                                     .kind = bead_output_key(m->output->kind),
+                                     .made = m->asked && (m->sink || m->sweep_type || results)};
+    planned->path = planned->made ? m->path : NULL;
+    return true;
+}
 
 bool bead_session_holds_sweep(const struct bead_made *made)
 {

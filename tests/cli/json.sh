@@ -61,6 +61,34 @@ ok "a run that cannot be verified" exits 1 "$beadreel" scene.yaml -o verify --on
 ok "... failed, with its file" is 'j["status"] == "failed" and j["exit"] == 1 and len(j["outputs"]) == 1 and j["warnings"] and j["errors"]'
 ok "a sweep" exits 0 "$beadsim" sweep -o sweep --json --set sweep.cells=6 --set sweep.configurations=2 --only force.csv
 ok "... counts its chains" is 'j["sweep"]["computed"] == j["sweep"]["known"] == j["sweep"]["chains"] > 4 and j["runs"] == []'
+
+# ---- --plan and --info ----
+
+ok "--plan --json" exits 0 "$beadreel" scene.yaml --plan --json -o out --only peaks.csv
+ok "... has chains" is '[(c["name"], c["beads"], c["contacts"], c["wall"]) for c in j["chains"]] == [("a", 13, 12, "none"), ("b \"two\"", 9, 8, "none")]'
+ok "... outputs, and which are made" is '[(o["name"], o["path"], o["kind"], o["made"]) for o in j["outputs"]] == [
+    ("peaks.csv", "out/peaks.csv", "table", True), ("folder/µ.png", None, "image", False), ("m.mp4", None, "movie", False)]'
+ok "... and the plan in words" is 'len(j["lines"]) > 4 and any("skipped" in line for line in j["lines"])'
+ok "... nothing is made" test ! -e out/peaks.csv
+ok "--plan --json of a sweep" exits 0 "$beadsim" sweep --plan --json
+ok "... as well" is 'j["chains"] == [] and ("sweep.h5", "sweep") in [(o["name"], o["kind"]) for o in j["outputs"]]'
+ok "--info --json of a scene" exits 0 "$beadreel" --info scene.yaml --json
+ok "... describes it" is 'j["kind"] == "scene" and j["until_s"] is None and j["accuracy"] == 1e-6 and j["chains"][0]["striker"] == "large-steel" and j["chains"][0]["velocity_m_s"] == 0.443'
+ok "--info --json of a ready scene" exits 0 "$beadreel" --info clean-vs-delocalised --json
+ok "... with spins" is 'j["chains"][1]["magnetism"] == 0 and len(j["chains"][1]["spins"]) == 64'
+ok "--info --json of an equation" exits 0 "$beadreel" --info kdv --json
+ok "... has points" is 'j["chains"][0]["equation"] == "kdv" and j["chains"][0]["points"] > 0'
+"$beadsim" scene.yaml -o data --set 'outputs=[{trajectory: run.h5, every: 2 us}]' >/dev/null
+ok "--info --json of a trajectory" exits 0 "$beadreel" --info data/run.h5 --json
+ok "... has samples and runs" is 'j["kind"] == "trajectory" and j["samples"]["every_s"] == 2e-6 and j["samples"]["count"] > 10 and "displacement" in j["samples"]["fields"] and [r["method"] for r in j["runs"]] == ["rkn8", "rkn8"]'
+"$beadsim" sweep -o sweep --set sweep.cells=6 --set sweep.configurations=2 --only sweep.h5 >/dev/null
+ok "--info --json of a sweep" exits 0 "$beadreel" --info sweep/sweep.h5 --json
+ok "... counts" is 'j["kind"] == "sweep" and j["known"] == j["chains"] > 4 and j["parts"] == 1'
+ok "--info --json of nothing" exits 2 "$beadreel" --info nothing.yaml --json
+ok "... has the error" is 'j["status"] == "failed" and "nothing.yaml" in j["errors"][0]["message"]'
+ok "--plan --json of a wrong scene" exits 2 "$beadreel" --plan scene.yaml --json --set chains=1
+ok "... too" is 'j["errors"][0]["file"] == "--set"'
+
 stopped() {
     "$beadsim" scene.yaml -o stop --only peaks.csv --json --set simulate='{until: 10 s, method: rk4, step: 0.1 us}' >out 2>err &
     sleep 0.3 && kill -TERM $! && wait $!
