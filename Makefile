@@ -39,6 +39,7 @@ WISHED_DEPS = libosmesa6
 CI_DEPS    = clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian pandoc chromium
 # Programs of others that read trajectories; tests of what is missing are skipped and counted. Their readers in JavaScript come with npm.
 READER_DEPS = octave python3-paraview python3-mdanalysis python3-xarray python3-h5netcdf python3-silx python3-nbconvert python3-ipykernel \
+              python3-jsonschema python3-yaml \
               nodejs $(if $(shell command -v npm),,npm)
 NPM_READERS = jsfive@0.4.2 h5wasm@0.10.3
 # What `make peers` compares with: large, and left out where missing.
@@ -311,7 +312,8 @@ lint: ## formatting, static analysis
 	@echo "shellcheck" && shellcheck -S warning -e SC2034,SC2154 $(wildcard .ci/run .github/*.sh assets/*/*.sh assets/completions/*.bash tests/*.sh tests/*/*.sh tests/*.bash)
 
 MANUALS = $(wildcard assets/man/*.[15])
-man: $(PROGRAMS) ## write options, keys and lists into the man pages again
+man: $(PROGRAMS) ## write options, keys and lists into the man pages again, and the schema of scenes
+	@$(BUILD)/beadreel --list schema >$(BUILD)/scene.schema.json && mv $(BUILD)/scene.schema.json assets/scene.schema.json
 	@BEADREEL_ASSETS=assets assets/man/make.sh $(BUILD) $(MANUALS)
 doc: $(BUILD)/beadreel ## the manual and the man pages as HTML, into build/doc (pandoc, mandoc)
 	@rm -rf $(BUILD)/doc && assets/manual/make.py html $(BUILD) $(BUILD)/doc

@@ -54,6 +54,7 @@ static const struct command_list lists[] = {
     {"codecs", list_codecs},
     {"libraries", list_libraries},
     {"keys", command_list_keys},
+    {"schema", command_list_schema},
     {"views", list_views},
     {NULL, NULL},
 };

@@ -11,6 +11,7 @@ static const struct command_list lists[] = {
     {"measures", command_list_measures},
     {"thresholds", command_list_thresholds},
     {"keys", command_list_keys},
+    {"schema", command_list_schema},
     {NULL, NULL},
 };
 

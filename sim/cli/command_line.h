@@ -90,7 +90,8 @@ enum bead_error command_list_laws(FILE *out, struct bead_message *msg);
 enum bead_error command_list_equations(FILE *out, struct bead_message *msg); /* that a chain may be instead of beads */
 enum bead_error command_list_measures(FILE *out, struct bead_message *msg);
 enum bead_error command_list_thresholds(FILE *out, struct bead_message *msg);
-enum bead_error command_list_keys(FILE *out, struct bead_message *msg); /* of scenes: unit, range, default */
+enum bead_error command_list_keys(FILE *out, struct bead_message *msg);   /* of scenes: unit, range, default */
+enum bead_error command_list_schema(FILE *out, struct bead_message *msg); /* of the same: a JSON Schema, for editors */
 
 /* Is the result to be JSON on stdout? */
 bool command_is_json(const struct command *command);

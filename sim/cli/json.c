@@ -43,10 +43,18 @@ static void quote(FILE *out, const char *text)
     fputc('"', out);
 }
 
+static void new_line(const struct json *json)
+{
+    if (json->lines)
+        fprintf(json->out, "\n%*s", json->depth, "");
+}
+
 static void begin(struct json *json, const char *key)
 {
     if (json->more)
-        fputs(", ", json->out);
+        fputs(json->lines ? "," : ", ", json->out);
+    if (json->depth > 0)
+        new_line(json);
     json->more = true;
     if (key) {
         quote(json->out, key);
@@ -59,10 +67,14 @@ void json_open(struct json *json, const char *key, char bracket)
     begin(json, key);
     fputc(bracket, json->out);
     json->more = false;
+    json->depth++;
 }
 
 void json_close(struct json *json, char bracket)
 {
+    json->depth--;
+    if (json->more)
+        new_line(json);
     fputc(bracket, json->out);
     json->more = true;
 }

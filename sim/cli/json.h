@@ -8,7 +8,9 @@
 
 struct json {
     FILE *out;
-    bool more; /* the next value stands behind another one */
+    bool more;  /* the next value stands behind another one */
+    bool lines; /* a line for each value, for files that people compare */
+    int depth;  /* of brackets that are open */
 };
 
 /* `key` is that of a value in an object, NULL in lists and at the top. */

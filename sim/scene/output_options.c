@@ -16,8 +16,6 @@ static const char *const themes[] = {"auto", "light", "dark", NULL};
 static const char *const backgrounds[] = {"theme", "none", NULL};
 #define FIELD_NAME(id, name, unit, title, place) name,
 static const char *const fields[] = {BEAD_FIELDS(FIELD_NAME) NULL};
-#define FIELD_LISTED(id, name, unit, title, place) name ", "
-#define FIELDS                                     BEAD_FIELDS(FIELD_LISTED)
 
 const char *const *bead_output_field_names(void)
 {
@@ -55,6 +53,7 @@ const struct bead_option bead_beads_row[1] = {
      .shape = "all, one number, or [first, last]; 0 is the striker",
      .help = "which beads",
      .example = "[0, 40]",
+     .like = "all|number|[number]",
      .read = bead_output_read_beads},
 };
 const struct bead_option bead_every_row[1] = {
@@ -102,6 +101,7 @@ const struct bead_option bead_page_rows[3] = {
      .shape = "[width, height], both in pixels (1 to 32768) or both lengths such as 86 mm; or auto",
      .help = "size of the picture; auto: that of the style, else [1920, 1080], or [178 mm, 120 mm] in vector files (.pdf, .svg)",
      .example = "[178 mm, 75 mm]",
+     .like = "auto|[number]",
      .read = bead_output_read_size},
 };
 const struct bead_option bead_theme_rows[2] = {
@@ -155,6 +155,7 @@ const struct bead_option bead_range_row[1] = {
              "would "
              "take more than half of it, and say beside the bar how high it is",
      .example = "[0, 45 N]",
+     .like = "auto|[number]",
      .read = bead_output_read_colour_range},
 };
 const struct bead_option bead_magnify_row[1] = {
@@ -184,6 +185,7 @@ static const struct bead_option panels_rows[] = {
      .help = "several panels in one picture; a panel takes the keys of an image, or with `show` those of a plot, and `chain` and "
              "`title`; panels of one field share range and colour bar",
      .example = "[[{field: force, chain: clean}, {show: peaks}], [{field: velocity}]]",
+     .like = "[[outputs.panel]]",
      .read = bead_output_read_panels},
     {.key = "letters",
      .type = BEAD_OPTION_FLAG,
@@ -199,6 +201,7 @@ static const struct bead_option panel_rows[] = {
      .shape = "all, or the name of a chain",
      .help = "in panels: the chain whose waves are shown",
      .example = "clean",
+     .like = "text",
      .read = bead_output_read_chain},
     {.key = "title",
      .type = BEAD_OPTION_TEXT,
@@ -230,6 +233,7 @@ static const struct bead_option image_rows[] = {
      .shape = BEAD_VIEWS_LISTED "in a list",
      .help = "the views, from top to bottom",
      .example = "[beads, spacetime]",
+     .like = "[text]",
      .read = bead_output_read_views},
     {.key = "at",
      .offset = BEAD_OF_OUTPUT(image.at),
@@ -303,6 +307,7 @@ const struct bead_option bead_curves_rows[3] = {
      .shape = "a list of times",
      .help = "the times at which `show: profiles` shows the chain; one curve each, at most 12",
      .example = "[0.2 ms, 0.4 ms]",
+     .like = "number|[number]",
      .read = bead_output_read_profile_times},
 };
 /* Of a plot, be it a panel or not. */
@@ -338,6 +343,7 @@ static const struct bead_option plot_rows[] = {
      .word_value = NAN,
      .help = "ends of the axis of forces; auto: the range of the data",
      .example = "[0, 45 N]",
+     .like = "auto|[number]",
      .read = bead_output_read_plot_range},
 };
 static const struct bead_option plot_file[] = {
@@ -380,34 +386,6 @@ const struct bead_options bead_panel_options = {"outputs.panels",
                                                 "a panel takes the keys of an image, or with `show` those of a plot, and these",
                                                 BEAD_OPTIONS(panel_rows), NULL, NULL};
 
-/* ---- trajectories ---- */
-
-static const struct bead_option trajectory_rows[] = {
-    BEAD_FILE_ROW("trajectory", "FILE.h5", "run.h5"),
-    {.key = "fields",
-     .type = BEAD_OPTION_CUSTOM,
-     .initial = "[displacement, velocity, force]",
-     .shape = "a list of " FIELDS "or all",
-     .help = "the fields to store; strain: of fput and shock",
-     .example = "[displacement, force]",
-     .read = bead_output_read_fields},
-    {.key = "xdmf",
-     .type = BEAD_OPTION_CUSTOM,
-     .initial = "false",
-     .shape = "true or false",
-     .help = "an .xdmf file beside it, by which ParaView (its XDMF Reader) opens it: beads where they are, at each time",
-     .example = "true",
-     .read = bead_output_read_xdmf},
-};
-static const struct bead_option_rows trajectory_shared[] = {
-    {BEAD_OPTIONS(bead_time_row)}, {BEAD_OPTIONS(bead_beads_row)}, {BEAD_OPTIONS(bead_every_row)}, {NULL, 0}};
-static const struct bead_options trajectory_options = {"trajectory", "samples of fields in an H5MD file",
-                                                       BEAD_OPTIONS(trajectory_rows), trajectory_shared, &bead_output_family};
-const struct bead_output_type bead_trajectory_output = {
-    .options = &trajectory_options,
-    .checks = {bead_output_check_field_list, bead_output_check_xdmf, bead_output_check_times},
-    .stores_samples = true};
-
 /* ---- of scenes with sweeps ---- */
 
 static const struct bead_option sweep_rows[] = {
@@ -435,6 +413,7 @@ static const struct bead_option sheet_rows[] = {
      .shape = "auto, a number, or a list of numbers from 0 to 1",
      .help = "magnetisms of the rows; auto: as many of the sweep's as fit",
      .example = "[1, 0.9, 0.5, 0]",
+     .like = "auto|number|[number]",
      .read = bead_output_read_magnetism},
 };
 static const struct bead_option_rows sheet_shared[] = {{BEAD_OPTIONS(bead_field_row)},       {BEAD_OPTIONS(bead_colormap_row)},
@@ -454,6 +433,7 @@ const struct bead_option bead_threshold_row[1] = {
      .shape = "a name of --list thresholds",
      .help = "how the threshold in magnetism is found",
      .example = "half",
+     .like = "text",
      .read = bead_output_read_threshold},
 };
 static const struct bead_option sweep_plot_rows[] = {
@@ -474,6 +454,7 @@ static const struct bead_option sweep_plot_rows[] = {
      .word_value = NAN,
      .help = "ends of the axis of forces, and with `show: decay` of energies; auto: the range of the data",
      .example = "[0, 1.2]",
+     .like = "auto|[number]",
      .read = bead_output_read_sweep_range},
 };
 static const struct bead_option_rows sweep_plot_shared[] = {{BEAD_OPTIONS(bead_threshold_row)},

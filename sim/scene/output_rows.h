@@ -7,10 +7,10 @@
 #define BEAD_OF_OUTPUT(member) offsetof(struct bead_output, member)
 
 /* The first row of a kind: its key has the file as its value. */
-#define BEAD_FILE_ROW(name, files, sample)                                                                  \
-    {                                                                                                       \
-        .key = name, .type = BEAD_OPTION_CUSTOM, .required = true, .shape = files, .example = sample,       \
-        .help = "name of the file, or a list of names for the same contents", .read = bead_output_read_path \
+#define BEAD_FILE_ROW(name, files, sample)                                                                                         \
+    {                                                                                                                              \
+        .key = name, .type = BEAD_OPTION_CUSTOM, .required = true, .shape = files, .example = sample,                              \
+        .help = "name of the file, or a list of names for the same contents", .like = "text|[text]", .read = bead_output_read_path \
     }
 
 /* The names of all views, for the shape of a value: "beads, profile, ". */

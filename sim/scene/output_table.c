@@ -32,6 +32,7 @@ static const struct bead_option table_rows[] = {
              "well-conditioned "
              "(laws with a power below 1.2: to 1e-4); none with damping. A run more, and about one for each contact",
      .example = "[40, 57]",
+     .like = "number|[number]",
      .read = bead_output_read_contacts},
     {.key = "uncertainty",
      .type = BEAD_OPTION_FLAG,

@@ -123,6 +123,7 @@ static const struct bead_option solitons_rows[] = {
      .shape = "a list such as [{speed: 16, at: -8}, {speed: 4, at: 0}]",
      .help = "see chain.start.solitons",
      .example = "[{speed: 16, at: -8}, {speed: 4, at: 0}]",
+     .like = "[chain.start.solitons]",
      .read = read_solitons},
 };
 const struct bead_options bead_start_solitons_options = {"chain.start (solitons)", "a sum of solitary waves of the equation",
@@ -217,18 +218,21 @@ static const struct bead_option equation_rows[] = {
      .shape = "fput, kdv or shock",
      .help = "the equation, instead of beads; its numbers have no units",
      .example = "fput",
+     .like = "text",
      .read = read_name},
     {.key = "name",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "a text",
      .help = "name of the chain; required under `chains`",
      .example = "disordered",
+     .like = "text",
      .read = pass_over},
     {.key = "label",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "a text",
      .help = "a line about the chain, for pictures",
      .example = "half of the dimers reversed at random",
+     .like = "text",
      .read = pass_over},
 };
 static const struct bead_option low_row[] = {
@@ -248,6 +252,7 @@ static const struct bead_option start_row[] = {
               "{simple-wave: 1, amplitude: 1}",
      .help = "the state at time 0: see chain.start",
      .example = "{pulse: 0.1, width: 5, at: 50}",
+     .like = "chain.start",
      .read = read_start},
 };
 /* Of those on a grid. */

@@ -37,8 +37,7 @@ static const struct {
     {&bead_sweep_measure_options, NULL},
 };
 
-/* Table number `index` of those with a heading; NULL behind the last. */
-static const struct bead_options *section_at(size_t index)
+const struct bead_options *bead_scene_section(size_t index)
 {
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         const struct bead_option_family *family = all[i].family;
@@ -75,7 +74,7 @@ void bead_scene_help(FILE *out)
 {
     const struct bead_options *options;
     fputs("A scene is a YAML file. A number is in SI units or carries its unit, such as 0.443 m/s, 1.5 ms or 193 GPa.\n", out);
-    for (size_t i = 0; (options = section_at(i)); i++) {
+    for (size_t i = 0; (options = bead_scene_section(i)); i++) {
         fputc('\n', out);
         bead_options_help(options, out);
     }
@@ -107,7 +106,7 @@ enum bead_error bead_scene_help_of(const char *section, FILE *out, struct bead_m
     char heading[80], parts[PARTS][24], near[96];
     struct bead_suggest search;
     size_t found = 0, count = 0;
-    for (size_t i = 0; (options = section_at(i)); i++) {
+    for (size_t i = 0; (options = bead_scene_section(i)); i++) {
         if (!has_part(bead_options_heading(options, heading, sizeof heading), section))
             continue;
         if (found++ > 0)
@@ -117,7 +116,7 @@ enum bead_error bead_scene_help_of(const char *section, FILE *out, struct bead_m
     if (found > 0)
         return BEAD_OK;
     bead_suggest_begin(&search, section);
-    for (size_t i = 0; (options = section_at(i)); i++) {
+    for (size_t i = 0; (options = bead_scene_section(i)); i++) {
         for (const char *p = bead_options_heading(options, heading, sizeof heading); p && count < PARTS; p = next_part(p)) {
             snprintf(parts[count], sizeof parts[count], "%.*s", (int)strcspn(p, ". )"), p);
             bead_suggest_try(&search, parts[count++]);
@@ -130,6 +129,6 @@ enum bead_error bead_scene_help_of(const char *section, FILE *out, struct bead_m
 void bead_scene_help_man(FILE *out)
 {
     const struct bead_options *options;
-    for (size_t i = 0; (options = section_at(i)); i++)
+    for (size_t i = 0; (options = bead_scene_section(i)); i++)
         bead_options_man(options, out);
 }

@@ -96,6 +96,7 @@ static const struct bead_option rows[] = {
      .shape = "\"#rrggbb\"",
      .help = "colour in pictures",
      .example = "\"#c08040\"",
+     .like = "text",
      .read = read_colour},
     {.key = "label",
      .type = BEAD_OPTION_TEXT,
@@ -110,6 +111,7 @@ static const struct bead_option rows[] = {
              "`deviation_N`, the standard deviation of each peak that follows, to first order and three digits; none with damping. "
              "Those of 100 beads take as long as 25 runs, of 500 as 80; see materials.NAME.tolerance",
      .example = "{radius: 0.1 %, modulus: 2 %}",
+     .like = "materials.NAME.tolerance",
      .read = read_tolerance},
 };
 

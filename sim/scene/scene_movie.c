@@ -100,6 +100,7 @@ static const struct bead_option speed_rows[] = {
      .help = "time of the motion that passes in as much time of the movie; between two points it changes evenly on a logarithmic "
              "scale, before the first and after the last it stays",
      .example = "1/4000",
+     .like = "number",
      .read = read_factor},
 };
 const struct bead_options bead_speed_options = {"outputs.speed", "a list in order of time: how fast the motion is shown",

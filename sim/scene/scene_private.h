@@ -13,6 +13,8 @@ extern const struct bead_options bead_scene_options, bead_material_options, bead
     bead_caption_options, bead_speed_options, bead_card_options, bead_sweep_options, bead_sweep_measure_options, bead_taper_options,
     bead_disorder_options;
 extern const struct bead_option_family bead_equation_family, bead_law_family;
+/* Table number `index` of those with a heading; NULL behind the last. */
+const struct bead_options *bead_scene_section(size_t index);
 
 /* Readers of custom options, with the signature of bead_option.read; `settings` is the structure of the row. */
 enum bead_error bead_scene_read_materials(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,

@@ -67,6 +67,7 @@ static const struct bead_option rows[] = {
      .shape = "auto or a method of --list methods",
      .help = "integrator",
      .example = "rk4",
+     .like = "text",
      .read = read_method},
     {.key = "step",
      .offset = SIMULATE(step),

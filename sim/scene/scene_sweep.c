@@ -26,6 +26,7 @@ static const struct bead_option measure_rows[] = {
      .shape = "force or none",
      .help = "take the largest force of `beads` in the first passage, which ends when the front reaches the end of the chain",
      .example = "force",
+     .like = "force|none",
      .read = skip_key},
     {.key = "beads",
      .type = BEAD_OPTION_CUSTOM,
@@ -34,12 +35,14 @@ static const struct bead_option measure_rows[] = {
      .shape = "[first, last], counted from the last random bead",
      .help = "the beads of which the largest force is taken",
      .example = "[1, 8]",
+     .like = "[number]",
      .read = read_places},
     {.key = "sensor",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "the name of a sensor, or a list of some",
      .help = "take the peak force at these sensors instead",
      .example = "first",
+     .like = "text|[text]",
      .read = read_sensors},
     {.key = "decay",
      .type = BEAD_OPTION_FLAG,
@@ -51,9 +54,10 @@ static const struct bead_option measure_rows[] = {
 const struct bead_options bead_sweep_measure_options = {"sweep.measure", "what is measured of each chain",
                                                         BEAD_OPTIONS(measure_rows), NULL, NULL};
 
-#define OF_CHAIN(name, of, sample)                                                                                       \
-    {                                                                                                                    \
-        .key = name, .type = BEAD_OPTION_CUSTOM, .shape = "as in chain", .help = of, .example = sample, .read = skip_key \
+#define OF_CHAIN(name, of, sample, kind)                                                                              \
+    {                                                                                                                 \
+        .key = name, .type = BEAD_OPTION_CUSTOM, .shape = "as in chain", .help = of, .example = sample, .like = kind, \
+        .read = skip_key                                                                                              \
     }
 static const struct bead_option rows[] = {
     {.key = "name",
@@ -82,6 +86,7 @@ static const struct bead_option rows[] = {
      .shape = "[MATERIAL, MATERIAL, ...]",
      .help = "the beads of a cell; without it [large-steel, aluminium]",
      .example = "[large-steel, ptfe]",
+     .like = "[text]",
      .read = skip_key},
     {.key = "magnetism",
      .type = BEAD_OPTION_CUSTOM,
@@ -89,6 +94,7 @@ static const struct bead_option rows[] = {
      .help = "M = (up - down) / all, the nearest that the number of cells allows; all: each that it allows. Without it: all with "
              "`cells`, else as each segment of `chain` has it",
      .example = "[0, 0.5, 1]",
+     .like = "all|number|[number]",
      .read = skip_key},
     {.key = "configurations",
      .type = BEAD_OPTION_COUNT,
@@ -109,6 +115,7 @@ static const struct bead_option rows[] = {
      .shape = "a list such as [\"1101\", \"0110\"], one digit per random cell",
      .help = "the configurations, one by one, instead of magnetism",
      .example = "[\"1101\", \"0110\"]",
+     .like = "[text]",
      .read = skip_key},
     {.key = "measure",
      .type = BEAD_OPTION_CUSTOM,
@@ -116,13 +123,14 @@ static const struct bead_option rows[] = {
      .shape = "a map",
      .help = "see sweep.measure",
      .example = "{sensor: first}",
+     .like = "sweep.measure",
      .read = read_measure},
-    OF_CHAIN("striker", "with `cells`: what strikes the chain; else as in `chain`", "{velocity: 1 m/s}"),
-    OF_CHAIN("wall", "with `cells`: what stands behind the last bead", "brass"),
-    OF_CHAIN("law", "with `cells`: the force between two beads", "thesis-appendix"),
-    OF_CHAIN("precompression", "with `cells`: static force that presses the chain together", "10 N"),
-    OF_CHAIN("tilt", "with `cells`: slope of the chain, with its wall at the lower end", "3.5 deg"),
-    OF_CHAIN("damping", "with `cells`: forces against the relative motion of touching beads", "{coefficient: 10}"),
+    OF_CHAIN("striker", "with `cells`: what strikes the chain; else as in `chain`", "{velocity: 1 m/s}", "chain.striker"),
+    OF_CHAIN("wall", "with `cells`: what stands behind the last bead", "brass", "text"),
+    OF_CHAIN("law", "with `cells`: the force between two beads", "thesis-appendix", "text|chain.law"),
+    OF_CHAIN("precompression", "with `cells`: static force that presses the chain together", "10 N", "number"),
+    OF_CHAIN("tilt", "with `cells`: slope of the chain, with its wall at the lower end", "3.5 deg", "number"),
+    OF_CHAIN("damping", "with `cells`: forces against the relative motion of touching beads", "{coefficient: 10}", "chain.damping"),
 };
 const struct bead_options bead_sweep_options = {
     "sweep", "many chains with random spins; `sweeps` is a list of sweeps with a `name` each, shown together", BEAD_OPTIONS(rows),

@@ -185,7 +185,7 @@ static enum bead_error read_materials(struct bead_reader *reader, const struct b
     {                                                                                                                   \
         .key = name, .type = BEAD_OPTION_CUSTOM, .offset = offsetof(struct bead_variation, random[index]),              \
         .shape = "uniform LOW..HIGH (factors such as 0.3..1, or values with their unit), or normal WIDTH (up to 30 %)", \
-        .help = words, .example = with_unit, .read = read_distribution                                                  \
+        .help = words, .example = with_unit, .like = "text", .read = read_distribution                                  \
     }
 static const struct bead_option disorder_rows[] = {
     RANDOM_ROW("radius", BEAD_VARIED_RADIUS,
@@ -197,6 +197,7 @@ static const struct bead_option disorder_rows[] = {
      .shape = "[MATERIAL, MATERIAL, ...]",
      .help = "each bead is one of these at random, instead of its own; `3 ptfe` has three chances",
      .example = "[large-steel, 3 ptfe]",
+     .like = "[text]",
      .read = read_materials},
     {.key = "seed",
      .type = BEAD_OPTION_SEED,

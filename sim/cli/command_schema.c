@@ -1,0 +1,411 @@
+/* The JSON Schema of scenes (draft 7), from the tables that read them: editors complete keys by it and find what is wrong. */
+#include "sim/cli/command_line.h"
+
+#include <string.h>
+
+#include "sim/cli/json.h"
+#include "sim/scene/output_kinds.h"
+#include "sim/scene/scene_private.h"
+
+/* A number is one, or a text that begins like one and goes on with its unit; many words for YAML 1.1 are texts: 1e-6. */
+#define NUMBER_TEXT "[-+.0-9].*"
+
+/* {"KEY": TEXT} inside of an object. */
+static void put_only(struct json *json, const char *key, const char *inner, const char *text)
+{
+    json_open(json, key, '{');
+    json_text(json, inner, text);
+    json_close(json, '}');
+}
+
+/* The definition called `name`. Headings are names of definitions but for blanks and brackets: "outputs (movie)", outputs:movie. */
+static void put_reference(struct json *json, const char *key, const char *name)
+{
+    char path[120];
+    snprintf(path, sizeof path, "#/definitions/%s", name);
+    put_only(json, key, "$ref", path);
+}
+
+static const char *definition(const struct bead_options *options, char *name, size_t size)
+{
+    size_t used = 0;
+    char heading[100];
+    for (const char *c = bead_options_heading(options, heading, sizeof heading); *c && used + 1 < size; c++) {
+        if (*c == ' ' && c[1] == '(')
+            name[used++] = ':';
+        else if (!strchr("()", *c))
+            name[used++] = *c == ' ' ? '-' : *c;
+    }
+    name[used] = '\0';
+    return name;
+}
+
+/* ---- values ---- */
+
+/* The end of the first of a|b, outside of brackets. */
+static size_t first_of(const char *like)
+{
+    size_t i = 0;
+    for (int depth = 0; like[i] && (like[i] != '|' || depth > 0); i++)
+        depth += (like[i] == '[' || like[i] == '{') - (like[i] == ']' || like[i] == '}');
+    return i;
+}
+
+static bool is_definition(const char *name, size_t length)
+{
+    static const char *const own[] = {"number", "flag", "text", "chain.law", "chain.start", "chain.equation", "outputs.panel"};
+    const struct bead_options *options;
+    char text[100];
+    for (size_t i = 0; i < sizeof own / sizeof *own; i++)
+        if (strlen(own[i]) == length && strncmp(own[i], name, length) == 0)
+            return true;
+    for (size_t i = 0; (options = bead_scene_section(i)); i++)
+        if (strlen(definition(options, text, sizeof text)) == length && strncmp(text, name, length) == 0)
+            return true;
+    return false;
+}
+
+static void put_alternatives(struct json *json, const char *like, size_t length);
+
+/* One alternative of bead_option.like, as an element of a list. */
+static void put_alternative(struct json *json, const char *like, size_t length)
+{
+    char word[100];
+    snprintf(word, sizeof word, "%.*s", (int)length, like);
+    if (*like != '[' && *like != '{') {
+        if (is_definition(like, length))
+            put_reference(json, NULL, word);
+        else
+            put_only(json, NULL, "const", word);
+        return;
+    }
+    json_open(json, NULL, '{');
+    json_text(json, "type", *like == '[' ? "array" : "object");
+    if (*like == '[')
+        json_number(json, "minItems", 1);
+    json_open(json, *like == '[' ? "items" : "additionalProperties", '{');
+    put_alternatives(json, like + 1, length - 2);
+    json_close(json, '}');
+    json_close(json, '}');
+}
+
+static void put_alternatives(struct json *json, const char *like, size_t length)
+{
+    json_open(json, "anyOf", '[');
+    for (size_t at = 0; at < length;) {
+        size_t end = first_of(like + at);
+        end = at + end > length ? length - at : end;
+        put_alternative(json, like + at, end);
+        at += end + 1;
+    }
+    json_close(json, ']');
+}
+
+/* Limits count for plain numbers, which are in SI units. */
+static void put_number(struct json *json, const struct bead_option *row)
+{
+    char pattern[80];
+    snprintf(pattern, sizeof pattern, row->word ? "^(" NUMBER_TEXT "|%s)$" : "^" NUMBER_TEXT "$", row->word);
+    json_open(json, "type", '[');
+    json_text(json, NULL, row->type == BEAD_OPTION_COUNT || row->type == BEAD_OPTION_SEED ? "integer" : "number");
+    json_text(json, NULL, "string");
+    json_close(json, ']');
+    json_text(json, "pattern", pattern);
+    if (row->low == 0 && row->high == 0 && !row->open)
+        return;
+    json_number(json, row->open & BEAD_OPEN_LOW ? "exclusiveMinimum" : "minimum", row->low);
+    json_number(json, row->open & BEAD_OPEN_HIGH ? "exclusiveMaximum" : "maximum", row->high);
+}
+
+static void put_pair(struct json *json, const struct bead_option *row)
+{
+    json_open(json, "anyOf", '[');
+    if (row->word)
+        put_only(json, NULL, "const", row->word);
+    json_open(json, NULL, '{');
+    json_text(json, "type", "array");
+    json_number(json, "minItems", 2);
+    json_number(json, "maxItems", 2);
+    json_open(json, "items", '{');
+    put_number(json, row);
+    json_close(json, '}');
+    json_close(json, '}');
+    json_close(json, ']');
+}
+
+static void put_choices(struct json *json, const struct bead_option *row)
+{
+    json_open(json, "enum", '[');
+    for (size_t i = 0; row->choices[i]; i++)
+        json_text(json, NULL, row->choices[i]);
+    json_close(json, ']');
+}
+
+static void put_value(struct json *json, const struct bead_option *row)
+{
+    switch (row->type) {
+    case BEAD_OPTION_NUMBER:
+    case BEAD_OPTION_COUNT:
+    case BEAD_OPTION_SEED:
+        put_number(json, row);
+        break;
+    case BEAD_OPTION_PAIR:
+        put_pair(json, row);
+        break;
+    case BEAD_OPTION_FLAG:
+        put_alternatives(json, "flag", 4);
+        break;
+    case BEAD_OPTION_TEXT:
+        put_alternatives(json, "text", 4);
+        break;
+    case BEAD_OPTION_CHOICE:
+        put_choices(json, row);
+        break;
+    case BEAD_OPTION_CUSTOM:
+        if (row->like && strcmp(row->like, "any") != 0)
+            put_alternatives(json, row->like, strlen(row->like));
+        break;
+    }
+}
+
+/* ---- tables ---- */
+
+static void put_description(struct json *json, const struct bead_option *row)
+{
+    char text[1200], allowed[400];
+    int used = snprintf(text, sizeof text, "%s (%s", row->help, bead_option_allowed(row, allowed, sizeof allowed));
+    if (row->initial && *row->initial && used > 0 && (size_t)used < sizeof text)
+        used += snprintf(text + used, sizeof text - (size_t)used, "; default %s", row->initial);
+    if (used > 0 && (size_t)used < sizeof text)
+        snprintf(text + used, sizeof text - (size_t)used, ")");
+    json_text(json, "description", text);
+}
+
+static void put_rows(struct json *json, const struct bead_options *options)
+{
+    const struct bead_option *row;
+    json_open(json, "properties", '{');
+    for (size_t i = 0; (row = bead_options_row(options, i)); i++) {
+        if (row->type == BEAD_OPTION_CUSTOM && !row->shape) /* hidden */
+            continue;
+        json_open(json, row->key, '{');
+        put_description(json, row);
+        put_value(json, row);
+        json_close(json, '}');
+    }
+    json_close(json, '}');
+}
+
+static void put_required(struct json *json, const struct bead_options *options)
+{
+    const struct bead_option *row;
+    json_open(json, "required", '[');
+    for (size_t i = 0; (row = bead_options_row(options, i)); i++)
+        if (row->required)
+            json_text(json, NULL, row->key);
+    json_close(json, ']');
+}
+
+static void put_map(struct json *json, const struct bead_options *options)
+{
+    json_text(json, "description", options->help);
+    json_text(json, "type", "object");
+    put_rows(json, options);
+    put_required(json, options);
+    json_flag(json, "additionalProperties", false);
+}
+
+static void put_definition(struct json *json, const char *name, const struct bead_options *options)
+{
+    json_open(json, name, '{');
+    put_map(json, options);
+    json_close(json, '}');
+}
+
+/* ---- maps of several kinds ---- */
+
+static void put_has_key(struct json *json, const char *name, const char *key)
+{
+    json_open(json, name, '{');
+    json_open(json, "required", '[');
+    json_text(json, NULL, key);
+    json_close(json, ']');
+    json_close(json, '}');
+}
+
+/* Kinds of which each is told by its first key, which no other has. `next` gives the tables; NULL behind the last. */
+typedef const struct bead_options *(*next_kind)(const char *family, size_t index);
+
+static void put_kinds(struct json *json, const char *name, const char *family, next_kind next)
+{
+    const struct bead_options *options;
+    char text[100];
+    json_open(json, name, '{');
+    json_text(json, "type", "object");
+    json_open(json, "anyOf", '[');
+    for (size_t i = 0; (options = next(family, i)); i++)
+        put_has_key(json, NULL, bead_options_row(options, 0)->key);
+    json_close(json, ']');
+    json_open(json, "allOf", '[');
+    for (size_t i = 0; (options = next(family, i)); i++) {
+        json_open(json, NULL, '{');
+        put_has_key(json, "if", bead_options_row(options, 0)->key);
+        put_reference(json, "then", definition(options, text, sizeof text));
+        json_close(json, '}');
+    }
+    json_close(json, ']');
+    json_close(json, '}');
+}
+
+/* Tables with headings "FAMILY (...)". */
+static const struct bead_options *kind_of_section(const char *family, size_t index)
+{
+    const struct bead_options *options;
+    char heading[100];
+    const size_t length = strlen(family);
+    for (size_t i = 0; (options = bead_scene_section(i)); i++) {
+        bead_options_heading(options, heading, sizeof heading);
+        if (strncmp(heading, family, length) == 0 && strncmp(heading + length, " (", 2) == 0 && index-- == 0)
+            return options;
+    }
+    return NULL;
+}
+
+/* Kinds of outputs of scenes that are run once, and of those with sweeps. */
+static const struct bead_options *kind_of_output(const char *family, size_t index)
+{
+    (void)family;
+    for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++)
+        if (bead_output_type(kind)->options && index-- == 0)
+            return bead_output_type(kind)->options;
+    return NULL;
+}
+static const struct bead_options *kind_of_sweep_output(const char *family, size_t index)
+{
+    (void)family;
+    for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++)
+        if (bead_output_type(kind)->sweep_options && index-- == 0)
+            return bead_output_type(kind)->sweep_options;
+    return NULL;
+}
+
+/* Which equation, its name says. */
+static void put_equations(struct json *json)
+{
+    const struct bead_options *options;
+    char text[100];
+    json_open(json, "chain.equation", '{');
+    put_has_key(json, "if", "equation");
+    json_open(json, "then", '{');
+    json_open(json, "oneOf", '[');
+    for (size_t i = 0; (options = bead_equation_family.member(i)); i++) {
+        if (!options->name)
+            continue;
+        json_open(json, NULL, '{');
+        json_open(json, "allOf", '[');
+        put_reference(json, NULL, definition(options, text, sizeof text));
+        json_open(json, NULL, '{');
+        json_open(json, "properties", '{');
+        put_only(json, "equation", "const", options->name);
+        json_close(json, '}');
+        json_close(json, '}');
+        json_close(json, ']');
+        json_close(json, '}');
+    }
+    json_close(json, ']');
+    json_close(json, '}');
+    json_open(json, "else", '{');
+    json_flag(json, "not", true);
+    json_close(json, '}');
+    json_close(json, '}');
+}
+
+/* With `show` a panel is a plot. */
+static void put_panels(struct json *json)
+{
+    put_definition(json, "panel.image", &bead_image_panel_options);
+    put_definition(json, "panel.plot", &bead_plot_panel_options);
+    json_open(json, "outputs.panel", '{');
+    put_has_key(json, "if", "show");
+    put_reference(json, "then", "panel.plot");
+    put_reference(json, "else", "panel.image");
+    json_close(json, '}');
+}
+
+static void put_values(struct json *json)
+{
+    static const char *const scalars[] = {"string", "number", "boolean"};
+    const struct bead_option number = {.type = BEAD_OPTION_NUMBER};
+    json_open(json, "number", '{');
+    put_number(json, &number);
+    json_close(json, '}');
+    put_only(json, "flag", "type", "boolean");
+    json_open(json, "text", '{');
+    json_open(json, "type", '[');
+    for (size_t i = 0; i < sizeof scalars / sizeof *scalars; i++)
+        json_text(json, NULL, scalars[i]);
+    json_close(json, ']');
+    json_close(json, '}');
+}
+
+static void put_definitions(struct json *json)
+{
+    const struct bead_options *options;
+    char name[100];
+    json_open(json, "definitions", '{');
+    put_values(json);
+    for (size_t i = 0; (options = bead_scene_section(i)); i++)
+        if (options != &bead_scene_options)
+            put_definition(json, definition(options, name, sizeof name), options);
+    put_kinds(json, "chain.law", "chain.law", kind_of_section);
+    put_kinds(json, "chain.start", "chain.start", kind_of_section);
+    put_kinds(json, "outputs", NULL, kind_of_output);
+    put_kinds(json, "outputs-of-a-sweep", NULL, kind_of_sweep_output);
+    put_equations(json);
+    put_panels(json);
+    json_close(json, '}');
+}
+
+/* ---- the scene ---- */
+
+static void put_one_of(struct json *json, const char *name, const char *const *keys)
+{
+    json_open(json, name, '[');
+    for (; *keys; keys++)
+        put_has_key(json, NULL, *keys);
+    json_close(json, ']');
+}
+
+static void put_outputs(struct json *json, const char *name, const char *kinds)
+{
+    json_open(json, name, '{');
+    json_open(json, "properties", '{');
+    json_open(json, "outputs", '{');
+    json_text(json, "type", "array");
+    json_number(json, "minItems", 1);
+    put_reference(json, "items", kinds);
+    json_close(json, '}');
+    json_close(json, '}');
+    json_close(json, '}');
+}
+
+enum bead_error command_list_schema(FILE *out, struct bead_message *msg)
+{
+    static const char *const systems[] = {"chain", "chains", "sweep", "sweeps", NULL};
+    struct json json = {.out = out, .lines = true};
+    (void)msg;
+    json_open(&json, NULL, '{');
+    json_text(&json, "$schema", "http://json-schema.org/draft-07/schema#");
+    json_text(&json, "title", "beadreel scene");
+    put_map(&json, &bead_scene_options);
+    put_one_of(&json, "anyOf", systems);
+    json_open(&json, "if", '{');
+    put_one_of(&json, "anyOf", systems + 2);
+    json_close(&json, '}');
+    put_outputs(&json, "then", "outputs-of-a-sweep");
+    put_outputs(&json, "else", "outputs");
+    put_definitions(&json);
+    json_close(&json, '}');
+    fputc('\n', out);
+    return BEAD_OK;
+}
