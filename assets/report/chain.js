@@ -61,11 +61,11 @@ class Chain {
     }
     rowX(metres) {
         const [a, b] = this.span(), low = this.metres(a), high = this.metres(b);
-        return this.image.x + this.image.w * (metres - low) / (high - low);
+        return this.image.x + this.image.w * (0.5 + this.fit * ((metres - low) / (high - low) - 0.5));
     }
     rowScale() {
         const [a, b] = this.span();
-        return this.image.w / (this.metres(b) - this.metres(a));
+        return this.fit * this.image.w / (this.metres(b) - this.metres(a));
     }
     /* What is under a point of the canvas: a place, and a sample where it is in the image. */
     at(x, y) {
@@ -94,10 +94,12 @@ class Chain {
         this.width = width, this.height = height, this.labels = labels;
         this.image = {...box, y: 0, h: 0};
         this.row = this.lens = null;
+        this.fit = 1;
         if (this.displacement) {
             const largest = Math.max(...this.radius), diameter = 2 * largest * this.rowScale();
             const room = Math.round(clamp(0.09 * height, 28, 66));
             const lens = diameter < 0.5 * room;
+            this.fit = Math.min(1, 0.9 * room / diameter); /* few beads are limited by the height */
             y += this.sensors.length ? 15 : 0; /* their names */
             this.row = {...box, y, h: lens ? Math.ceil(diameter + 6) : room};
             y += this.row.h;
@@ -398,7 +400,8 @@ class Chain {
             context.fillText(this.axis.title, 2, i.y + i.h + 13);
         }
         context.textAlign = 'center';
-        const ticks = roundTicks(this.number(a), this.number(b), Math.max(2, i.w / 62)), texts = tickLabels(ticks);
+        const round = roundTicks(this.number(a), this.number(b), Math.max(2, i.w / 62));
+        const ticks = round.filter(v => !this.axis.counts || Number.isInteger(v)), texts = tickLabels(ticks);
         ticks.forEach((v, k) => context.fillText(texts[k], clamp(this.x((v - this.axis.first) / this.axis.spacing), i.x + 4, i.x + i.w - 8), i.y + i.h + 13));
     }
 }

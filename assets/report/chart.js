@@ -73,10 +73,13 @@ function drawRuler(svg, ruler, box, px, py) {
     const line = upright ? {x1: at, x2: at, y1: box.y, y2: box.y + box.h} : {x1: box.x, x2: box.x + box.w, y1: at, y2: at};
     if (ruler.band > 0) {
         const size = Math.abs(upright ? px(ruler.x + ruler.band) - at : py(ruler.y + ruler.band) - at);
-        svg.append(svgElement('rect', {class: 'band', ...(upright ? {x: at - size, y: box.y, width: 2 * size, height: box.h} : {x: box.x, y: at - size, width: box.w, height: 2 * size})}));
+        const low = clamp(at - size, upright ? box.x : box.y, Infinity), high = Math.min(at + size, upright ? box.x + box.w : box.y + box.h);
+        svg.append(svgElement('rect', {class: 'band', ...(upright ? {x: low, y: box.y, width: high - low, height: box.h} : {x: box.x, y: low, width: box.w, height: high - low})}));
     }
     svg.append(svgElement('line', {class: 'ruler', ...line}),
-               words(upright ? {x: at - 7, y: box.y + 20} : {x: box.x + box.w - 8, y: at + 18}, ruler.words));
+               words(!upright             ? {x: box.x + box.w - 8, y: at + 18}
+                     : at > box.x + 150 ? {x: at - 7, y: box.y + 20}
+                                        : {x: at + 7, y: box.y + 20, 'text-anchor': 'start'}, ruler.words));
 }
 
 function drawLegend(svg, list, box) {
