@@ -29,6 +29,15 @@ function showPeaks() {
 
 /* ---- numbers ---- */
 
+/* A measure of a chain, "" where it has none. Lengths in beads have no prefix. */
+function measureText(chain, name) {
+    const found = (chain.measures || []).find(m => m.name === name);
+    if (!found || found.value === null)
+        return '';
+    const text = /^(beads|contacts|1\/bead)$/.test(found.unit) ? `${figures(found.value, 4)} ${found.unit}` : quantity(found.value, found.unit, 4);
+    return found.note ? `${text} (${found.note})` : text;
+}
+
 /* Rows of the table of numbers: a name, and its value for a chain; rows without any value are left out. */
 const numberRows = [
     ['beads', c => c.displacement ? String(c.total) : ''],
@@ -46,7 +55,11 @@ const numberRows = [
         return `${peakText(c, k)} (contact ${k})`;
     }],
     ['front arrives at the end', c => c.run && c.run.arrival ? quantity(c.run.arrival, data.time.unit, 5) : ''],
-    ['mean speed of the front', c => c.run && c.run.arrival && c.position && c.beads === c.total ? quantity((c.position[c.beads - 1] - c.position[0]) / c.run.arrival, 'm/s', 4) : ''],
+    ['speed of the front', c => measureText(c, 'front speed')],
+    ['width of the force at half height', c => measureText(c, 'force width')],
+    ['part of the energy in the leading pulse', c => measureText(c, 'pulse part of energy')],
+    ['participation of energies', c => measureText(c, 'participation of energies')],
+    ['clean index', c => measureText(c, 'clean index')],
     ['simulated time', c => c.run ? quantity(c.run.end, data.time.unit, 6) : ''],
     ['method', c => c.run ? c.run.method : ''],
     ['step', c => c.run && c.run.step ? quantity(c.run.step, data.time.unit) : ''],
@@ -62,14 +75,10 @@ function showNumbers() {
             return sensor && k >= 0 ? `${peakText(c, k)} (contact ${k})` : '';
         })]);
     }
-    const names = chains.flatMap(c => c.run ? c.run.measures.map(m => m.name) : []);
-    for (const name of new Set(names)) {
-        rows.push([name, ...chains.map(c => {
-            const found = c.run ? c.run.measures.find(m => m.name === name) : null;
-            return found ? quantity(found.value, found.unit, 5) : '';
-        })]);
-    }
     buildTable(element('numbers-table'), ['', ...chains.map(c => c.name || 'chain')], rows.filter(([, ...values]) => values.some(v => v)));
+    const measures = [...new Set(chains.flatMap(c => (c.measures || []).map(m => m.name)))];
+    element('measures').hidden = measures.length === 0;
+    buildTable(element('measures-table'), ['', ...chains.map(c => c.name || 'chain')], measures.map(name => [name, ...chains.map(c => measureText(c, name))]));
 }
 
 /* What the films say in their second line. */

@@ -27,6 +27,9 @@ struct bead_measure_info {
 };
 BEAD_API const struct bead_measure_info *bead_measure_info(size_t index);
 
+/* How far apart samples may be, in units of the spacing that shows every oscillation: polynomials through seven of them follow a
+ * pulse to six digits. */
+#define BEAD_MEASURE_SPACING 2.0
 /* Fields that samples must have, of all beads. */
 #define BEAD_MEASURE_FIELDS \
     (BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) | BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT))

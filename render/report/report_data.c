@@ -10,7 +10,7 @@
 #include "render/report/report_private.h"
 
 /* Larger pictures are not put into the page. */
-enum { MOST_PICTURE = 1500000 };
+enum { MOST_PICTURE = 1500000, MOST_MEASURES = 128 };
 
 static enum bead_error write_title(const void *context, FILE *file, struct bead_message *msg)
 {
@@ -229,17 +229,34 @@ static void write_outcome(const struct bead_outcome *o, FILE *file)
         report_key(file, true, numbers[i].name);
         report_number(file, numbers[i].value);
     }
+    fputc('}', file);
+}
+
+static void write_measure(const struct bead_measure *measure, bool first, FILE *file)
+{
+    fputs(first ? "{\"name\":" : ",\n{\"name\":", file);
+    report_string(file, measure->name);
+    report_key(file, true, "unit");
+    report_string(file, measure->unit);
+    report_key(file, true, "value");
+    report_number(file, measure->value);
+    report_key(file, true, "note");
+    report_string(file, measure->note);
+    fputc('}', file);
+}
+
+/* Those of beads, or of an equation. */
+static void write_measures(const struct report_chain *c, const struct bead_outcome *o, FILE *file)
+{
+    struct bead_measure found[MOST_MEASURES];
+    size_t count = c->measures ? bead_measures_read(c->measures, o, found, MOST_MEASURES) : 0;
+    count = count < MOST_MEASURES ? count : MOST_MEASURES;
     fputs(",\"measures\":[", file);
-    for (size_t i = 0; i < o->measure_count; i++) {
-        fputs(i ? ",{\"name\":" : "{\"name\":", file);
-        report_string(file, o->measures[i].name);
-        report_key(file, true, "unit");
-        report_string(file, o->measures[i].unit);
-        report_key(file, true, "value");
-        report_number(file, o->measures[i].value);
-        fputc('}', file);
-    }
-    fputs("]}", file);
+    for (size_t i = 0; i < count; i++)
+        write_measure(&found[i], i == 0, file);
+    for (size_t i = 0; o->measures && i < o->measure_count; i++)
+        write_measure(&o->measures[i], count + i == 0, file);
+    fputc(']', file);
 }
 
 static enum bead_error write_chain(const struct bead_sink *s, size_t index, FILE *file, struct bead_message *msg)
@@ -257,14 +274,15 @@ static enum bead_error write_chain(const struct bead_sink *s, size_t index, FILE
         write_beads(c, file);
     if (s->outcomes) {
         write_outcome(&s->outcomes[index], file);
+        write_measures(c, &s->outcomes[index], file);
         if (c->beads && s->peaks && s->outcomes[index].contact_peaks)
             write_peaks(c, &s->outcomes[index], file);
     }
     report_key(file, true, "field");
-    enum bead_error err = report_samples(file, c->field, c->fed * c->values, msg);
+    enum bead_error err = report_samples(file, c->field, c->kept * c->values, msg);
     if (!err && c->beads) {
         report_key(file, true, "displacement");
-        err = report_samples(file, c->displacement, c->fed * c->beads_shown, msg);
+        err = report_samples(file, c->displacement, c->kept * c->beads_shown, msg);
     }
     fputc('}', file);
     return err;
@@ -275,7 +293,7 @@ static enum bead_error write_data(const void *context, FILE *file, struct bead_m
     const struct bead_sink *s = context;
     const enum bead_field field = s->output->shown.field;
     const struct bead_field_info *own = bead_chain_field(s->context.chains[0], field);
-    size_t samples = s->chains[0].fed;
+    size_t samples = s->chains[0].kept;
     enum bead_error err = BEAD_OK;
     fputs("{\"kind\":\"run\",\"program\":\"beadreel " BEADREEL_VERSION "\",\"title\":", file);
     report_string(file, s->context.scene->title ? s->context.scene->title : "");

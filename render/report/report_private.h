@@ -3,6 +3,7 @@
 #define BEADREEL_RENDER_REPORT_REPORT_PRIVATE_H
 
 #include "beadreel/colormap.h"
+#include "beadreel/measure.h"
 #include "render/draw/colour_range.h"
 #include "render/report/report.h"
 #include "render/report/report_write.h"
@@ -11,21 +12,24 @@
 /* The samples of a chain. */
 struct report_chain {
     const struct bead_chain *chain;
-    bool beads;                 /* it has some, which move */
-    struct bead_span bead;      /* shown; empty spans have last < first */
-    struct bead_span value;     /* of the field: beads or contacts */
-    size_t beads_shown, values; /* how many */
-    float *field;               /* [samples][values] */
-    float *displacement;        /* [samples][beads_shown]; NULL without beads */
-    size_t fed;
-    struct bead_area *area; /* to find the strike that would hide the wave */
+    bool beads;                     /* it has some, which move */
+    struct bead_span bead;          /* shown; empty spans have last < first */
+    struct bead_span value;         /* of the field: beads or contacts */
+    size_t beads_shown, values;     /* how many */
+    float *field;                   /* [samples][values] */
+    float *displacement;            /* [samples][beads_shown]; NULL without beads */
+    size_t fed, kept;               /* samples */
+    struct bead_measures *measures; /* NULL: samples are too few for them */
+    struct bead_area *area;         /* to find the strike that would hide the wave */
 };
 
 struct bead_sink {
     const struct bead_output *output;
     struct bead_run_context context;
     char *path;
-    struct bead_grid grid;
+    struct bead_grid grid; /* of the samples that are kept */
+    size_t stride;         /* one of so many that come */
+    bool measured;
     size_t samples, chain_count;
     struct report_chain *chains;
     bool peaks;                          /* they are asked for */

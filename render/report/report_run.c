@@ -34,6 +34,7 @@ static void report_destroy(struct bead_sink *s)
         free(s->chains[c].field);
         free(s->chains[c].displacement);
         bead_area_destroy(s->chains[c].area);
+        bead_measures_destroy(s->chains[c].measures);
     }
     free(s->chains);
     free(s->path);
@@ -115,6 +116,16 @@ static enum bead_error choose_times(struct bead_sink *s, struct bead_message *ms
     return s->samples > 1 ? BEAD_OK : report_wrong(s, "every: a report needs two samples or more", msg);
 }
 
+/* Measures are those of the whole run, and want samples that show its pulses. */
+static void choose_stride(struct bead_sink *s)
+{
+    const struct bead_shown *shown = &s->output->shown;
+    const double native = s->context.native.every, most = BEAD_MEASURE_SPACING * s->context.resolution;
+    const double every = native > 0 ? native : most;
+    s->measured = s->peaks && isnan(shown->time[0]) && isnan(shown->time[1]) && every <= most * (1 + 1e-9) && isfinite(every);
+    s->stride = s->measured ? (size_t)fmax(1, ceil(s->grid.every / every - 1e-6)) : 1;
+}
+
 static enum bead_error load_maps(struct bead_sink *s, struct bead_message *msg)
 {
     enum bead_error err = bead_colour_range_check(s->output, s->context.scene->file, msg);
@@ -145,6 +156,8 @@ static enum bead_error report_create(const struct bead_output *output, const str
         err = choose_times(s, msg);
     if (!err)
         err = load_maps(s, msg);
+    if (!err)
+        choose_stride(s);
     if (err) {
         report_destroy(s);
         *sink = NULL;
@@ -158,13 +171,18 @@ static void report_needs(const struct bead_sink *s, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){.fields = BEAD_FIELD_BIT(s->output->shown.field),
                                  .beads = s->output->shown.beads,
-                                 .grid = s->grid,
+                                 .grid = {s->grid.start, s->grid.every / (double)s->stride, s->grid.end},
                                  .contact_peaks = s->peaks,
                                  .uncertainty = s->peaks,
                                  .until = s->peaks ? INFINITY : s->grid.end,
                                  .why = s->why};
     for (size_t i = 0; i < s->chain_count; i++)
         needs->fields |= s->chains[i].beads ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0;
+    if (!s->measured)
+        return;
+    needs->fields |= BEAD_MEASURE_FIELDS;
+    needs->beads = (struct bead_span){0, SIZE_MAX};
+    needs->states = true;
 }
 
 static enum bead_error take_room(struct bead_sink *s, struct report_chain *c, struct bead_message *msg)
@@ -178,7 +196,8 @@ static enum bead_error take_room(struct bead_sink *s, struct report_chain *c, st
     c->displacement = c->beads ? calloc(s->samples * c->beads_shown, sizeof *c->displacement) : NULL;
     if (!c->field || (c->beads && !c->displacement))
         return report_memory(msg);
-    return bead_area_create(&setup, &c->area, msg);
+    enum bead_error err = bead_area_create(&setup, &c->area, msg);
+    return err || !s->measured ? err : bead_measures_create(c->chain, &c->measures, msg);
 }
 
 static enum bead_error report_begin(struct bead_sink *s, struct bead_range range, struct bead_message *msg)
@@ -202,14 +221,17 @@ static enum bead_error report_sample(struct bead_sink *s, const struct bead_samp
 {
     struct report_chain *c = &s->chains[sample->chain];
     const double *values = sample->field[s->output->shown.field];
-    if (sample->index != c->fed || c->fed == s->samples)
+    enum bead_error err = c->measures ? bead_measures_feed(c->measures, sample, msg) : BEAD_OK;
+    if (err || c->fed++ % s->stride > 0)
+        return err;
+    if (sample->index != c->fed - 1 || c->kept == s->samples)
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: sample %zu of chain %zu came out of order", s->path, sample->index,
                          sample->chain);
-    keep(values, c->value, c->fed, c->field);
+    keep(values, c->value, c->kept, c->field);
     if (c->beads)
-        keep(sample->field[BEAD_FIELD_DISPLACEMENT], c->bead, c->fed, c->displacement);
+        keep(sample->field[BEAD_FIELD_DISPLACEMENT], c->bead, c->kept, c->displacement);
     bead_area_feed(c->area, sample->time, values, sample->active);
-    c->fed++;
+    c->kept++;
     return BEAD_OK;
 }
 
@@ -219,7 +241,7 @@ static void find_range(struct bead_sink *s)
     struct bead_shown_values shown = {INFINITY, -INFINITY, -INFINITY};
     for (size_t i = 0; i < s->chain_count; i++) {
         const struct report_chain *c = &s->chains[i];
-        for (size_t k = 0; k < c->fed * c->values; k++) {
+        for (size_t k = 0; k < c->kept * c->values; k++) {
             shown.least = fmin(shown.least, c->field[k]);
             shown.largest = fmax(shown.largest, c->field[k]);
         }

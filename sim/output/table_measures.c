@@ -6,8 +6,6 @@
 #include "sim/output/table.h"
 
 enum { MOST_MEASURES = 128 };
-/* Polynomials through seven samples follow a pulse to six digits when they are this much further apart than pictures need. */
-static const double coarser = 2;
 
 static bool of_beads(const struct bead_chain *chain)
 {
@@ -31,7 +29,7 @@ static enum bead_error measures_prepare(struct bead_sink *sink, struct bead_mess
     if (watched == 0)
         return BEAD_OK;
     struct bead_run_context context = sink->context;
-    context.resolution *= coarser;
+    context.resolution *= BEAD_MEASURE_SPACING;
     enum bead_error err = bead_sink_grid(sink->output, &context, &sink->grid, msg);
     if (!err && !(context.native.every > 0))
         end_with_run(&sink->grid);

@@ -12,6 +12,7 @@ outputs:
   - {table: measures.csv, show: measures}
   - {table: sensitivities.csv, show: sensitivities}
   - {plot: setup.svg, show: setup}
+  - {report: report.html}
 YAML
 nm -D "$beadsim" 2>/dev/null | grep -q __asan_ && sanitized=1
 # each PROGRAM NAME
@@ -37,5 +38,6 @@ else
     ok "a table of measures" each "$beadsim" measures.csv
     ok "a table of sensitivities" each "$beadsim" sensitivities.csv
     ok "a drawing" each "$beadreel" setup.svg
+    ok "a report" each "$beadreel" report.html
 fi
 finish

@@ -12,6 +12,7 @@ simulate: {until: 0.6 ms}
 outputs:
   - {report: run.html, every: 1 us, range: [0, 30 N]}
   - {table: force.csv, show: sensors, every: 1 us}
+  - {table: measures.csv, show: measures}
   - {image: still.png, size: [320, 200]}
   - {image: still.pdf}
 YAML
@@ -33,6 +34,11 @@ d = json.loads(re.search(r"<script type=\"application/json\" id=\"data\">(.*?)</
 assert eval(sys.argv[1]), d.keys()' "$1" "${2:-run.html}"
 }
 ok "its data are JSON" json 'd["time"]["count"] == 601 and len(d["chains"]) == 1 and len(d["chains"][0]["peaks"]["uncertainty"]) == 33'
+same_measures() { # as the table of measures, which has other samples
+    awk -F, '$1 == "front speed" || $1 == "peak contact force" || $1 == "participation of energies" { print $1 "," $2 }' measures.csv >wanted
+    [ "$(wc -l <wanted)" -eq 3 ] && json 'all(abs([m["value"] for m in d["chains"][0]["measures"] if m["name"] == n][0] / float(v) - 1) < 1e-4 for n, v in (r.strip().split(",") for r in open("wanted")))'
+}
+ok "measures are those of their table" same_measures
 outside() { ! grep -oiE '(src|href)="?(https?:|//)[^"]*' run.html; }
 ok "it names nothing on the network" outside
 ok "it is no program of another kind" holds "default-src 'none'"
@@ -41,6 +47,7 @@ alone() { rm -rf made && exits 0 "$beadreel" scene.yaml -o made --only run.html 
 ok "pictures that this run has not made are not in it" alone
 ok "no uncertainty without peaks of beads" only 'report: r.html, field: velocity, time: [0.1 ms, 0.2 ms], beads: [2, 9]'
 ok "... but the beads asked for" json 'd["chains"][0]["values"] == 8 and d["chains"][0]["first"] == 2 and d["chains"][0]["field"]["signed"]' made/r.html
+ok "... and no measures of a part of the run" json 'd["chains"][0]["measures"] == []' made/r.html
 ok "contact forces" only 'report: r.html, field: contact-force'
 ok "... one more than pairs of beads, with the wall" json 'd["chains"][0]["values"] == 33 and d["field"]["contacts"]' made/r.html
 ok "another ending is refused" refused 'report: r.png' 'lacks the extension'
