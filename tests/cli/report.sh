@@ -56,6 +56,8 @@ ok "an unknown map is refused" refused 'report: r.html, colormap: rainbow' 'ther
 ok "a range upside down is refused" refused 'report: r.html, range: [3, 2]' 'the first must be below the second'
 ok "an end behind the run's is refused" refused 'report: r.html, time: [0, 9 ms]' 'must not go beyond'
 ok "too many samples are refused" refused 'report: r.html, every: 1 ns' 'too large for browsers'
+long_chain() { fails 2 "$beadreel" scene.yaml -o made --set 'outputs=[{report: r.html}]' --set 'chain.beads=[{bead: large-steel, count: 20000}]' --plan && says 'show fewer'; }
+ok "too many beads are refused" long_chain
 ok "a file outside is refused" refused 'report: ../r.html' 'leaves the output directory'
 ok "beadsim leaves it out" exits 0 "$beadsim" scene.yaml -o data
 ok "... and says so" test ! -e data/run.html
