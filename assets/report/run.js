@@ -262,7 +262,7 @@ function choose(found, stay) {
         seek(found.sample);
     showOne();
     if (!stay)
-        element('one').scrollIntoView({block: 'nearest', behavior: matchMedia('(prefers-reduced-motion: reduce)').matches ? 'auto' : 'smooth'});
+        element('one-chart').scrollIntoView({block: 'nearest', behavior: matchMedia('(prefers-reduced-motion: reduce)').matches ? 'auto' : 'smooth'});
     redraw();
 }
 /* The field at the chosen bead against time, of every chain that has it. */
