@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Run a scene, print the largest contact force. Build: cc minimal.c $(pkg-config --cflags --libs beadsim) */
 #include <beadreel/session.h>
 #include <stdio.h>
