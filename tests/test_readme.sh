@@ -55,7 +55,7 @@ names_exist() {
     (cd "$top" && find sim render include tests assets .github .ci ./*.md ./Makefile -type f) | sed 's,^\./,,' >"$T/files"
     while IFS=: read -r file name; do
         grep -qE "(^|/)${name//./\\.}$" "$T/files" || { echo "$file: $name"; missing=1; }
-    done < <(cd "$top" && grep -oE '(^|[ (`])[a-z_0-9/]+\.([ch]|sh|md)([] ,.;:)`]|$)' --exclude='*.js' -r sim render include assets ./*.md tests/*.md .github |
+    done < <(cd "$top" && grep -oE '(^|[ (`])[a-z_0-9/]{2,}\.([ch]|sh|md)([] ,.;:)`]|$)' --exclude='*.js' -r sim render include assets ./*.md tests/*.md .github |
         grep -v '#include' | sed -E 's/:[ (`]?([^ ,;:)`]*[a-z])[] ,.;:)`]?$/:\1/')
     return $missing
 }
