@@ -15,6 +15,8 @@ struct bead_picture_notes {
     size_t size;                                         /* of this structure: BEAD_DEFAULT */
     double dpi;                                          /* for pHYs; 0: none */
     const char *title, *description, *software, *source; /* text chunks or document information; may be NULL */
+    const char *author;                                  /* of documents; may be NULL */
+    bool outlines;                                       /* letters of SVG are outlines, not text */
 };
 
 /* PNG, with a palette where the frame has at most 256 colours (then exact and small), else RGB. Writes

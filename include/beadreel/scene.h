@@ -250,6 +250,7 @@ struct bead_paper {
     enum bead_style style;
     enum bead_theme theme;
     enum bead_background background; /* what is painted behind it all */
+    bool outlines;                   /* letters of SVG are outlines, not text */
 };
 
 /* Pictures, image and plot, of one or several panels. */
@@ -379,9 +380,10 @@ struct bead_output {
 };
 
 struct bead_scene {
-    char *file;  /* name for messages */
-    char *text;  /* the whole YAML as run, settings of the command line applied (a copy that parses to this scene) */
-    char *title; /* "" where none */
+    char *file;   /* name for messages */
+    char *text;   /* the whole YAML as run, settings of the command line applied (a copy that parses to this scene) */
+    char *title;  /* "" where none */
+    char *author; /* "" where none */
     struct bead_material *materials;
     size_t material_count;
     struct bead_chain_spec *chains;

@@ -116,7 +116,9 @@ void bead_page_notes(const struct bead_page *page, const struct bead_output *out
                                          .title = scene->title,
                                          .description = description,
                                          .software = "beadreel " BEADREEL_VERSION,
-                                         .source = scene->text};
+                                         .source = scene->text,
+                                         .author = scene->author,
+                                         .outlines = output->paper.outlines};
 }
 
 static enum bead_error write_raster(const struct bead_page *page, const struct bead_drawing *drawing, const char *path,

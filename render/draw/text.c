@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "beadreel/look.h"
+#include "render/draw/svg_text.h"
 
 /* Middle of digits and capitals above the baseline, in units of the font size (STIX 0.34, Lato 0.36). */
 static const double digit_middle = 0.35;
@@ -242,9 +243,25 @@ static double aligned(enum bead_align align, double extent)
     return align == BEAD_ALIGN_MIDDLE ? extent / 2 : align == BEAD_ALIGN_END ? extent : 0;
 }
 
+static void keep(FILE *file, cairo_t *cr, const struct laid_out *text)
+{
+    PangoLayoutIter *iter = pango_layout_get_iter(text->layout);
+    for (int i = 0; i < text->count; i++) {
+        bead_svg_text_line(file, cr, text->layout, iter,
+                           text->moved ? text->lines[i].baseline : pango_layout_iter_get_baseline(iter));
+        pango_layout_iter_next_line(iter);
+    }
+    pango_layout_iter_free(iter);
+}
+
 /* At the context's origin. */
 static void show(cairo_t *cr, const struct laid_out *text)
 {
+    FILE *file = bead_svg_text_file(cr);
+    if (file) {
+        keep(file, cr, text);
+        return;
+    }
     cairo_move_to(cr, 0, 0);
     pango_cairo_update_layout(cr, text->layout);
     if (!text->moved)

@@ -1,4 +1,4 @@
-/* Writes PDF and SVG through cairo. PDF keeps text as text, with fonts embedded; SVG has outlines, the same everywhere. */
+/* Writes PDF and SVG through cairo. PDF keeps text as text, with fonts embedded; SVG as text with fonts named, or as outlines. */
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <errno.h>
@@ -13,6 +13,7 @@
 #include "beadreel/picture.h"
 #include "render/draw/notes.h"
 #include "render/draw/svg_ids.h"
+#include "render/draw/svg_text.h"
 #include "render/draw/warnings.h"
 
 struct format {
@@ -43,6 +44,7 @@ static void describe_pdf(cairo_surface_t *surface, const struct bead_picture_not
 {
     cairo_pdf_surface_restrict_to_version(surface, CAIRO_PDF_VERSION_1_5);
     vector_put(surface, CAIRO_PDF_METADATA_TITLE, notes->title);
+    vector_put(surface, CAIRO_PDF_METADATA_AUTHOR, notes->author);
     vector_put(surface, CAIRO_PDF_METADATA_SUBJECT, notes->description);
     vector_put(surface, CAIRO_PDF_METADATA_CREATOR, notes->software);
     put_date(surface);
@@ -103,14 +105,17 @@ static enum bead_error draw_page(cairo_surface_t *surface, double scale, const s
     return err;
 }
 
-static enum bead_error write_page(const struct page *page, FILE *file, const char *part, struct bead_message *msg)
+/* `words`: where letters go that are to stay text; NULL: they are drawn. */
+static enum bead_error write_page(const struct page *page, FILE *file, FILE *words, const char *part, struct bead_message *msg)
 {
     const struct bead_picture_notes *notes = page->notes;
     double scale = 72 / notes->dpi;
     cairo_surface_t *surface = page->format->create(write_bytes, file, page->width * scale, page->height * scale);
     cairo_surface_set_fallback_resolution(surface, notes->dpi, notes->dpi);
     page->format->describe(surface, notes);
-    enum bead_error err = draw_page(surface, scale, page, msg);
+    enum bead_error err = words && !bead_svg_text_keep(surface, words)
+                              ? bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", part)
+                              : draw_page(surface, scale, page, msg);
     cairo_surface_finish(surface);
     cairo_status_t status = cairo_surface_status(surface);
     cairo_surface_destroy(surface);
@@ -120,24 +125,25 @@ static enum bead_error write_page(const struct page *page, FILE *file, const cha
 /* By way of memory. */
 static enum bead_error write_named(const struct page *page, FILE *file, const char *part, struct bead_message *msg)
 {
-    char *text = NULL;
-    size_t length = 0;
-    FILE *memory = open_memstream(&text, &length);
-    if (!memory)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", part);
-    enum bead_error err = write_page(page, memory, part, msg);
-    if (fclose(memory) != 0 && !err)
+    struct bead_svg_parts svg = {.title = page->notes->title, .description = page->notes->description};
+    FILE *drawn = open_memstream(&svg.text, &svg.length), *words = open_memstream(&svg.words, &svg.words_length);
+    enum bead_error err = drawn && words ? write_page(page, drawn, page->notes->outlines ? NULL : words, part, msg) : BEAD_OK;
+    bool full = !drawn || !words;
+    full = (drawn && fclose(drawn) != 0) || full;
+    full = (words && fclose(words) != 0) || full;
+    if (full && !err)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", part);
     if (!err)
-        err = bead_svg_write(text, length, file, msg);
-    free(text);
+        err = bead_svg_write(&svg, file, msg);
+    free(svg.text);
+    free(svg.words);
     return err;
 }
 
 static enum bead_error vector_fill(void *context, FILE *file, const char *part, struct bead_message *msg)
 {
     const struct page *page = context;
-    return page->format->named ? write_named(page, file, part, msg) : write_page(page, file, part, msg);
+    return page->format->named ? write_named(page, file, part, msg) : write_page(page, file, NULL, part, msg);
 }
 
 enum bead_error bead_vector_write(const char *path, int width, int height, bead_draw draw, void *context,

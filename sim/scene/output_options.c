@@ -79,7 +79,7 @@ const struct bead_option bead_trust_row[1] = {
 
 /* ---- shared: how it looks ---- */
 
-const struct bead_option bead_page_rows[3] = {
+const struct bead_option bead_page_rows[4] = {
     {.key = "style",
      .type = BEAD_OPTION_CHOICE,
      .offset = BEAD_OF_OUTPUT(paper.style),
@@ -103,6 +103,12 @@ const struct bead_option bead_page_rows[3] = {
      .example = "[178 mm, 75 mm]",
      .like = "auto|[number]",
      .read = bead_output_read_size},
+    {.key = "outlines",
+     .type = BEAD_OPTION_FLAG,
+     .offset = BEAD_OF_OUTPUT(paper.outlines),
+     .initial = "false",
+     .help = "letters of .svg are outlines, the same everywhere; otherwise they are text, which can be searched and edited, in the "
+             "fonts named, STIX or Lato, where they are installed"},
 };
 const struct bead_option bead_theme_rows[2] = {
     {.key = "theme",

@@ -28,6 +28,12 @@ static const struct bead_option rows[] = {
      .initial = "",
      .help = "title of the scene",
      .example = "My first wave"},
+    {.key = "author",
+     .type = BEAD_OPTION_TEXT,
+     .offset = offsetof(struct bead_scene, author),
+     .initial = "",
+     .help = "who made it, for the document information of PDF files",
+     .example = "Ada Lovelace"},
     {.key = "materials",
      .type = BEAD_OPTION_CUSTOM,
      .shape = "a map of materials",
@@ -389,6 +395,7 @@ void bead_scene_free(struct bead_scene *scene)
     free(scene->outputs);
     free(scene->simulate.method);
     free(scene->title);
+    free(scene->author);
     free(scene->text);
     free(scene->file);
     free(scene);

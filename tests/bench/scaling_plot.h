@@ -107,8 +107,10 @@ static inline enum bead_error scaling_draw(void *context, cairo_t *cr, struct be
 static inline void scaling_write(const char *folder, const struct scaling_row *rows, size_t count)
 {
     char path[512];
-    const struct bead_picture_notes notes = {sizeof notes, 300, "Scaling", "Cost and memory of a bead over the length of the chain",
-                                             NULL,         NULL};
+    const struct bead_picture_notes notes = {.size = sizeof notes,
+                                             .dpi = 300,
+                                             .title = "Scaling",
+                                             .description = "Cost and memory of a bead over the length of the chain"};
     struct scaling_plot plot = {.rows = rows, .count = count};
     bead_look_paper(&plot.look, 300);
     snprintf(path, sizeof path, "%s/bench", folder);

@@ -258,7 +258,12 @@ static void assert_round_trip(uint32_t colours, int colour_type)
 {
     char path[512];
     struct bead_frame frame;
-    struct bead_picture_notes notes = {sizeof notes, 600, "Füße <1 & 2>", "what it is", "beadreel", "a: 1\n"};
+    struct bead_picture_notes notes = {.size = sizeof notes,
+                                       .dpi = 600,
+                                       .title = "Füße <1 & 2>",
+                                       .description = "what it is",
+                                       .software = "beadreel",
+                                       .source = "a: 1\n"};
     uint64_t bytes = 0;
     in_directory("frame.png", path, sizeof path);
     assert_int_equal(bead_frame_create(173, 91, &frame, NULL), BEAD_OK);
@@ -452,6 +457,34 @@ static void test_same_picture_same_bytes(void **state)
     assert_same_twice("s.svg", "image: s.svg");
 }
 
+/* Letters of an SVG file are text in named fonts, after the drawing; or outlines, if asked for. It has a title and a description.
+ */
+static void test_svg_keeps_letters(void **state)
+{
+    (void)state;
+    static const char *const outputs[] = {"image: t.svg, caption: \"*F*_{max} < 2 & more\"", "image: t.svg, outlines: true"};
+    char path[512];
+    in_directory("t.svg", path, sizeof path);
+    for (int outlines = 0; outlines < 2; outlines++) {
+        size_t length;
+        struct built built = build_chain(outputs[outlines]);
+        draw_output(&built, pulse_down_the_chain);
+        release_chain(&built);
+        char *svg = read_all(path, &length);
+        assert_non_null(strstr(svg, "<desc>bead force in 1 chain of beads</desc>"));
+        assert_int_equal(strstr(svg, ">bead force (N)</tspan>") != NULL, !outlines);
+        assert_int_equal(strstr(svg, "font-family=\"'STIX'") != NULL, !outlines);
+        assert_int_equal(strstr(svg, "<text ") != NULL, !outlines);
+        assert_int_equal(strstr(svg, "<use xlink:href=\"#glyph") != NULL, outlines);
+        if (!outlines) {
+            assert_non_null(strstr(svg, "&lt; 2 &amp; more</tspan>"));
+            assert_true(strstr(svg, "<text ") > strstr(svg, "<image"));
+        }
+        assert_string_equal(svg + length - 7, "</svg>\n");
+        free(svg);
+    }
+}
+
 /* Nothing is drawn over the border, at any size: the outermost pixels are background. */
 static void test_nothing_is_cut(void **state)
 {
@@ -491,6 +524,7 @@ int main(void)
         cmocka_unit_test(test_sensors_view_without_sensors_is_refused),
         cmocka_unit_test(test_pdf_raster_is_the_png_s),
         cmocka_unit_test(test_same_picture_same_bytes),
+        cmocka_unit_test(test_svg_keeps_letters),
         cmocka_unit_test(test_nothing_is_cut),
     };
     return cmocka_run_group_tests_name("pictures", tests, make_directory, remove_directory);
