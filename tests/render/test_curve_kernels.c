@@ -1,0 +1,132 @@
+/* Curves as their kernels paint them: instruction sets against each other, and against plain arithmetic. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/frame.h"
+#include "render/paint/pixel_kernels.h"
+
+static void require(enum bead_error err, const struct bead_message *msg)
+{
+    if (err)
+        fail_msg("%s", msg->text);
+}
+
+static uint32_t random_bits(uint32_t *seed)
+{
+    *seed = *seed * 1664525u + 1013904223u;
+    return *seed >> 8;
+}
+
+/* From low to high in 64ths, as views place balls. */
+static float random_place(uint32_t *seed, double low, double high)
+{
+    return (float)(round((low + (high - low) * random_bits(seed) / 16777216.0) * 64) / 64);
+}
+
+/* Noise of all levels. */
+static void fill(struct bead_frame *frame)
+{
+    uint32_t seed = 4711;
+    for (size_t i = 0; i < frame->stride * (size_t)frame->height; i++)
+        frame->pixels[i] = (uint8_t)random_bits(&seed);
+}
+
+/* Slices that cover rows, parts of rows, or nothing. */
+static void make_extents(struct bead_extents *e, uint32_t *seed)
+{
+    for (int i = 0; i < BEAD_SLICES * BEAD_COLUMNS; i++) {
+        const float low = random_place(seed, -5, 60), high = low + random_place(seed, 0, 30);
+        const bool there = random_bits(seed) % 8;
+        e->low[i / BEAD_COLUMNS][i % BEAD_COLUMNS] = there ? low : INFINITY;
+        e->high[i / BEAD_COLUMNS][i % BEAD_COLUMNS] = there ? high : -INFINITY;
+    }
+}
+
+/* One pixel of a curve, in plain arithmetic. */
+static void expect_curve(const struct bead_columns *k, int x, int y, const uint8_t before[4], int after[4])
+{
+    const struct bead_extents *parts[2] = {&k->area, &k->line};
+    for (int c = 0; c < 4; c++)
+        after[c] = before[c];
+    for (int p = 0; p < 2; p++) {
+        double sum = 0;
+        for (int s = 0; s < BEAD_SLICES; s++)
+            sum += fmax(0, fmin(1, fmin(y + 1, parts[p]->high[s][x]) - fmax(y, parts[p]->low[s][x])));
+        for (int c = 0; c < k->channels; c++)
+            after[c] =
+                (int)(after[c] + (p ? 1 : k->area_alpha) * sum / BEAD_SLICES * ((p ? k->over : k->under)[c] - after[c]) + 0.5);
+    }
+}
+
+static void check_curves(int channels)
+{
+    static const char *const names[] = {"portable", "sse2", "avx2", "avx512"};
+    enum { FROM = 3, TO = 50, UNTOUCHED = 2 };
+    struct bead_frame before, first, other;
+    struct bead_message msg = {""};
+    uint32_t seed = 99;
+    require(bead_frame_create(128, 64, &before, &msg), &msg);
+    require(bead_frame_create(128, 64, &first, &msg), &msg);
+    require(bead_frame_create(128, 64, &other, &msg), &msg);
+    fill(&before);
+    struct bead_columns k = {.over = {10, 200, 30.5f, 255}, .under = {250, 0, 99, 255}, .area_alpha = 0.4f, .channels = channels};
+    make_extents(&k.line, &seed);
+    make_extents(&k.area, &seed);
+    for (int g = 0; g < BEAD_COLUMNS / BEAD_COLUMN_GROUP; g++) {
+        k.from[g] = FROM;
+        k.to[g] = g == UNTOUCHED ? FROM : TO;
+    }
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const struct bead_pixel_kernels *kernels = bead_pixel_kernels_find(names[i]);
+        if (!kernels)
+            continue; /* this machine has none */
+        fill(&other);
+        kernels->curve(&k, other.pixels + 4 * 32, other.stride);
+        if (i == 0)
+            memcpy(first.pixels, other.pixels, other.stride * 64);
+        assert_memory_equal(first.pixels, other.pixels, other.stride * 64);
+    }
+    for (int y = 0; y < 64; y++) {
+        for (int x = 0; x < 128; x++) {
+            const size_t at = (size_t)y * first.stride + 4 * (size_t)x;
+            const int column = x - 32, group = column / BEAD_COLUMN_GROUP;
+            int expected[4] = {before.pixels[at], before.pixels[at + 1], before.pixels[at + 2], before.pixels[at + 3]};
+            if (column >= 0 && column < BEAD_COLUMNS && y >= FROM && y < TO && group != UNTOUCHED)
+                expect_curve(&k, column, y, before.pixels + at, expected);
+            for (size_t c = 0; c < 4; c++)
+                assert_true(abs(first.pixels[at + c] - expected[c]) <= ((int)c < channels));
+        }
+    }
+    bead_frame_free(&before);
+    bead_frame_free(&first);
+    bead_frame_free(&other);
+}
+
+static void test_curves_are_averages_over_slices(void **state)
+{
+    (void)state;
+    check_curves(3);
+}
+
+static void test_curves_cover_transparent_frames(void **state)
+{
+    (void)state;
+    check_curves(4);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_curves_are_averages_over_slices),
+        cmocka_unit_test(test_curves_cover_transparent_frames),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
