@@ -23,7 +23,9 @@ static const double farthest = 0.1;
 /* y^power, y > 0 */
 static double raise(double y, double power)
 {
-    return power == 0 ? 1 : power == 1.5 ? y * sqrt(y) : power == 1 ? y : power == 2 ? y * y : bead_pow(y, power);
+    if (power >= 2)
+        return y * y * raise(y, power - 2);
+    return power == 0 ? 1 : power == 1.5 ? y * sqrt(y) : power == 1 ? y : bead_pow(y, power);
 }
 
 /* ---- memory ---- */
@@ -37,7 +39,7 @@ enum bead_error bead_branch_points_create(const struct bead_chain *chain, struct
     for (size_t i = 0; i < BEAD_BRANCH_TERMS; i++)
         p->over[i] = 1 / raise(bead_gauss_node[i], p->rule.exponent);
     p->room = chain->contacts + 2 * BEAD_BRANCHES_MAX;
-    p->point = calloc(p->room, sizeof *p->point); /* pages that are never used cost nothing */
+    p->point = calloc((1 + BEAD_BRANCH_SIDES) * p->room, sizeof *p->point); /* pages that are never used cost nothing */
     return p->point
                ? BEAD_OK
                : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the opening and closing of %zu contacts", chain->contacts);
@@ -138,7 +140,7 @@ void bead_branch_points_correct_compression(const struct bead_branch_points *p, 
 void bead_branch_points_correct(const struct bead_branch_points *p, const struct bead_stepper *s, double x, struct bead_part part,
                                 double *u, double *v)
 {
-    for (size_t i = 0; i < p->count; i++) {
+    for (size_t i = 0; i < p->count + p->echoes; i++) {
         const struct bead_branch_point *b = &p->point[i];
         const size_t k = b->contact;
         double rest[2];
@@ -351,6 +353,48 @@ static struct bead_branch_point shaped(const struct curve *curve, size_t i)
     return b;
 }
 
+/* The beads of a contact that opens or closes push their other contacts: what F does to the force of contact k, which has no branch
+ * point itself, is an F again, of two powers more. */
+static void add_echo(struct bead_branch_points *p, const struct bead_stepper *s, const struct bead_branch_point *of, size_t k,
+                     size_t bead)
+{
+    const struct bead_branch_range near = bead_branch_points_near(p, k);
+    for (size_t i = near.first; i < near.last; i++) {
+        if (p->point[i].contact == k)
+            return;
+    }
+    const struct bead_polynomial d = bead_dense_compression(s, k);
+    const double stiffness =
+        s->chain->law->stiffness(s->table.stiffness[k], s->table.law, bead_polynomial_value(&d, within_step(of->at)));
+    const double scale = s->h * s->h * stiffness * s->chain->inverse_mass[bead] / (of->slope * of->slope);
+    struct bead_branch_point *echo = &p->point[p->count + p->echoes++];
+    double at0[4], at1[4];
+    *echo = *of;
+    echo->contact = k;
+    echo->power += 2;
+    for (size_t i = 0; i < BEAD_BRANCH_TERMS; i++) {
+        const double e = echo->power + (double)i;
+        echo->c[i] *= scale / ((e + 1) * (e + 2));
+    }
+    integral(echo, 0, 4, at0);
+    integral(echo, 1, 4, at1);
+    echo->taken = bead_polynomial_hermite(at0, at1);
+}
+
+static void add_echoes(struct bead_branch_points *p, const struct bead_stepper *s)
+{
+    p->echoes = 0;
+    for (size_t i = 0; i < p->count; i++) {
+        const struct bead_branch_point *b = &p->point[i];
+        if (!b->again || b->power == 0 || b->slope == 0 || b->ends)
+            continue;
+        if (b->contact > 0)
+            add_echo(p, s, b, b->contact - 1, b->contact);
+        if (b->contact + 1 < s->chain->contacts)
+            add_echo(p, s, b, b->contact + 1, b->contact + 1);
+    }
+}
+
 static void shape(struct bead_branch_points *p, const struct bead_stepper *s, size_t i, bool put_right)
 {
     const size_t k = p->point[i].contact;
@@ -377,4 +421,5 @@ void bead_branch_points_find(struct bead_branch_points *p, const struct bead_ste
         if (p->point[i].again)
             shape(p, s, i, true);
     }
+    add_echoes(p, s);
 }

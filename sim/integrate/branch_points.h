@@ -7,7 +7,7 @@
  * makes of F the Hermite polynomial H; so F - H, over the masses and with opposite signs, is what it owes the two beads.
  *
  * The compression, which both the branch point and the force follow from, is interpolated, too: in a second round it is the one put
- * right in the first. What is left goes with the square of h^2 K/m. */
+ * right in the first. What F does to the forces of the contacts beside it is put right in the same way: its echoes. */
 #ifndef BEADREEL_SIM_INTEGRATE_BRANCH_POINTS_H
 #define BEADREEL_SIM_INTEGRATE_BRANCH_POINTS_H
 
@@ -16,7 +16,7 @@
 #include "sim/integrate/stepper.h"
 
 /* With fewer, a force that has no branch point would be one that septic interpolation follows. */
-enum { BEAD_BRANCH_TERMS = BEAD_GAUSS_NODES };
+enum { BEAD_BRANCH_TERMS = BEAD_GAUSS_NODES, BEAD_BRANCH_SIDES = 2 };
 
 struct bead_branch_point {
     size_t contact;
@@ -37,6 +37,7 @@ struct bead_branch_points {
     double over[BEAD_BRANCH_TERMS];  /* z^-p of the nodes z */
     struct bead_branch_point *point; /* by contacts, then times */
     size_t count, room;
+    size_t echoes; /* behind them: what they do to contacts beside them */
 };
 
 /* For steps of this chain, without damping; none are ever found where no contact opens, or where the law is no power. Errors:
