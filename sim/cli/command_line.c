@@ -78,6 +78,23 @@ static enum bead_error set_progress(struct command *command, const char *value, 
     return BEAD_OK;
 }
 
+static const char *const new_words[] = {"paper", "lecture", "sweep", "compare", NULL};
+
+static enum bead_error set_new(struct command *command, const char *value, struct bead_message *msg)
+{
+    (void)msg;
+    command->action = COMMAND_NEW;
+    command->kind = value;
+    return BEAD_OK;
+}
+
+static enum bead_error set_watch(struct command *command, const char *value, struct bead_message *msg)
+{
+    (void)value, (void)msg;
+    command->watch = true;
+    return BEAD_OK;
+}
+
 static enum bead_error set_quiet(struct command *command, const char *value, struct bead_message *msg)
 {
     (void)value, (void)msg;
@@ -218,6 +235,9 @@ static const struct option_row rows[] = {
     {"style", 0, "NAME", "of the file -o: paper, slide or movie", NULL, NULL, ""},
     {"views", 0, "VIEW,VIEW", "of the file -o: what is drawn, from top to bottom; see --list views", NULL, NULL, ","},
     {"plan", 0, NULL, "show what would be computed, what is skipped, and why; compute nothing", NULL, set_plan, NULL},
+    {"new", 0, "KIND", "write a commented scene to start from, KIND.yaml or -o FILE: paper, lecture, sweep or compare", new_words,
+     set_new, NULL},
+    {"watch", 0, NULL, "run the scene again whenever it is saved, until interrupted", NULL, set_watch, NULL},
     {"list", 0, "WHAT", "list %s", NULL, set_list, NULL},
     {"info", 0, "FILE", "describe a scene, a trajectory or the results of a sweep", NULL, set_info, NULL},
     {"configuration", 0, "N", "run only chain N of a sweep (its scene or its results); NAME:N where there are several sweeps", NULL,
@@ -417,38 +437,10 @@ static enum bead_error unknown_option(char **argv, int found, struct bead_messag
     return bead_fail(msg, BEAD_ERROR_USAGE, "unknown option `%s`%s", word, *near ? near : "; see --help");
 }
 
-/* "0.2ms:1ms" as a scene has it: "[0.2ms, 1ms]"; "30:" is "[30, auto]". What is written as in a scene stays so. Lists of words may
- * have one alone. */
-static char *listed(const char *value, const char *separators)
-{
-    const bool words = *separators && !separators[1];
-    char *text = NULL;
-    size_t size = 0;
-    if (!*separators || *value == '[' || (!words && !value[strcspn(value, separators)]))
-        return strdup(value);
-    FILE *out = open_memstream(&text, &size);
-    if (!out)
-        return NULL;
-    fputc('[', out);
-    for (const char *at = value;; at++) {
-        const size_t length = strcspn(at, separators);
-        fprintf(out, "%.*s", length ? (int)length : 4, length ? at : "auto");
-        at += length;
-        if (!*at)
-            break;
-        fputs(", ", out);
-    }
-    fputc(']', out);
-    if (fclose(out) == 0)
-        return text;
-    free(text);
-    return NULL;
-}
-
 /* A key of the output that -o names. */
 static enum bead_error add_look(struct command *command, const struct option_row *row, const char *value, struct bead_message *msg)
 {
-    char *list = listed(value, row->separators);
+    char *list = command_listed(value, row->separators);
     char **look = &command->looks[command->look_count];
     enum bead_error err = check_draws(command, row->name, msg);
     if (!err && (!list || asprintf(look, "%s=%s", row->name, list) < 0))
@@ -468,6 +460,8 @@ static enum bead_error take_input(struct command *command, int argc, char **argv
         command->input = argv[optind++];
     if (optind < argc)
         return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: `%s` and `%s`", command->input, argv[optind]);
+    if (command->watch && command->action != COMMAND_RUN)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--watch: has no effect here: it is for runs of a scene");
     bool needed = command->action == COMMAND_RUN || command->action == COMMAND_PLAN;
     if (needed && (!command->input || !*command->input))
         return bead_fail(msg, BEAD_ERROR_USAGE, "no scene given; see --help, or --list scenes for ready ones");

@@ -37,6 +37,7 @@ enum command_action {
     COMMAND_LIST,
     COMMAND_INFO,
     COMMAND_MERGE,
+    COMMAND_NEW,
     COMMAND_HELP,
     COMMAND_MAN,
     COMMAND_MAN_KEYS,
@@ -53,7 +54,8 @@ struct command {
     const char *input, *output, *instructions, *canvas, *configuration;
     bool allow_outside;
     bool sheet;
-    bool json;
+    bool json, watch;
+    const char *kind;                       /* of a new scene */
     const char **settings, **only, **parts; /* owned arrays; parts: files to merge */
     char **looks;                           /* owned, and their texts */
     size_t setting_count, only_count, part_count, look_count;
@@ -67,6 +69,9 @@ int command_main(const struct command_program *program, int argc, char **argv);
 
 /* Options and the input of a command line into `command`, whose arrays have room for argc strings. Errors: USAGE. */
 enum bead_error command_parse(struct command *command, int argc, char **argv, struct bead_message *msg);
+/* "0.2ms:1ms" as a scene has it: "[0.2ms, 1ms]"; "30:" is "[30, auto]". What is written as in a scene stays so; lists of words,
+ * with a single separator, may have one alone. To be freed; NULL: out of memory. */
+char *command_listed(const char *value, const char *separators);
 /* What the table of options says: --help, the options of the man page, a line per option for completions, --version. */
 void command_print_help(const struct command_program *program, FILE *out);
 void command_print_man(const struct command_program *program, FILE *out);
@@ -93,6 +98,12 @@ enum bead_error command_list_thresholds(FILE *out, struct bead_message *msg);
 enum bead_error command_list_keys(FILE *out, struct bead_message *msg);   /* of scenes: unit, range, default */
 enum bead_error command_list_schema(FILE *out, struct bead_message *msg); /* of the same: a JSON Schema, for editors */
 
+/* --watch: runs the scene, and again each time its file is saved, until a signal. --new: a scene to start from. Errors: those of
+ * command_run; USAGE, IO. */
+enum bead_error command_watch(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
+enum bead_error command_new(const struct command *command, struct bead_message *msg);
+/* The message on stderr. */
+void command_complain(const struct command_program *program, enum bead_error err, const struct bead_message *msg);
 /* Is the result to be JSON on stdout? */
 bool command_is_json(const struct command *command);
 /* That of a run: one line on stdout. `session` is NULL where it could not be opened. */
@@ -115,6 +126,9 @@ struct command_meter {
     enum command_progress mode;     /* AUTO stands for a bar on a terminal */
     double done_began, items_began; /* when a stage continues what a stopped process began */
     double began, said;             /* s, monotonic clock: this stage began, the last line was written */
+    struct {
+        double time, done;
+    } marks[2]; /* some seconds ago, the older one first: the rate is that since then */
     char what[160];
     bool drawn; /* the terminal's line is not empty */
 };

@@ -61,13 +61,15 @@ static enum bead_error act(const struct command *command, struct bead_message *m
         return command_info(command, stdout, msg);
     case COMMAND_MERGE:
         return command_merge(command, msg);
+    case COMMAND_NEW:
+        return command_new(command, msg);
     case COMMAND_PLAN:
         return command_plan(command, &stop_signal, msg);
     case COMMAND_RUN:
         break;
     }
     enum bead_error err = catch_signals(msg);
-    return err ? err : command_run(command, &stop_signal, msg);
+    return err ? err : (command->watch ? command_watch : command_run)(command, &stop_signal, msg);
 }
 
 int command_status(enum bead_error err, int signal)
@@ -76,12 +78,12 @@ int command_status(enum bead_error err, int signal)
 }
 
 /* One line, whatever is in the message; of wrong scenes one for each thing that is wrong. */
-static void complain(const char *program, const char *text, bool lines)
+void command_complain(const struct command_program *program, enum bead_error err, const struct bead_message *msg)
 {
-    fprintf(stderr, "%s: ", program);
-    for (const char *c = text; *c; c++) {
-        if (lines && *c == '\n')
-            fprintf(stderr, "\n%s: ", program);
+    fprintf(stderr, "%s: ", program->name);
+    for (const char *c = msg->text[0] ? msg->text : bead_error_text(err); *c; c++) {
+        if (err == BEAD_ERROR_SCENE && *c == '\n')
+            fprintf(stderr, "\n%s: ", program->name);
         else
             fputc((unsigned char)*c < ' ' ? ' ' : *c, stderr);
     }
@@ -118,6 +120,6 @@ int command_main(const struct command_program *program, int argc, char **argv)
         free(command.looks[i]);
     free(command.looks);
     if (err)
-        complain(program->name, msg.text[0] ? msg.text : bead_error_text(err), err == BEAD_ERROR_SCENE);
+        command_complain(program, err, &msg);
     return command_status(err, stop_signal);
 }

@@ -11,6 +11,7 @@
 
 #define REDRAW    0.1 /* s between redraws of a terminal's line */
 #define SAY_EVERY 3   /* s between plain lines */
+#define MARK      3   /* s between marks: the rate is that of the last 3 to 6 s */
 
 double command_clock(void)
 {
@@ -25,7 +26,7 @@ void command_meter_init(struct command_meter *meter, enum command_progress mode)
     *meter = (struct command_meter){.mode = mode, .began = command_clock()};
     const char *terminal = getenv("TERM");
     if (mode == COMMAND_PROGRESS_AUTO && (!isatty(STDERR_FILENO) || (terminal && strcmp(terminal, "dumb") == 0)))
-        meter->mode = COMMAND_PROGRESS_NONE;
+        meter->mode = COMMAND_PROGRESS_PLAIN;
 }
 
 /* "3 s", "2:05" into text. */
@@ -34,7 +35,7 @@ static const char *duration(double seconds, char *text, size_t size)
     if (!(seconds < 360000))
         snprintf(text, size, "?");
     else if (seconds < 99.5)
-        snprintf(text, size, "%.0f s", seconds);
+        snprintf(text, size, "%.0f s", fmax(seconds, 1)); /* what is not over takes a while */
     else
         snprintf(text, size, "%d:%02d", (int)seconds / 60, (int)seconds % 60);
     return text;
@@ -91,6 +92,18 @@ static void write_json(const struct command_meter *meter, double done, double le
     fputc('\n', stderr);
 }
 
+/* Seconds, at the rate of the last few; -1: not known. */
+static double time_left(struct command_meter *meter, double now, double done)
+{
+    const double gone = done - meter->marks[0].done, took = now - meter->marks[0].time;
+    if (now - meter->marks[1].time > MARK) {
+        meter->marks[0] = meter->marks[1];
+        meter->marks[1].time = now;
+        meter->marks[1].done = done;
+    }
+    return took > 0.5 && gone > 1e-6 && done > 0.005 && done < 1 ? took * (1 - done) / gone : -1;
+}
+
 void command_meter_tell(void *context, const struct bead_progress *progress)
 {
     struct command_meter *meter = context;
@@ -104,6 +117,8 @@ void command_meter_tell(void *context, const struct bead_progress *progress)
         snprintf(meter->what, sizeof meter->what, "%s", progress->what);
         meter->done_began = progress->items > 0 ? progress->done : 0;
         meter->items_began = progress->items;
+        meter->marks[0].time = meter->marks[1].time = meter->began;
+        meter->marks[0].done = meter->marks[1].done = meter->done_began; /* work found done took no time */
         if (meter->mode == COMMAND_PROGRESS_PLAIN)
             meter->said = now; /* what takes no time needs no line */
     }
@@ -112,8 +127,7 @@ void command_meter_tell(void *context, const struct bead_progress *progress)
         return;
     meter->said = now;
     double done = progress->done >= 0 ? fmin(progress->done, 1) : 0, elapsed = now - meter->began;
-    double gone = done - meter->done_began; /* work found done took no time */
-    double left = elapsed > 0.5 && gone > 0.005 ? elapsed * (1 - done) / gone : -1;
+    double left = time_left(meter, now, done);
     char rate[64];
     rate_words(meter, progress, elapsed, rate, sizeof rate);
     if (meter->mode == COMMAND_PROGRESS_JSON)

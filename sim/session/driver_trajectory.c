@@ -30,6 +30,16 @@ static enum bead_error give(const struct bead_driver *driver, struct bead_trajec
     return err;
 }
 
+/* Now and then: pictures are drawn from thousands of samples a second, frames of movies from hundreds. */
+static void tell(const struct bead_driver *driver, double time, uint64_t samples)
+{
+    if (!driver->progress || samples % 16 != 0)
+        return;
+    const struct bead_progress progress = {
+        .what = driver->what, .done = driver->needed > 0 ? fmin(time / driver->needed, 1) : 0, .time = time};
+    driver->progress(driver->progress_context, &progress);
+}
+
 enum bead_error bead_drive_trajectory(const struct bead_driver *driver, struct bead_trajectory *trajectory,
                                       struct bead_counts *counts, struct bead_message *msg)
 {
@@ -45,6 +55,7 @@ enum bead_error bead_drive_trajectory(const struct bead_driver *driver, struct b
             return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped at %.4g s", due.time);
         err = give(driver, trajectory, &due, msg);
         counts->samples += driver->chain_count;
+        tell(driver, due.time, counts->samples);
     }
     return err;
 }

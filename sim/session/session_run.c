@@ -174,6 +174,15 @@ static enum bead_error session_end(struct bead_session *s, bool stopped, struct 
     return stopped ? stop_all(s, msg) : finish_all(s, msg);
 }
 
+/* Is there a movie? Its frames then take most of the time. */
+static bool draws_frames(const struct bead_session *s)
+{
+    bool any = false;
+    for (size_t i = 0; i < s->made_count; i++)
+        any = any || (s->made[i].sink && s->made[i].type->background);
+    return any;
+}
+
 static enum bead_error session_run(struct bead_session *s, struct bead_consumer *consumers, struct bead_message *msg)
 {
     enum bead_error err = bead_session_lay(s, msg);
@@ -188,7 +197,7 @@ static enum bead_error session_run(struct bead_session *s, struct bead_consumer 
     if (err) /* stopped while scouting, too: no sink has begun */
         return err;
     s->scout_steps = s->counts.steps;
-    struct bead_driver p = bead_session_driver(s, s->trajectory ? "drawing" : "simulating");
+    struct bead_driver p = bead_session_driver(s, s->trajectory || draws_frames(s) ? "drawing" : "simulating");
     err = session_begin(s, consumers, &p.consumer_count, msg);
     p.consumers = consumers;
     p.needed = s->needed;

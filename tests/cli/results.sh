@@ -89,6 +89,14 @@ slow=(--set "simulate={until: 600 ms, method: rk4, step: 0.1 us}" --only peaks.c
 ok "--progress=json" exits 0 "$beadsim" scene.yaml -o slow "${slow[@]}" --progress=json
 json_lines() { [ -s err ] && ! grep -vE '^\{"what": "[^"]+", "done": [0-9.]+, "elapsed_s": [0-9.]+(, "left_s": [0-9.]+)?(, "time_s": [-+0-9.e]+)?\}$' err; }
 ok "... one object a line" json_lines
+# Where stderr is no terminal there is a line every three seconds. The run is as long as it takes.
+timeout -s INT 8 "$beadsim" scene.yaml -o slow --set 'simulate={until: 1000 s, method: rk4, step: 0.1 us}' --only peaks.csv >out 2>err </dev/null
+ok "lines of progress in a file" bash -c '[ "$(grep -cE "^simulating: [0-9]+ %" err)" -ge 1 ]'
+ok "... which never say that nothing is left" bash -c "! grep -q ' 0 s left' err"
+film=(--set 'outputs=[{movie: m.mp4, size: [320, 240], fps: 240, duration: 20 s}]')
+"$beadreel" scene.yaml -o slow "${film[@]}" --progress json >out 2>err
+ok "a film is drawn" grep -q '"what": "drawing"' err
+ok "... not simulated" bash -c "! grep -q '\"simulating\"' err"
 ok "--progress=none is quiet" bash -c "'$beadsim' scene.yaml -o slow --set simulate.until='600 ms' --only peaks.csv --progress=none 2>&1 >/dev/null | (! grep .)"
 bar() { TERM=xterm script -qec "$beadsim scene.yaml -o slow --set simulate.until='600 ms' --set simulate.method=rk4 \
     --set simulate.step='0.1us' --only peaks.csv" typescript >/dev/null && grep -q '\[[#.]*\] *[0-9]* %' typescript; }

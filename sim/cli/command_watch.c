@@ -1,0 +1,119 @@
+/* --watch: the scene again each time it is saved; --new: a scene to start from. */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+
+#include "beadreel/assets.h"
+#include "beadreel/scene.h"
+#include "sim/cli/command_line.h"
+
+enum { LONGEST = 4 << 20 };
+
+/* The file as it is now; NULL: it cannot be read, as while an editor replaces it. */
+static char *read_text(const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    char *text = file ? calloc(LONGEST + 1, 1) : NULL;
+    if (text)
+        text[fread(text, 1, LONGEST, file)] = 0;
+    if (file)
+        fclose(file);
+    return text;
+}
+
+static bool changed(const char *path, struct stat *last)
+{
+    struct stat now;
+    if (stat(path, &now) != 0)
+        return false;
+    const bool same = now.st_ino == last->st_ino && now.st_size == last->st_size && now.st_mtim.tv_sec == last->st_mtim.tv_sec &&
+                      now.st_mtim.tv_nsec == last->st_mtim.tv_nsec;
+    *last = now;
+    return !same;
+}
+
+static size_t lines_of(const char *text, size_t length)
+{
+    size_t lines = 0;
+    for (size_t i = 0; i < length; i++)
+        lines += text[i] == '\n';
+    return lines;
+}
+
+/* "scene.yaml:12: `velocity: 1 m/s`, was `velocity: 0.443 m/s`", or how many lines are new. */
+static void say_change(FILE *out, const char *path, const char *before, const char *now)
+{
+    size_t same = 0, tail = 0, left[2] = {strlen(before), strlen(now)};
+    for (size_t i = 0; before[i] && before[i] == now[i]; i++)
+        same = before[i] == '\n' ? i + 1 : same;
+    left[0] -= same;
+    left[1] -= same;
+    for (size_t i = 1; i <= left[0] && i <= left[1] && before[same + left[0] - i] == now[same + left[1] - i]; i++)
+        tail = now[same + left[1] - i] == '\n' ? i - 1 : tail;
+    const char *line[2] = {before + same, now + same};
+    for (int i = 0; i < 2; i++) {
+        line[i] += strspn(line[i], " ");
+        left[i] -= left[i] > tail ? tail : left[i];
+    }
+    const size_t number = lines_of(now, same) + 1, fresh = lines_of(now + same, left[1]);
+    if (left[0] == 0 && left[1] == 0)
+        fprintf(out, "%s: saved, not changed\n", path);
+    else if (lines_of(before + same, left[0]) == 1 && fresh == 1)
+        fprintf(out, "%s:%zu: `%.*s`, was `%.*s`\n", path, number, (int)strcspn(line[1], "\n"), line[1],
+                (int)strcspn(line[0], "\n"), line[0]);
+    else
+        fprintf(out, "%s:%zu: %zu line%s instead of %zu\n", path, number, fresh, fresh == 1 ? "" : "s",
+                lines_of(before + same, left[0]));
+    fflush(out);
+}
+
+enum bead_error command_watch(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg)
+{
+    static const struct timespec pause = {0, 30000000}; /* s, ns */
+    char path[4096], *text = NULL;
+    struct stat last = {0};
+    enum bead_error err = bead_scene_find(command->input, path, sizeof path, msg);
+    if (err)
+        return err;
+    (void)changed(path, &last);
+    for (text = read_text(path); !*stop;) {
+        err = command_run(command, stop, msg);
+        if (err && !*stop) /* a wrong scene is mended and saved again */
+            command_complain(command->program, err, msg);
+        while (!*stop && !changed(path, &last))
+            (void)nanosleep(&pause, NULL);
+        char *now = *stop ? NULL : read_text(path);
+        if (now && text)
+            say_change(command_is_json(command) ? stderr : stdout, path, text, now);
+        if (now) {
+            free(text);
+            text = now;
+        }
+    }
+    free(text);
+    return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped by signal %d (%s)", (int)*stop, strsignal(*stop));
+}
+
+enum bead_error command_new(const struct command *command, struct bead_message *msg)
+{
+    char asset[64], own[64], *text = NULL;
+    size_t length = 0;
+    snprintf(asset, sizeof asset, "new/%s.yaml", command->kind);
+    snprintf(own, sizeof own, "%s.yaml", command->kind);
+    const char *path = command->output ? command->output : own;
+    enum bead_error err = bead_asset_read(asset, &text, &length, msg);
+    FILE *file = err ? NULL : fopen(path, "wx");
+    if (!err && !file)
+        err = bead_fail(msg, errno == EEXIST ? BEAD_ERROR_USAGE : BEAD_ERROR_IO,
+                        errno == EEXIST ? "--new: %s is there already; give another name with -o FILE.yaml"
+                                        : "--new: %s: cannot be made: %s",
+                        path, strerror(errno));
+    if (file && (fwrite(text, 1, length, file) != length) | (fclose(file) != 0))
+        err = bead_fail(msg, BEAD_ERROR_IO, "--new: %s: cannot be written: %s", path, strerror(errno));
+    free(text);
+    if (!err)
+        printf("%s  edit it, then: %s %s\n", path, command->program->name, path);
+    return err;
+}
