@@ -110,7 +110,9 @@ enum bead_error command_new(const struct command *command, struct bead_message *
                         errno == EEXIST ? "--new: %s is there already; give another name with -o FILE.yaml"
                                         : "--new: %s: cannot be made: %s",
                         path, strerror(errno));
-    if (file && (fwrite(text, 1, length, file) != length) | (fclose(file) != 0))
+    bool written = file && fwrite(text, 1, length, file) == length;
+    written = file && fclose(file) == 0 && written;
+    if (file && !written)
         err = bead_fail(msg, BEAD_ERROR_IO, "--new: %s: cannot be written: %s", path, strerror(errno));
     free(text);
     if (!err)
