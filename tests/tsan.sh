@@ -67,6 +67,7 @@ scene every <<'YAML'
   - {movie: m.webm, duration: 0.4 s, size: [160, 120], fps: 10}
   - {movie: m.gif, duration: 0.4 s, size: [160, 120], fps: 10}
   - {movie: m.apng, duration: 0.4 s, size: [160, 120], fps: 10}
+  - {report: run.html}
   - {movie: follow.mp4, duration: 0.4 s, size: [320, 120], fps: 10, views: [beads], follow: front}
 YAML
 scene long <<'YAML'
@@ -76,7 +77,7 @@ YAML
 sed -i 's/until: 200 us/until: 20 ms/' "$T/long.yaml"
 cat >"$T/sweep.yaml" <<'YAML'
 sweep: {cells: 8, magnetism: [0, 0.5, 1], configurations: 6, measure: {decay: true, beads: [1, 3]}}
-outputs: [{sweep: sweep.h5}, {table: sweep.csv}, {plot: sweep.png, size: [320, 200]}, {sheet: sheet.png}]
+outputs: [{sweep: sweep.h5}, {table: sweep.csv}, {plot: sweep.png, size: [320, 200]}, {sheet: sheet.png}, {report: sweep.html}]
 YAML
 sed 's/configurations: 6/configurations: 10000/' "$T/sweep.yaml" >"$T/long-sweep.yaml"
 

@@ -59,6 +59,7 @@ scene every 3 '100 us' <<'YAML'
   - {plot: setup.svg, show: setup}
   - {table: peaks.csv, show: peaks}
   - {table: m.csv, show: measures}
+  - {report: run.html}
 YAML
 cat >"$T/few.yaml" <<'YAML'
 sweep: {cells: 4, fixed: 2, magnetism: [0, 1], configurations: 2, measure: {decay: true, beads: [1, 2]}}
@@ -67,6 +68,7 @@ outputs:
   - {table: sweep.csv}
   - {plot: sweep.png, size: [320, 200]}
   - {sheet: sheet.png}
+  - {report: sweep.html}
 YAML
 cat >"$T/sweep.yaml" <<'YAML'
 sweep: {cells: 32, magnetism: [0, 0.5, 1], configurations: 40}
