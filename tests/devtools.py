@@ -129,6 +129,9 @@ class Browser:
         self.mouse("mouseMoved", x1, y1, 1)
         self.mouse("mouseReleased", x1, y1)
 
+    def touch(self, kind, *points):
+        self.call("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)])
+
     def press(self, key, text=None):
         self.call("Input.dispatchKeyEvent", type="keyDown", key=key, code="Space" if key == " " else key, **({"text": text} if text else {}))
         self.call("Input.dispatchKeyEvent", type="keyUp", key=key, code="Space" if key == " " else key)

@@ -151,6 +151,29 @@ def check_pointer(page, rows):
     tell(zoom and zoom["places"][1] - zoom["places"][0] < 0.35 * page.run("report.chains[0].values"), "dragging zooms", zoom)
 
 
+def check_touch(page, directory):
+    page.resize(390, 844, mobile=True)
+    page.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
+    page.open("file://%s/run.html" % directory)
+    page.settle()
+    spot = page.run("(() => { const b = report.canvases[0].getBoundingClientRect(), i = report.chains[0].image; "
+                    "return {x: b.x + i.x + i.w / 2, y: b.y + i.y + i.h / 2}; })()")
+    x, y = spot["x"], spot["y"]
+    page.touch("touchStart", (x - 20, y))
+    page.touch("touchStart", (x - 20, y), (x + 20, y))
+    for far_out in range(30, 90, 20):
+        page.touch("touchMove", (x - far_out, y), (x + far_out, y))
+    page.touch("touchEnd")
+    page.settle()
+    tell(page.run("report.state.zoom !== null && report.state.bead === null"), "two fingers zoom, and choose nothing")
+    page.run("report.setZoom(null)")
+    page.touch("touchStart", (x, y))
+    page.touch("touchEnd")
+    page.settle()
+    tell(page.run("report.state.bead !== null"), "one finger chooses a bead")
+    page.call("Emulation.setTouchEmulationEnabled", enabled=False)
+
+
 def check_text(page, scene):
     tell(page.run("document.title") == scene["title"], "the title is the scene's, whatever it contains", page.run("document.title"))
     tell(page.run("document.querySelectorAll('h1 *, #scene-text *').length") == 0, "no element comes from the scene")
@@ -223,6 +246,7 @@ def main():
             page.settle()
             fits = page.run("document.documentElement.scrollWidth <= innerWidth && document.getElementById('controls').getBoundingClientRect().bottom <= innerHeight + 1")
             tell(fits, "%d x %d: nothing is wider than the window, and the controls are in it" % (width, height))
+        check_touch(page, directory)
         check_sweep(page, directory)
         tell(not page.errors, "no error in the console", page.errors)
         tell(all(r.startswith("file://%s/" % directory) and r.endswith(".html") for r in page.requests), "nothing is asked for but the page",

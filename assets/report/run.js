@@ -167,6 +167,7 @@ function zoomBy(factor, centre) {
 /* ---- the pointer ---- */
 
 const pointers = new Map();
+let pinched = false; /* the fingers that leave choose nothing */
 function listen(canvas, chain) {
     const local = event => {
         const box = canvas.getBoundingClientRect();
@@ -193,8 +194,9 @@ function listen(canvas, chain) {
         state.box = null;
         if (box && Math.hypot(box.x1 - box.x0, box.y1 - box.y0) > 8)
             zoomToBox(chain, box);
-        else if (old && Math.hypot(p.x - old.x, p.y - old.y) < 8)
+        else if (old && !pinched && Math.hypot(p.x - old.x, p.y - old.y) < 8)
             choose(chain.at(p.x, p.y));
+        pinched = pinched && pointers.size > 0;
         redraw();
     });
     for (const end of ['pointercancel', 'pointerleave'])
@@ -219,6 +221,7 @@ function pinch(chain, id, p) {
     const other = [...pointers].find(([key]) => key !== id)[1], old = pointers.get(id);
     const was = Math.hypot(old.x - other.x, old.y - other.y), is = Math.hypot(p.x - other.x, p.y - other.y);
     pointers.set(id, p);
+    pinched = true;
     if (was > 10 && is > 10)
         zoomBy(was / is, chain.at(0.5 * (p.x + other.x), 0.5 * (p.y + other.y)));
 }
