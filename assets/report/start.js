@@ -109,6 +109,7 @@ function startRun() {
     buildStage();
     buildControls();
     buildOne();
+    element('pictures').hidden = !document.querySelector('#pictures figure');
     showFacts();
     showNumbers();
     element('hint-what').textContent = chains[0].axis.counts ? chains[0].axis.title : 'point';

@@ -262,6 +262,15 @@ static bool needs_results(const struct bead_session *s)
     return needs;
 }
 
+/* Does an output run what it shows? */
+static bool runs_chains(const struct bead_session *s)
+{
+    bool runs = false;
+    for (size_t i = 0; i < s->made_count; i++)
+        runs = runs || (s->made[i].asked && s->made[i].sweep_type && s->made[i].sweep_type->run);
+    return runs;
+}
+
 static enum bead_error compute(struct bead_session *s, const char *results, const char *journal, struct bead_message *msg)
 {
     struct bead_sweep_settings settings = settings_of(s);
@@ -369,7 +378,7 @@ enum bead_error bead_session_plan_sweep(const struct bead_session *s, FILE *out,
     if (err)
         return err;
     if (s->sweep_read)
-        fprintf(out, "results are read; nothing is simulated%s\n", needs_results(s) ? "" : " but what a sheet shows");
+        fprintf(out, "results are read; nothing is simulated%s\n", runs_chains(s) ? " but what a sheet or report shows" : "");
     else if (!needs_results(s))
         fprintf(out, "of these, only those that a sheet shows\n");
     else if (isnan(s->source->simulate.until))

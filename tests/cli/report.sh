@@ -87,6 +87,8 @@ size=$(grep -oE '"times":[0-9]+' sweep.html | head -n 1 | tr -dc 0-9)
 wide=$(grep -oE '"places":[0-9]+' sweep.html | head -n 1 | tr -dc 0-9)
 ok "a run of a configuration" exits 0 "$beadreel" sweep.h5 --configuration 3 -o image.png --set outputs.0.axes=false --set outputs.0.orientation=time-down \
     --set "outputs.0.size=[$wide, $size]" --set 'outputs.0.range=[0, 30 N]' --set outputs.0.scale=sqrt --set outputs.0.colormap=inferno
+ok "the plan of a sweep's file" exits 0 "$beadreel" sweep.h5 -o read.html --plan
+ok "... says that images are run" prints "nothing is simulated but what a sheet or report shows"
 ok "the file of a sweep becomes a report" exits 0 "$beadreel" sweep.h5 -o read.html
 same_data() { diff <(grep -A9999 'id="data"' sweep.html) <(grep -A9999 'id="data"' read.html) >/dev/null; }
 ok "... the same" same_data
