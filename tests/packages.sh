@@ -32,7 +32,8 @@ for f in waves.mp4 figure.pdf force.png peaks.csv run.h5; do check "... and make
 check "its manual is there" test -s "$root/usr/share/doc/beadreel/html/index.html"
 # shellcheck disable=SC2046
 check "the other packages install" add $(cd "$root/deb" && printf '/deb/%s\n' *.deb | grep -v dbgsym)
-check "Python has the module" visitor "python3 -c 'import beadreel'"
+check "the Python module runs a scene" visitor \
+    'python3 -c "import beadreel; assert beadreel.run(\"clean-vs-delocalised\", only=\"peaks.csv\").peaks[\"peak_force_N\"].max() > 80"'
 check "a compiler installs" add gcc libc6-dev pkg-config
 check "a program compiles with the libraries, and runs" visitor \
     'cc -o minimal /deb/minimal.c $(pkg-config --cflags --libs beadsim) && ./minimal /usr/share/beadreel/scenes/sensors.yaml out'
