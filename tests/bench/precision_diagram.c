@@ -195,21 +195,34 @@ static void draw_panel(cairo_t *cr, const struct diagram *d, struct panel *panel
     cairo_restore(cr);
 }
 
+/* Programs that are not installed have no points. */
+static bool is_measured(const struct diagram *d, const struct style *style)
+{
+    for (size_t i = 0; i < d->points.count; i++) {
+        if (strcmp(d->points.point[i].solver, style->solver) == 0)
+            return true;
+    }
+    return false;
+}
+
 static void draw_legend(cairo_t *cr, const struct diagram *d, struct bead_rect box)
 {
     const struct bead_look *look = &d->look;
     double line = box.height / (STYLES + 2.5), y = box.y;
     struct bead_text_style text = {
         .family = look->family, .size = fmin(look->label, 0.82 * line), .colour = look->ink, .down = BEAD_ALIGN_MIDDLE};
+    const struct style *last = NULL;
     for (size_t i = 0; i < STYLES; i++) {
-        bool group = i == 0 || styles[i].dashed != styles[i - 1].dashed;
-        if (group) {
+        if (!is_measured(d, &styles[i]))
+            continue;
+        if (!last || styles[i].dashed != last->dashed) {
             text.bold = true;
-            y += i ? line / 2 : 0;
+            y += last ? line / 2 : 0;
             bead_text_draw(cr, &text, box.x, y + line / 2, styles[i].dashed ? "other programs" : "this program");
             text.bold = false;
             y += line;
         }
+        last = &styles[i];
         double middle = y + line / 2, sample = 7 * millimetre;
         line_style(cr, d, &styles[i]);
         cairo_move_to(cr, box.x, middle);
@@ -250,8 +263,10 @@ static enum bead_error draw(void *context, cairo_t *cr, struct bead_message *msg
 
 int main(int count, char **word)
 {
-    struct bead_picture_notes notes = {
-        sizeof notes, dpi, "Work against error", "Waves in chains of beads: CPU time and error of peak forces", NULL, NULL};
+    struct bead_picture_notes notes = {.size = sizeof notes,
+                                       .dpi = dpi,
+                                       .title = "Work against error",
+                                       .description = "Waves in chains of beads: CPU time and error of peak forces"};
     const bool velocities = count == 4 && strcmp(word[3], "velocity") == 0;
     if (count != 3 && !velocities)
         GIVE_UP("precision_diagram TABLE.csv NAME [velocity]");
