@@ -220,7 +220,7 @@ static const double between_minor = 0.42;
 static void minor_between(struct bead_axis *axis, const struct room *room, size_t i)
 {
     enum { MOST = sizeof axis->minor / sizeof axis->minor[0] };
-    static const int parts[] = {5, 4, 2};
+    static const int parts[] = {5, 4, 3, 2};
     double low = axis->ticks[i].value, high = axis->ticks[i + 1].value;
     for (size_t p = 0; p < sizeof parts / sizeof parts[0]; p++) {
         double step = (high - low) / parts[p], shown = step * axis->factor;

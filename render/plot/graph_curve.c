@@ -435,6 +435,8 @@ static void draw_line(cairo_t *cr, const struct bead_look *look, const struct gr
     bool guide = series->mark == BEAD_MARK_LINE_POINTS && graph_thin(cell, look, series).every == 1;
     trace(cr, cell, series, 8 * look->line);
     graph_stroke_style(cr, look, series, guide);
+    if (cell->undashed)
+        cairo_set_dash(cr, NULL, 0, 0);
     cairo_stroke(cr);
 }
 

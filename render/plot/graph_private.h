@@ -56,6 +56,7 @@ struct graph_cell {
     char **labels;               /* [series_count], markup; NULL: none */
     struct graph_legend legend;  /* inside */
     size_t most_points;          /* of the largest cloud of all panels: clouds have equal points */
+    bool undashed;               /* lines are drawn whole: their gaps are no room for words */
     bool legend_outside, raised; /* raised: the y axis ends higher, to have room for the legend */
 };
 

@@ -39,7 +39,9 @@ enum bead_error graph_mask_make(const struct graph_cell *cell, const struct bead
     cairo_t *cr = cairo_create(surface);
     cairo_scale(cr, 1 / size, 1 / size);
     cairo_translate(cr, -mask->x, -mask->y);
-    graph_draw_contents(cr, look, cell);
+    struct graph_cell whole = *cell;
+    whole.undashed = true;
+    graph_draw_contents(cr, look, &whole);
     cairo_surface_flush(surface);
     const unsigned char *covered = cairo_image_surface_get_data(surface);
     bool drawn = mask->sums && covered && cairo_status(cr) == CAIRO_STATUS_SUCCESS;

@@ -265,6 +265,34 @@ static void test_legends_without_room_go_outside(void **state)
     graph_layout_free(&layout);
 }
 
+/* The gaps of dashes are no room for words: what is covered does not depend on them. */
+static void test_gaps_of_dashes_are_covered(void **state)
+{
+    (void)state;
+    static struct data d;
+    make_data(&d);
+    struct bead_look look;
+    struct bead_message msg = {""};
+    bead_look_paper(&look, 300);
+    unsigned covered[BEAD_DASHES + 1];
+    for (size_t dash = 0; dash <= BEAD_DASHES; dash++) {
+        struct bead_panel panel = make_panel(&d, 1);
+        struct graph_mask mask;
+        d.series[0].mark = BEAD_MARK_LINE;
+        d.series[0].error = NULL;
+        d.series[0].dash = dash;
+        d.series[0].label = NULL;
+        struct bead_graph graph = {.panels = &panel, .panel_count = 1};
+        struct graph_layout layout = lay_out(&graph, &look, 800, 600);
+        assert_int_equal(graph_mask_make(&layout.cells[0], &look, &mask, &msg), BEAD_OK);
+        covered[dash] =
+            graph_mask_covered(&mask, (struct graph_box){mask.x, mask.y, mask.width * mask.cell, mask.height * mask.cell});
+        assert_true(covered[dash] > 0 && covered[dash] == covered[0]);
+        graph_mask_free(&mask);
+        graph_layout_free(&layout);
+    }
+}
+
 /* Panels of figures stay where they are: axes end higher for a legend that has no room, where the scene does not say how high. */
 static void test_legends_of_parts_stay_inside(void **state)
 {
@@ -480,6 +508,7 @@ int main(void)
         cmocka_unit_test(test_headings_have_room),
         cmocka_unit_test(test_legends_without_room_go_outside),
         cmocka_unit_test(test_long_names_leave_room_for_plots),
+        cmocka_unit_test(test_gaps_of_dashes_are_covered),
         cmocka_unit_test(test_legends_of_parts_stay_inside),
         cmocka_unit_test(test_markup),
     };
