@@ -5,7 +5,7 @@
 #include "beadreel/scene.h"
 
 /* In pixels. Errors: SCENE (with the output's place). */
-BEAD_CHECK enum bead_error bead_movie_size(const struct bead_output *output, const struct bead_scene *scene, int *width, int *height,
-                                           struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_movie_size(const struct bead_output *output, const struct bead_scene *scene, int *width,
+                                           int *height, struct bead_message *msg);
 
 #endif

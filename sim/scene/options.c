@@ -44,7 +44,7 @@ enum bead_error bead_wrong(const struct bead_reader *reader, const struct bead_a
     vsnprintf(what, sizeof what, format, values);
     va_end(values);
     add_path(at, path, sizeof path);
-    struct bead_message line, *msg = reader->faults ? &line : reader->msg;
+    struct bead_message line = {""}, *msg = reader->faults ? &line : reader->msg;
     bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s%s%s", bead_yaml_name(reader->yaml, at->node), at->node->place.line,
               at->node->place.column, bead_text_show(path, shown, sizeof shown), *path ? ": " : "", what);
     if (reader->faults)
