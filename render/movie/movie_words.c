@@ -86,12 +86,21 @@ static void name_beads(const struct bead_chain *chain, char *out, size_t size)
         add_text(out, size, " : " ELLIPSIS);
 }
 
+/* Chains of equations that have a name, but no label, have their equation beside it. */
+static bool heading_shows_equation(const struct bead_chain *chain)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    return spec->equation.name && bead_chain_title(chain)[0] && !(spec->label && spec->label[0]);
+}
+
 void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size)
 {
     char name[160], other[160], speed[40];
     bool same_beads = true, same_speed = true;
     out[0] = '\0';
     if (bead_chain_spec(facts->chains[0])->equation.name) {
+        if (heading_shows_equation(facts->chains[0]))
+            return;
         bead_chain_describe(facts->chains[0], name, sizeof name);
         for (size_t c = 1; c < facts->chain_count; c++) { /* of one equation only */
             bead_chain_describe(facts->chains[c], other, sizeof other);
@@ -218,19 +227,33 @@ void bead_line_draw(cairo_t *cr, struct bead_text_style style, const char *plain
     bead_text_draw(cr, &style, style.across == BEAD_ALIGN_END ? rect.x + rect.width : rect.x, rect.y + 0.5 * rect.height, markup);
 }
 
+enum { HEADING_MARKUP = 32 * 1024 + 1 };
+
 bool bead_heading_has(const struct bead_chain *chain)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
     return bead_chain_title(chain)[0] || bead_chain_spins(chain)[0] || (spec->label && spec->label[0]);
 }
 
-/* The label beside the name or below it, a little smaller if need be. */
-static void draw_label(cairo_t *cr, const struct bead_look *look, const char *label, double size, double x, double y, double room)
+/* Markup of the line beside the name: the label, or the equation; "": there is none. */
+static void label_markup(const struct bead_chain *chain, char *markup, size_t size)
+{
+    const char *label = bead_chain_spec(chain)->label;
+    char plain[256], marked[1024];
+    if (!heading_shows_equation(chain)) {
+        bead_text_escape(label ? label : "", markup, size);
+        return;
+    }
+    bead_chain_describe(chain, plain, sizeof plain);
+    bead_markup_symbols(plain, marked, sizeof marked);
+    bead_markup(marked, markup, size);
+}
+
+/* It stands beside the name or below it, a little smaller if need be. */
+static void draw_label(cairo_t *cr, const struct bead_look *look, const char *markup, double size, double x, double y, double room)
 {
     static const double sizes[] = {1, 0.85};
-    char markup[2048];
     double width, height;
-    bead_text_escape(label, markup, sizeof markup);
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         struct bead_text_style style = {look->family,     sizes[i] * size,     look->faint, false,
                                         BEAD_ALIGN_START, BEAD_ALIGN_BASELINE, false};
@@ -244,11 +267,11 @@ static void draw_label(cairo_t *cr, const struct bead_look *look, const char *la
 
 double bead_heading_width(const struct bead_look *look, const struct bead_chain *chain)
 {
-    const char *label = bead_chain_spec(chain)->label;
     struct bead_text_style style = {.family = look->family, .size = heading_size * look->title, .bold = true};
-    char markup[2048];
+    char markup[HEADING_MARKUP], label[HEADING_MARKUP];
     double gap = heading_gap * look->gap, width, height, all = 0;
-    if (!label || !label[0])
+    label_markup(chain, label, sizeof label);
+    if (!label[0])
         return 0;
     bead_text_escape(bead_chain_title(chain), markup, sizeof markup);
     bead_text_size(NULL, &style, markup, &width, &height);
@@ -258,21 +281,19 @@ double bead_heading_width(const struct bead_look *look, const struct bead_chain 
     bead_text_size(NULL, &style, markup, &width, &height);
     all += bead_chain_spins(chain)[0] ? width + gap : 0;
     style.size = look->label;
-    bead_text_escape(label, markup, sizeof markup);
-    bead_text_size(NULL, &style, markup, &width, &height);
+    bead_text_size(NULL, &style, label, &width, &height);
     return all + width + 1;
 }
 
 void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect)
 {
     const struct bead_chain *chain = heading->chain;
-    const char *label = bead_chain_spec(chain)->label;
     const double under = heading->lines ? heading_line * look->label : 0, line = rect.height - under;
     const double size = fmin(heading_size * look->title, 0.75 * line),
                  part = size / (heading_size * look->title); /* in low rows smaller */
     struct bead_text_style style = {look->family, size, heading->colour, true, BEAD_ALIGN_START, BEAD_ALIGN_BASELINE, false};
     double x = rect.x, y = rect.y + 0.5 * line + 0.36 * style.size, gap = heading_gap * look->gap, width, height;
-    char markup[2048];
+    char markup[HEADING_MARKUP];
     if (bead_chain_title(chain)[0]) { /* long names are set smaller before they are cut */
         bead_text_escape(bead_chain_title(chain), markup, sizeof markup);
         bead_text_size(cr, &style, markup, &width, &height);
@@ -292,8 +313,9 @@ void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct b
         }
     }
     x = heading->lines ? rect.x : x;
-    if (label && label[0])
-        draw_label(cr, look, label, part * look->label, x, y + under, rect.x + rect.width - x);
+    label_markup(chain, markup, sizeof markup);
+    if (markup[0])
+        draw_label(cr, look, markup, part * look->label, x, y + under, rect.x + rect.width - x);
 }
 
 enum { MOST_WORDS = 3, LONGEST = 32 * 1024 + 1 };

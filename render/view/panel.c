@@ -2,10 +2,12 @@
  * without turning one's head and never breaks. */
 #include "render/view/panel.h"
 
+#include <math.h>
+
 /* From a panel's top to the baseline of its title, in units of the label's font size. */
 static const double title_rise = 0.38;
 /* From a panel's left edge to the end of a title there; from its bottom to the baseline, as for numbers of axes. */
-static const double name_gap = 0.65, name_drop = 1.38;
+static const double name_gap = 0.65, least_gap = 0.3 /* from a number there */, name_drop = 1.38;
 
 void bead_panel_fill(cairo_t *cr, const struct bead_view_setup *setup, struct bead_rect plot)
 {
@@ -46,17 +48,30 @@ double bead_panel_name_room(const struct bead_look *look, const char *title)
     return width + name_gap * look->tick;
 }
 
-void bead_panel_name(cairo_t *cr, const struct bead_view_setup *setup, struct bead_rect plot, const char *title)
+/* How far numbers of the axis reach out of the panel at its left, px. */
+static double number_reach(const struct bead_look *look, const struct bead_axis *axis, struct bead_rect plot)
+{
+    struct bead_text_style style = {.family = look->family, .size = look->tick};
+    double reach = 0, width, height;
+    for (size_t i = 0; axis && i < axis->count; i++) {
+        bead_text_size(NULL, &style, axis->ticks[i].label, &width, &height);
+        reach = fmax(reach, 0.5 * width - axis->ticks[i].place * plot.width);
+    }
+    return reach;
+}
+
+void bead_panel_name(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot,
+                     const char *title)
 {
     const struct bead_look *look = setup->look;
+    double gap = fmax(name_gap * look->tick, number_reach(look, axis, plot) + least_gap * look->tick);
     struct bead_axis plain = {.unit = ""};
     struct bead_text_style style = name_style(look);
     char markup[2100];
     if (setup->ticks_only)
         return;
     bead_axis_title(&plain, title, markup, sizeof markup);
-    bead_text_draw(cr, &style, plot.x - setup->beyond[0] - name_gap * look->tick,
-                   plot.y + plot.height + look->line + name_drop * look->tick, markup);
+    bead_text_draw(cr, &style, plot.x - setup->beyond[0] - gap, plot.y + plot.height + look->line + name_drop * look->tick, markup);
 }
 
 void bead_panel_chain_axis(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot,
@@ -64,7 +79,7 @@ void bead_panel_chain_axis(cairo_t *cr, const struct bead_view_setup *setup, con
 {
     bead_axis_draw(cr, setup->look, axis, plot, BEAD_SIDE_BOTTOM, false, title != NULL, setup->name_left ? NULL : title);
     if (title && setup->name_left)
-        bead_panel_name(cr, setup, plot, title);
+        bead_panel_name(cr, setup, axis, plot, title);
 }
 
 void bead_panel_time_axis(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot)

@@ -30,7 +30,8 @@ void bead_panel_chain_axis(cairo_t *cr, const struct bead_view_setup *setup, con
 /* The axis of time below the plot, with its title unless the picture has none. */
 void bead_panel_time_axis(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot);
 /* The title of the axis along the chain left of its numbers, where vertical axes are labelled; its room there, px. */
-void bead_panel_name(cairo_t *cr, const struct bead_view_setup *setup, struct bead_rect plot, const char *title);
+void bead_panel_name(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot,
+                     const char *title);
 double bead_panel_name_room(const struct bead_look *look, const char *title);
 
 #endif

@@ -235,7 +235,7 @@ static enum bead_error profile_place(struct bead_view *v, struct bead_rect plot,
 /* Numbers below the plot that move with the camera; the title stands to their left. */
 static enum bead_error move_labels(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
-    bead_panel_name(cr, &v->setup, v->plot, bead_field_info(v->setup.field)->of_contacts ? "contact" : "bead");
+    bead_panel_name(cr, &v->setup, NULL, v->plot, bead_field_info(v->setup.field)->of_contacts ? "contact" : "bead");
     struct bead_rect strip = {v->plot.x, v->plot.y + v->plot.height, v->plot.width, (int)ceil(1.8 * v->look.tick)};
     double width = bead_camera_width(v->setup.camera);
     enum bead_error err = bead_moving_labels_create(&v->look, strip, v->plot.width / width, &v->labels, msg);

@@ -71,7 +71,7 @@ static void describe(const struct bead_equation_spec *spec, char *text, size_t s
         snprintf(alpha, sizeof alpha, " %s %.4g r\u00b2", spec->alpha < 0 ? "\u2212" : "+", fabs(spec->alpha));
     if (spec->beta != 0)
         snprintf(beta, sizeof beta, " %s %.4g r\u00b3", spec->beta < 0 ? "\u2212" : "+", fabs(spec->beta));
-    snprintf(text, size, "%zu masses, tension r%s%s", spec->points, alpha, beta);
+    snprintf(text, size, "%zu masses, T = r%s%s", spec->points, alpha, beta);
 }
 
 static size_t points(const struct bead_equation_spec *spec, double accuracy)

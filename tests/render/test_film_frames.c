@@ -255,6 +255,24 @@ static void test_differences_count(void **state)
     close_stage(&s);
 }
 
+/* Chains of equations have their equation beside their name, unless they have a label. */
+static void test_headings_show_equations(void **state)
+{
+    (void)state;
+    struct stage s = {0};
+    const int size[2] = {1280, 720};
+    open_stage(
+        &s,
+        "simulate: {until: 1}\nchains:\n"
+        "  - {name: String, equation: fput, points: 63, alpha: 0.5, start: {pulse: 0.05, width: 8, at: 20}}\n"
+        "  - {name: Limit, equation: kdv, length: 2, dispersion: 0.25, variable: strain, start: {pulse: 1, width: 0.2, at: 1}}\n"
+        "outputs: [{movie: m.mp4, field: strain, views: [profile], layout: columns}]\n",
+        size);
+    assert_true(wrote(&s.seen, "63 masses") && wrote(&s.seen, "0.25 "));
+    assert_legible(&s.seen, size, "headings of equations");
+    close_stage(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -262,6 +280,7 @@ int main(void)
         cmocka_unit_test(test_windows_that_move),
         cmocka_unit_test(test_names_are_words),
         cmocka_unit_test(test_differences_count),
+        cmocka_unit_test(test_headings_show_equations),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
