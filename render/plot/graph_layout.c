@@ -11,7 +11,7 @@
 static const double title_gap = 0.7, caption_gap = 0.5, legend_gap = 0.7, head_gap = 0.35, between_columns = 1.0,
                     between_rows = 0.8;
 /* Pages wider than this ratio have legends beside the panels, at most this part of the width; others only if it is worth it. */
-static const double most_below = 0.5; /* of the height */
+static const double most_below = 0.4; /* of the height: less than is left for the plots */
 static const double usual_legend = 0.3, widest_legend = 0.5, wide_page = 1.5;
 /* Preferred ratio of a panel's width to its height. */
 static const double wanted_shape = 1.45;
