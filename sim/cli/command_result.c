@@ -15,25 +15,19 @@ bool command_is_json(const struct command *command)
 /* "scene.yaml:3:5: what is wrong" in parts; a message without a place has none. */
 static void write_error(struct json *json, const char *text)
 {
-    double line = NAN, column = NAN;
-    const char *message = text, *file = NULL;
-    char name[sizeof((struct bead_message *)0)->text];
-    for (const char *colon = strchr(text, ':'); colon && !file; colon = strchr(colon + 1, ':')) {
-        unsigned place[2];
-        int length = 0;
-        if (sscanf(colon, ":%9u:%9u: %n", &place[0], &place[1], &length) != 2 || length == 0)
-            continue; /* a colon in the file's name, or in the words */
-        line = place[0];
-        column = place[1];
-        message = colon + length;
-        snprintf(name, sizeof name, "%.*s", (int)(colon - text), text);
-        file = name;
-    }
+    unsigned place[2];
+    int length = 0;
+    char file[sizeof((struct bead_message *)0)->text] = "";
+    const char *colon = strchr(text, ':');
+    while (colon && (sscanf(colon, ":%9u:%9u: %n", &place[0], &place[1], &length) != 2 || length == 0))
+        colon = strchr(colon + 1, ':'); /* one in the file's name, or in the words */
+    if (colon)
+        snprintf(file, sizeof file, "%.*s", (int)(colon - text), text);
     json_open(json, NULL, '{');
-    json_text(json, "file", file);
-    json_number(json, "line", line);
-    json_number(json, "column", column);
-    json_text(json, "message", message);
+    json_text(json, "file", colon ? file : NULL);
+    json_number(json, "line", colon ? place[0] : NAN);
+    json_number(json, "column", colon ? place[1] : NAN);
+    json_text(json, "message", colon ? colon + length : text);
     json_close(json, '}');
 }
 
