@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Beadreel: `make help` lists what there is.
 PREFIX  ?= /usr/local
 # Debian's own directory of libraries below /usr; elsewhere plain lib.

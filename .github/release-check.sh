@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What stands between this checkout and a release: release-check.sh TAG VERSION. The version has one place, api.h; where others say it,
 # too, they must agree; the change log must have a date; and what only the owner knows must be filled in.
 set -u

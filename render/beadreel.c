@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* beadreel: does everything a scene asks for, pictures and movies included; draws existing trajectories. */
 #include "beadreel/canvas.h"
 #include "beadreel/colormap.h"

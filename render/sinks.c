@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of everything that draws: one line for each kind of output. */
 #include "beadreel/render.h"
 #include "render/figure/contact_sheet.h"

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The results on arm64 have the bits of x86-64: tests/arm64.sh PACKAGE..., or `make arm64-test`, which names what the build needs.
 # Makes a minimal Debian 12 for arm64 with these packages (see debian.bash), compiles for it with the cross compiler, and runs every
 # ready scene in QEMU: their hashes are those of tests/reference/bits.txt, made on x86-64. It ends with `N of M hashes are equal`.

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Print every arrow between rooms that runs up: tests/arrows.sh ROOT [BUILD]
 # A room is a folder of sim/ or render/; sim/README.md and render/README.md list them from the top floor down, and render stands on
 # sim. An arrow is an #include or, where BUILD has the objects, a name that one room uses and another defines: calls of functions that

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Requested accuracy against the errors found: peaks of contacts and beads of a chain beside references of its own, for tests and
  * stress.
  *

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Hash every result of the ready scenes, to compare two builds bit by bit: tests/bits.sh BUILD [SCENE...]
 # EMULATOR=COMMAND runs the programs of another processor. The first line names the library that writes trajectories, whose bytes (not
 # numbers) may depend on its version. Then, for each scene, come the hash of all

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Open pictures and movies in a headless Chromium: browser.py CHROMIUM DIRECTORY FILE...
 
 A server on localhost gives the files to a page that plays and draws them, and takes its findings, one line of TAP a finding.

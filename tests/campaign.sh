@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The full campaign, an hour or two, and its figures: tests/campaign.sh BUILD (make campaign)
 # Builds and runs fuzzing (twice: with the address sanitizer, and longer with the one of undefined behaviour alone, which is faster),
 # torture and the thread sanitizer. Fuzzing adds to what earlier runs have counted in BUILD-*fuzz/runs.txt. Then writes the figures into

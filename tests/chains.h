@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chains made without scenes, and steppers on them. */
 #ifndef BEADREEL_TESTS_CHAINS_H
 #define BEADREEL_TESTS_CHAINS_H

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a shell makes of lines on a real terminal: complete.py SHELL SCRIPT LINE... prints each line after TAB.
 
 The shell runs in a pseudo-terminal, without the user's settings, loads the completion SCRIPT and is typed at."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests reach of sim and render, by room: python3 tests/coverage.py FILE, where FILE is from `gcovr --json` (tests/coverage.sh).
 
 Names the lines that nothing reaches and the branches that are never taken, as file:line: text. Ends with whether the aims hold."""

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Line and branch coverage of sim and render by all tests: tests/coverage.sh BUILD [NAME...], a build with gcc's --coverage.
 # With names, only these tests are run, and add to what others have reached before. The report stays as BUILD/coverage.txt.
 # Programs killed by SIGKILL write no counts; kernels compiled for several instruction sets count as one source.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Sourced by the scripts that make a Debian system of their own (fresh.sh, arm64.sh, packages.sh): as root, with debootstrap, in a temporary
 # directory that goes when they end. MIRROR=URL names another mirror than the host's.
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1

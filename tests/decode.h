@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Movies read back with libav, for tests of what was written. */
 #ifndef BEADREEL_TESTS_DECODE_H
 #define BEADREEL_TESTS_DECODE_H

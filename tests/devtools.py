@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A headless Chromium, driven by its own protocol through two pipes: no server, no other package."""
 import base64
 import json

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chains drawn at random, beside references of their own: are peaks as accurate as was asked, or as their uncertainties say? For
  * tests and stress.
  *

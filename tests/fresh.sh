@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The README's two commands on a bare Debian of this checkout's HEAD: tests/fresh.sh SUITE (bookworm or trixie), or `make fresh`.
 # Makes a minimal system (see debian.bash), adds make, git and ca-certificates, clones the commit into it, runs the commands there
 # and removes it all. It takes 3 GB and some minutes. Exit status 0 passed, 1 failed, 77 it cannot be tried here.

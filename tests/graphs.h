@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the tests of graphs share: made-up curves, a picture in memory. */
 #ifndef BEADREEL_TESTS_GRAPHS_H
 #define BEADREEL_TESTS_GRAPHS_H

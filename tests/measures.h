@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Measures of single runs, read from the tables of scenes. */
 #ifndef BEADREEL_TESTS_MEASURES_H
 #define BEADREEL_TESTS_MEASURES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tests that need what a machine may lack; after cmocka.h. tests/run.sh counts those left out, and lists what was missing. */
 #ifndef BEADREEL_TESTS_MISSING_H
 #define BEADREEL_TESTS_MISSING_H

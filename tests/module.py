@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The module assets/python/beadreel.py, as a user has it: module.py FOLDER. numpy and h5py are needed. Prints TAP."""
 import os
 import pathlib

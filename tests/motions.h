@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Equations run without scenes: their tables called as a run does. */
 #ifndef BEADREEL_TESTS_MOTIONS_H
 #define BEADREEL_TESTS_MOTIONS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the tests of movies share: a temporary directory, frames, and the formats there are. */
 #ifndef BEADREEL_TESTS_MOVIES_H
 #define BEADREEL_TESTS_MOVIES_H

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Debian packages: tests/packages.sh DIRECTORY, or `make deb-test`. Asks lintian of those in the directory, which are for the host's
 # release; installs them on a bare system of it (see debian.bash), uses them there as a plain user, and removes them. Minutes.
 # Ends with `N passed, M failed`; exit status 77: it cannot be tried here.

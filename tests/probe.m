@@ -1,3 +1,4 @@
+% SPDX-License-Identifier: GPL-3.0-or-later
 % Values of datasets as Octave's `load` has them: octave probe.m FILE.h5 DATASET...
 % Prints one line each: how many values there are, then some of them. readers.py compares.
 arguments = argv ();

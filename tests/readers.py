@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Check that other programs' readers open a trajectory and read the right numbers: readers.py FILE [python]
 
 h5py is needed; MDAnalysis, xarray (with h5netcdf), silx, Octave, jsfive, h5wasm and VTK's XDMF reader are tried where they are

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Read reports as people do, in a headless Chromium: report.py CHROMIUM ASSETS DIRECTORY; one line of TAP a finding.
 
 DIRECTORY has run.html with force.csv, the forces at its sensors at the same times; and sweep.html with force of configurations.csv and

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Run all tests of a build and count them: tests/run.sh BUILD [NAME...]
 # Unit tests are the programs BUILD/tests/test_* (from tests/ROOM/test_*.c), the others tests/*.sh and tests/cli/*.sh; each prints TAP.
 # Ends with `N passed, M failed`, or `N passed, M failed, K skipped` where the machine lacks what some need; exit status 1 if any

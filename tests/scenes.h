@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the tests of scenes share: parsing a text, and refusing one with the message expected. */
 #ifndef BEADREEL_TESTS_SCENES_H
 #define BEADREEL_TESTS_SCENES_H

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Validates scenes against the JSON Schema: schema.py SCHEMA. python3-jsonschema and python3-yaml are needed. Prints TAP.
 
 Ready scenes, golden scenes and the examples of the manual must pass. Of tests/bad, those that are wrong in their structure must not:

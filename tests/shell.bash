@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # For shell tests: `source "$(dirname "$0")/../shell.bash"`. Prints TAP; everything is written below $T, which is removed.
 set -u
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sweeps for tests, computed from the text of a scene. */
 #ifndef BEADREEL_TESTS_SWEEPS_H
 #define BEADREEL_TESTS_SWEEPS_H

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What the shared libraries export, with the version that brought each function: tests/symbols.sh BUILD, or `make symbols`.
 # Writes tests/reference/libbead*.symbols anew, as Debian's dpkg-gensymbols has them; what was there keeps its version. A function
 # that is gone needs a new soname: see include/beadreel/api.h.

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Rooms use only the rooms below them, and the check of that sees what it should.
 source "$(dirname "$0")/shell.bash"
 cd "$top" || exit 1

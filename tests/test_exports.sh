@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What the shared libraries export and need.
 source "$(dirname "$0")/shell.bash"
 only_bead() {

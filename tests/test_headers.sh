@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Every public header compiles alone, as C17 and as C++17 with all warnings, and can be included twice.
 source "$(dirname "$0")/shell.bash"
 cd "$top" || exit 1

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The Makefile: dependencies, a machine on which nothing is installed, installation.
 source "$(dirname "$0")/shell.bash"
 cd "$top" || exit 1

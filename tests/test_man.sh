@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The man pages: up to date with the programs, well-formed, their scenes and commands right.
 source "$(dirname "$0")/shell.bash"
 pages=("$top"/assets/man/*.[15])

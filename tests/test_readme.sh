@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What the README files show is true: scenes, commands, the library example, the gallery, links.
 source "$(dirname "$0")/shell.bash"
 readme=$top/README.md

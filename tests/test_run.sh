@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # tests/run.sh: what it counts as passed, failed and skipped, and what it says is missing.
 source "$(dirname "$0")/shell.bash"
 mkdir -p "$T/tests/cli" "$T/build/tests"

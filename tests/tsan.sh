@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Demo, sweep and every kind of output with several threads: tests/tsan.sh BUILD, a build with the thread sanitizer.
 # Each run must end as it should, without a report of a race; tests/tsan.txt names the libraries that the sanitizer cannot judge.
 # Ends with `N passed, M failed`.

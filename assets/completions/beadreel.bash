@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # bash completion for beadreel and beadsim: options and their values are those that the program names (--help=words).
 _beadreel()
 {

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # fish completion for beadreel and beadsim: options, their values and their help are those that the program names (--help=words).
 
 # Ready scenes, scene files and results; behind `--list keys`, parts of a scene.

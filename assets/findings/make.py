@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Make assets/findings.md from its template: make.py [--all | --renew] BEADSIM >findings.md
 
 Runs the template's `sh` blocks, in their order and in a folder of their own, and puts what they wrote into the text: «EXPRESSION:FORMAT»

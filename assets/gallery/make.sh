@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Make the README's gallery: make.sh BEADREEL DIRECTORY. Runs the commands that the README shows, as they stand there, and copies
 # the pictures that it shows. They are small, since they are kept with the sources.
 set -eu

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Fill in the generated parts of the man pages: assets/man/make.sh [--check] BUILD PAGE...
 # A part stands between `.\" begin: COMMAND` and `.\" end`; COMMAND is `beadreel ...` or `beadsim ...`. What --help=man and
 # --help=man-keys print is man source already; what --list prints becomes a list of terms. The version in .TH follows the program.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The manual: chapters of Markdown and the man pages, made into HTML, and the commands in them, for the tests.
 
     make.py html BUILD TO       everything into the directory TO, with pandoc and mandoc; pictures are made by the chapters' own scenes

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Round ticks for axes of any scale, and the colour bar. */
 
 /* About `most` round numbers from low to high, two at least. */

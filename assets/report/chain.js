@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One chain on its canvas, as in the films: the row of beads, a lens that follows the front, the profile, the space-time image.
  * Along the chain places are counted in values (beads or contacts) from the first one shown; `zoom` is common to all chains. */
 

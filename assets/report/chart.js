@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Curves and points in SVG, with axes, a legend, a line that says "now", and values under the pointer. */
 
 const svgElement = (name, attributes = {}, text) => {

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The numbers of the report: samples unpacked, values between samples, quantities with units, colours. */
 
 const data = JSON.parse(document.getElementById('data').textContent);

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What all reports have: tables, the scene with its button, who made them. */
 
 const say = text => { element('said').textContent = text; };

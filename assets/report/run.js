@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A run: the stage with all chains, playing, zooming and choosing with pointer and keys, and the parts of the page below. */
 
 const chains = data.kind === 'run' ? data.chains.map((c, i) => new Chain(c, i)) : [];

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Peaks and numbers of a run; and everything set going. */
 
 /* ---- peaks ---- */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A sweep: force against magnetism, and the space-time images of its configurations. */
 
 const state = {panel: 0, place: 0, image: null};

@@ -1,4 +1,5 @@
 #version 330 core
+// SPDX-License-Identifier: GPL-3.0-or-later
 // As in render/paint/pixel_kernels_balls.h, which tests compare with it. Most of the time of painting is spent here.
 flat in vec4 disc;
 flat in vec2 sides;

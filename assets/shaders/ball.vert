@@ -1,4 +1,5 @@
 #version 330 core
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A sphere as a point or a square that just holds it and its soft edge. Nothing is interpolated: every pixel computes
 // from its own place, so that a part of a picture is the same whether drawn alone or with the rest. What all pixels
 // of a ball have in common is computed here, once.

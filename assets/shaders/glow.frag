@@ -1,4 +1,5 @@
 #version 330 core
+// SPDX-License-Identifier: GPL-3.0-or-later
 // As in render/paint/pixel_kernels_marks.h, which tests compare with it.
 flat in vec4 bounds, paint;
 out vec4 pixel;

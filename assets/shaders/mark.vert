@@ -1,4 +1,5 @@
 #version 330 core
+// SPDX-License-Identifier: GPL-3.0-or-later
 layout(location = 0) in vec4 box; // x0, y0, x1, y1
 layout(location = 1) in vec4 form;
 layout(location = 2) in float kind;

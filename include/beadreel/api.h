@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Marks of the public interface: what is exported, what must be checked. */
 #ifndef BEADREEL_API_H
 #define BEADREEL_API_H

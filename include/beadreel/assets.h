@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Assets: materials, colour maps, shaders and ready scenes beside the program.
  * Looked for in $BEADREEL_ASSETS, in assets/ beside the program, in ../share/beadreel from it, and
  * where `make install` put them. */

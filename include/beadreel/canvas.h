@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Canvas: what beads are painted with, behind a small table of back ends. `osmesa` and `egl` have Mesa's software OpenGL run
  * shaders; `plain` paints into frames itself by the same formulas, needs no library and is the fastest.
  * A canvas belongs to the thread that created it. Created only for views that paint. */

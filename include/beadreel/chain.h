@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chains: beads, contacts and forces, made from a scene; not changed afterwards, so threads may share one.
  *
  * Bead 0 is the striker, beads 1..N the chain. Contact k is between beads k and k+1; the contact with

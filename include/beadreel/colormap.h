@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Colour maps: from numbers to palette indices to colours. */
 #ifndef BEADREEL_COLORMAP_H
 #define BEADREEL_COLORMAP_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Errors: a code to act on and a message to show.
  *
  * Functions that can fail return `enum bead_error` (0 is success) and take a `struct bead_message *`

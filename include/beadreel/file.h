@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files that appear whole or not at all: written as `name.part`, renamed to `name` when they are finished.
  *
  *   bead_file_join(directory, output->path, &path, msg);

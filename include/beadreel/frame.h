@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Frames: pixels in memory, and which of them changed. */
 #ifndef BEADREEL_FRAME_H
 #define BEADREEL_FRAME_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pair forces: one const row each. Compression d > 0 pushes the beads apart with force f(d).
  *
  * Everything that depends on the law is asked of its row. To add a law: a row in sim/chain/law.c and, if it has settings, its keys

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Libraries that are opened only when something is made with them, so that a machine may lack them. */
 #ifndef BEADREEL_LIBRARY_H
 #define BEADREEL_LIBRARY_H

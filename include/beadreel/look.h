@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Looks, text and axes: the parts of a picture that explain it. All lengths in device pixels; a vector
  * file's context is scaled so that its unit is the pixel of the raster inside. */
 #ifndef BEADREEL_LOOK_H

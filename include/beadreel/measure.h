@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Measures: numbers that describe the run of one chain: speed, width, energy of the leading pulse, decay, transmission ...
  *
  *   err = bead_measures_create(chain, &measures, &msg);

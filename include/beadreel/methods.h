@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Integrators: one const row each; coefficients are data. */
 #ifndef BEADREEL_METHODS_H
 #define BEADREEL_METHODS_H

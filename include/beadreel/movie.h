@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Movies: frames into a file through libavcodec and libavformat. The container follows the extension:
  * mp4 (H.264), mov (ProRes 4444; lossless: PNG), mkv (H.264; lossless: FFV1), webm (VP9), gif, png/apng (APNG); lossless mp4 and
  * webm keep RGB as it is.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kinds of outputs that there are, one row each, in the order of --list keys.
  *
  * To add a kind NAME: its row here; a file sim/scene/output_NAME.c with its keys and a `const struct bead_output_type

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Order of a wave: how clean it still is when its front reaches the end of the chain.
  *
  *   err = bead_participation_clean(chain, &clean, &msg);          runs the clean wave

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pictures: a finished frame into a PNG file, or a drawing into PDF and SVG. */
 #ifndef BEADREEL_PICTURE_H
 #define BEADREEL_PICTURE_H

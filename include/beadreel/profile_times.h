@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A field along chains at a few moments: what `show: profiles` plots and lists. For sinks: give them the output and stage they were
  * made with, and every sample. */
 #ifndef BEADREEL_PROFILE_TIMES_H

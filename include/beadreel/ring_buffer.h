@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pipes: a bounded ring of slots between a producer and one worker thread.
  * With threads == 1 the worker runs inside bead_ring_buffer_submit, in order: the results are the same. */
 #ifndef BEADREEL_RING_BUFFER_H

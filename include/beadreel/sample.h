@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Samples: the state of one chain at one time, as outputs get it. */
 #ifndef BEADREEL_SAMPLE_H
 #define BEADREEL_SAMPLE_H

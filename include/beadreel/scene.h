@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scenes: what chain to strike and what pictures are wanted.
  *
  *   struct bead_scene *scene;

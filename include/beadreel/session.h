@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sessions: a scene, or a trajectory, played into its outputs.
  *
  *   struct bead_job job;

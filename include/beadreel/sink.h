@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sinks: where samples go. A trajectory, a table, an image and a movie are each one const table
  * `struct bead_sink_type`, found by the kind of output. How its files may end, the kind says.
  *

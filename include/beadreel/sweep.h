@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sweeps: many chains that differ in the spins of their random cells, and their results.
  *
  *   err = bead_sweep_create(scene, &sweep, &msg);                 or    err = bead_sweep_open("sweep.h5", ..., &sweep, &msg);

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Trajectories: H5MD 1.1 files that explain themselves.
  *
  * Reading: bead_trajectory_open checks the file (it is not trusted), rebuilds the scene and its chains from

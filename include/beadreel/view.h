@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Views: each draws one aspect of one chain into a rectangle it is given, one const table a view. Names and traits: view_kind.h.
  *
  *   create -> place (rectangle) -> decorate (axes: once) -> feed (samples, in time order) and draw (contents at a time), repeated

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The views that there are, one row each: what scenes, layouts and captions must know of a view. How it draws stands in view.h.
  *
  * To add a view: its row here, and its file render/view/view_NAME.c with a `const struct bead_view_type bead_view_NAME_type`. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses the ticks of axes, and their labels. axis_draw.c draws them. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws axes: line, ticks, labels and title, and measures how far they reach. Without a context it only measures, for layouts. */
 #include <math.h>
 #include <stdio.h>

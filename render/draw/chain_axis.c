@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The axis along a chain, and its title: beads, contacts or positions. */
 #include "render/draw/chain_axis.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The axis along a chain: numbers of beads or contacts, or positions of an equation's points. */
 #ifndef BEADREEL_RENDER_DRAW_CHAIN_AXIS_H
 #define BEADREEL_RENDER_DRAW_CHAIN_AXIS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Colour maps: the list of them, reading one from its file, and the colour of a value. */
 #include "beadreel/colormap.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws the bar beside a picture that explains its colours, and measures it for layouts. */
 #include <math.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Colours of many values: the same indices as bead_colours_index gives one by one. */
 #ifndef BEADREEL_RENDER_DRAW_COLOUR_TABLE_H
 #define BEADREEL_RENDER_DRAW_COLOUR_TABLE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Frames: pixels in memory, copies of rectangles, their hash, and the list of rectangles that changed. */
 #include "beadreel/frame.h"
 

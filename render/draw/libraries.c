@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One table for packagers: what is opened at run time and what for (beadreel --list libraries). Canvases and encoders open their
  * libraries by these rows. */
 #include "render/draw/libraries.h"

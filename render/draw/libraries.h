@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The libraries that are opened at run time, when a canvas or a movie first needs them: nothing links them. */
 #ifndef BEADREEL_RENDER_DRAW_LIBRARIES_H
 #define BEADREEL_RENDER_DRAW_LIBRARIES_H

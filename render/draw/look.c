@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Looks: fonts, sizes and colours of paper, slide, screen and movie. Every picture takes its look from here. */
 #include "beadreel/look.h"
 

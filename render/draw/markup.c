@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Turns the texts of figures into Pango markup: subscripts, superscripts, symbols in italics. */
 #include "render/draw/markup.h"
 

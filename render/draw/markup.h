@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Texts of figures to Pango markup: `_x`, `_{xy}`, `^x` and `^{xy}` set subscripts and superscripts, `*x*` mathematical italics; a
  * backslash keeps the next character as it is. Greek and signs are UTF-8. */
 #ifndef BEADREEL_RENDER_DRAW_MARKUP_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Names of walls, decimals of magnetisms. */
 #include "render/draw/names.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What pictures call chains and materials: never the identifiers of the scene. */
 #ifndef BEADREEL_RENDER_DRAW_NAMES_H
 #define BEADREEL_RENDER_DRAW_NAMES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The notes of a picture, as a caller gives them. */
 #ifndef BEADREEL_RENDER_DRAW_NOTES_H
 #define BEADREEL_RENDER_DRAW_NOTES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pages: size and look of a still from its output, and writing a drawing as PNG, PDF or SVG with its notes. */
 #include "render/draw/page.h"
 

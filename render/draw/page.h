@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pages: size and look of a still, from its output's settings and file name. */
 #ifndef BEADREEL_RENDER_DRAW_PAGE_H
 #define BEADREEL_RENDER_DRAW_PAGE_H

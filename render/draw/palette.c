@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Palettes of animations: which colours all frames get, and their pixels as indices. GIF files are made with it. */
 #include <limits.h>
 #include <math.h>

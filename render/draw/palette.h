@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A palette of up to 255 colours for all frames of an animation: first all are counted, then the colours are chosen, then frames
  * converted. No dithering: flat areas stay flat and still areas still. A palette that changed on the way would cost a whole picture
  * for every frame from then on, since encoders leave out what stays as it is only with the palette of the first frame. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses the span of time that a picture shows, and its sampling grid. Figures, bare images and plots ask it. */
 #include "render/draw/picture_times.h"
 

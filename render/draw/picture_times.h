@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The span of time that a picture shows, and its sampling grid. */
 #ifndef BEADREEL_RENDER_DRAW_PICTURE_TIMES_H
 #define BEADREEL_RENDER_DRAW_PICTURE_TIMES_H

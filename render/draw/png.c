@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes PNG through libpng: fast settings for flat colours (no filter, since rows repeat), exact colours, notes. */
 #include <errno.h>
 #include <png.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers with units as text: SI prefixes, signs, thousands. Axes, headings and messages are written with it. */
 #include <math.h>
 #include <stdio.h>

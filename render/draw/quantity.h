@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers and units as people write them. */
 #ifndef BEADREEL_RENDER_DRAW_QUANTITY_H
 #define BEADREEL_RENDER_DRAW_QUANTITY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Wraps a frame's pixels in a cairo context, and reports what cairo could not draw. */
 #include "render/draw/raster.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Drawing into the pixels of frames with cairo.
  *
  *   cairo_t *cr = bead_raster_begin(&frame);

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Splines through the values of a profile, a few points to a gap. */
 #include "render/draw/smooth_curve.h"
 

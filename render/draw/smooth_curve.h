@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A smooth curve through values at beads: the cubic spline with continuous curvature (C. de Boor, A Practical Guide to Splines,
  * 1978, chapter IV), whose peak stays as high while a pulse passes from bead to bead; a polygon's goes up and down by a tenth. */
 #ifndef BEADREEL_RENDER_DRAW_SMOOTH_CURVE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Divides premultiplied colours by their alpha. */
 #include "render/draw/straight.h"
 

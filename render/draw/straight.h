@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Straight colours from premultiplied ones: files of pictures and movies want the colour of what covers a pixel. */
 #ifndef BEADREEL_RENDER_DRAW_STRAIGHT_H
 #define BEADREEL_RENDER_DRAW_STRAIGHT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finishes SVG files: puts title, description and words into them, and renumbers the names that cairo gives, so that the same
  * picture always has the same bytes. vector.c calls it. */
 #include "render/draw/svg_ids.h"

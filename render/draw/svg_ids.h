@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finishing SVG files: their title, and names. cairo numbers surfaces through the life of a program, so the same picture would get
  * different bytes. */
 #ifndef BEADREEL_RENDER_DRAW_SVG_IDS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Words of a page as <text> elements, with the fonts named that they were laid out in. text.c gives the lines, vector.c writes
  * them. */
 #include "render/draw/svg_text.h"

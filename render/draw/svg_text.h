@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Letters of SVG files as text. cairo knows outlines only, so the words of a page are kept aside while it is drawn, and written
  * after everything else, run by run, each at its place and as wide as it was laid out. */
 #ifndef BEADREEL_RENDER_DRAW_SVG_TEXT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Text through Pango, laid out without regard to the pixel grid, so that it is the same in rasters and vector files. */
 #include <fcntl.h>
 #include <fontconfig/fontconfig.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes PDF and SVG through cairo. PDF keeps text as text, with fonts embedded; SVG as text with fonts named, or as outlines. */
 #include <cairo-pdf.h>
 #include <cairo-svg.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Warnings of the libraries that draw become errors of the picture that was being drawn. */
 #include "render/draw/warnings.h"
 

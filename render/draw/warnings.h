@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Warnings of the libraries that draw: GLib, Pango, cairo.
  *
  * They warn and go on where a font cannot be opened, say, and the picture then has boxes for letters. A picture that was warned of

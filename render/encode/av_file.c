@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files of libav: contexts over open descriptors, and the last step of an mp4 movie, which copies the fragments it grew by into a
  * plain file. */
 #include "render/encode/av_file.h"

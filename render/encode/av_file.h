@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files as libav reads and writes them: by descriptor, so that no name is looked up, and no link followed, after the first time. */
 #ifndef BEADREEL_RENDER_ENCODE_AV_FILE_H
 #define BEADREEL_RENDER_ENCODE_AV_FILE_H

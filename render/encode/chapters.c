@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Gives a format of libav the chapters of a movie. The format frees them. */
 #include "render/encode/chapters.h"
 

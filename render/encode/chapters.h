@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chapters of movies, in containers that have them. */
 #ifndef BEADREEL_RENDER_ENCODE_CHAPTERS_H
 #define BEADREEL_RENDER_ENCODE_CHAPTERS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of codecs: for every movie format its container, and for every quality its encoder and options. */
 #include "render/encode/movie_private.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Changed rectangles of a frame into the pixel format of an encoder: kinds of YUV and of RGB, with alpha or without. */
 #include "render/encode/convert.h"
 

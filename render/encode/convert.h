@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pixels as encoders want them: changed rectangles of a frame into a retained picture of libav's. */
 #ifndef BEADREEL_RENDER_ENCODE_CONVERT_H
 #define BEADREEL_RENDER_ENCODE_CONVERT_H

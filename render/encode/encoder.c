@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes frames to a file with libavcodec and libavformat: one video stream, times in frames, pictures kept and changed in place.
  * The sink's encoding thread calls these functions; pictures.c converts the pixels before. */
 #include <errno.h>

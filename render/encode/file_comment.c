@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Inserts a comment before the last byte of a GIF file, or before the last chunk of a PNG file. encoder.c calls it before it closes
  * the part. */
 #include "render/encode/file_comment.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Comments in files whose muxers in libavformat write none: GIF and APNG. */
 #ifndef BEADREEL_RENDER_ENCODE_FILE_COMMENT_H
 #define BEADREEL_RENDER_ENCODE_FILE_COMMENT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes a GIF file in two passes over a lossless one: the first counts colours, the second encodes with the best palette for all
  * frames. */
 #include "render/encode/gif.h"

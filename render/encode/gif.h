@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* GIF files, made of a lossless movie that has grown meanwhile. */
 #ifndef BEADREEL_RENDER_ENCODE_GIF_H
 #define BEADREEL_RENDER_ENCODE_GIF_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Hashes instead of pictures: a line of 16 hexadecimal digits a frame, so that runs can be compared without any codec. */
 #include <inttypes.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* FFmpeg's libraries: opened once a movie needs them, each function looked up by its name; hints for encoders. */
 #include "render/encode/libav.h"
 

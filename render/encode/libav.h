@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* FFmpeg's libraries, opened when a movie is made: they pull in a hundred others, which pictures need not wait for. */
 #ifndef BEADREEL_RENDER_ENCODE_LIBAV_H
 #define BEADREEL_RENDER_ENCODE_LIBAV_H

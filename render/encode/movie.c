@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Movies: checks, and the steps from open to close. The functions of the format (encoder.c, hashes.c) do the rest. */
 #include "beadreel/movie.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parts of a movie: the table of codecs, and the two ways to write frames (libav's encoders; lines of hashes). */
 #ifndef BEADREEL_RENDER_ENCODE_MOVIE_PRIVATE_H
 #define BEADREEL_RENDER_ENCODE_MOVIE_PRIVATE_H

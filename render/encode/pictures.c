@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pictures of libav, brought up to date with what changed in the frames, and made writable where an encoder kept one. */
 #include "render/encode/pictures.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pictures as an encoder wants them, changed in place as frames change. */
 #ifndef BEADREEL_RENDER_ENCODE_PICTURES_H
 #define BEADREEL_RENDER_ENCODE_PICTURES_H

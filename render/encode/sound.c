@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Encodes the sound of a movie, all at once. */
 #include "render/encode/sound.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sound of movies, in containers that have it. */
 #ifndef BEADREEL_RENDER_ENCODE_SOUND_H
 #define BEADREEL_RENDER_ENCODE_SOUND_H

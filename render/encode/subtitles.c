@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes the packets of subtitles. They are texts with little around them, which needs no encoder. */
 #include "render/encode/subtitles.h"
 

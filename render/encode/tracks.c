@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Keeps the packets of a movie's further tracks and writes them among those of the pictures. */
 #include "render/encode/tracks.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tracks beside the pictures of a movie, such as subtitles: packets that are ready when the finished file is written. */
 #ifndef BEADREEL_RENDER_ENCODE_TRACKS_H
 #define BEADREEL_RENDER_ENCODE_TRACKS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bare pixels, `axes: false`: unless the scene wants them otherwise (`orientation`) they lie as in Octave's imagesc, bead 0 in the
  * top row, beads downwards, time to the right. Several chains stand one below the other, or side by side where time runs down. The
  * picture has exactly the size asked for, and its palette is the colour map. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The life of a contact sheet, a sink of sweeps: choose configurations, run them until their fronts arrive, run them again into
  * their pictures, and draw. */
 #include "render/figure/contact_sheet.h"

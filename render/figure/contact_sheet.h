@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contact sheets of sweeps: small space-time images of many configurations, rows by magnetism, with one range of colours.
  * contact_sheet.c (life), contact_sheet_layout.c (which pictures, and where), contact_sheet_words.c, contact_sheet_draw.c. */
 #ifndef BEADREEL_RENDER_FIGURE_CONTACT_SHEET_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws a contact sheet: pictures, spins, numbers, and the bar of colours. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which configurations a contact sheet shows, and where. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contact sheets: the words that explain them, names of rows, and the colours of spins. */
 #include <math.h>
 #include <stdio.h>

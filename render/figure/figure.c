@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Creates a figure and feeds it samples; figure_write.c finishes it. It is a still of its own (figure_still.c) or one of several
  * panels. */
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Figures: one or more views of every chain, with axes, headings and a colour bar; a still of its own, or one of its panels.
  *
  *   bead_figure_create -> bead_figure_put, repeated -> bead_figure_start -> needs, feed -> bead_figure_extremes ->

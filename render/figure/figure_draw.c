@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws what is not a view in a figure: headings, title and time, the colour bar. */
 #include <math.h>
 #include <stdio.h>

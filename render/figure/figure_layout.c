@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The layout of a figure. Axes are measured by drawing them onto a recording surface; plots get the remaining room. */
 #include <math.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of a figure share: figure.c (made and fed), figure_layout.c (where things go), figure_draw.c (headings, bar),
  * figure_write.c (the end), figure_still.c (a page of its own). */
 #ifndef BEADREEL_RENDER_FIGURE_FIGURE_PRIVATE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A figure with a page of its own: the last kind of still, for images that no other kind wants. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The end of a figure: ranges are known, the views of one moment are created, and everything is drawn. */
 #include <math.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stills of several panels, and images with a caption: made and fed. The first kind of still that still.c asks. */
 #include "render/figure/panels_private.h"
 

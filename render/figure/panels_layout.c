@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The layout of panels: every panel says how far its axes reach out of its plots; then the plots of a row get one width and height,
  * and those of a column one left border. */
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stills with a caption or of several panels, images and plots side by side. One table of rows; plots of a row are equally high,
  * those of a column stand above each other, panels of one field have one range of colours and one bar.
  * panels.c (made and fed), panels_layout.c (where they go), panels_write.c (the end). */

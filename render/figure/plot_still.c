@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Two kinds of still: a plot and a schematic drawing, each with a page of its own. */
 #include <stdlib.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sinks for `image:` and `plot:` outputs: each is a still of the first kind that wants it. */
 #include "render/figure/still.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stills: outputs of one picture, `image:` and `plot:`. still.c picks the kind that draws an output. */
 #ifndef BEADREEL_RENDER_FIGURE_STILL_H
 #define BEADREEL_RENDER_FIGURE_STILL_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Captions of movies: their timing, and how they are broken into lines and drawn. The composer shows one at a time. */
 #include "render/movie/captions.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Captions of a movie: which one is shown when, and how. */
 #ifndef BEADREEL_RENDER_MOVIE_CAPTIONS_H
 #define BEADREEL_RENDER_MOVIE_CAPTIONS_H

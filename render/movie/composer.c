@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Composes the frames of a movie: lays out, creates the views, draws the static layer once, then lets views and overlay update the
  * frame. */
 #include "render/movie/composer_private.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Frames of a movie, one after the other: layout, static layer, views.
  *
  *   bead_composer_create (any thread) -> bead_composer_open (the drawing thread: canvas, static layer)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of a composer share: composer.c, movie_camera.c, movie_overlay.c (what is drawn over the views). */
 #ifndef BEADREEL_RENDER_MOVIE_COMPOSER_PRIVATE_H
 #define BEADREEL_RENDER_MOVIE_COMPOSER_PRIVATE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A film whose speed changes: pieces of motion between the times of its curve and the captions that make a pause. */
 #include "render/movie/film_clock.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Time of the film against time of the motion: even, or with a speed that changes and pauses at captions. */
 #ifndef BEADREEL_RENDER_MOVIE_FILM_CLOCK_H
 #define BEADREEL_RENDER_MOVIE_FILM_CLOCK_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes the sound of a film from the samples of a force. The sink feeds it and writes it at the end.
  *
  * The sound at a time of the film is the force at the time of the motion that the picture shows then, above the force at rest.

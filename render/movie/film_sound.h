@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sound of a film: a force, slowed like the picture. */
 #ifndef BEADREEL_RENDER_MOVIE_FILM_SOUND_H
 #define BEADREEL_RENDER_MOVIE_FILM_SOUND_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cameras of a movie that follows the front: windows of one length, and the widths of the plots that show them. Part of
  * creating a composer. */
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Arranges the cells of a movie's frame: columns of plots, each a stack of views. Space-time images get their share first. */
 #include "render/movie/movie_cells.h"
 

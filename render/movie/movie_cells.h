@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cells of a movie's frame: how many stand side by side, and what their views get. movie_layout.c asks for it. */
 #ifndef BEADREEL_RENDER_MOVIE_MOVIE_CELLS_H
 #define BEADREEL_RENDER_MOVIE_MOVIE_CELLS_H

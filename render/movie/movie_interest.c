@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How much a frame has to show, by which the sink chooses the poster: the difference between chains, or what a lone chain shows. */
 #include <math.h>
 #include <stdlib.h>

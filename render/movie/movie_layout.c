@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The layout of a movie's frame. For every number of columns that the scene allows, levels leave out words, headings and axes one
  * after the other until the cells fit; the arrangement that leaves out least is taken. composer.c asks for it once. */
 #include "render/movie/movie_layout.h"

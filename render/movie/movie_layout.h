@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Layout of a movie's frame: rectangles only. The clock and words above, captions at the bottom, a colour bar at the right or, in
  * frames that are not wide, beside the clock. Between them cells, one for each chain: a heading and the chain's views, below each
  * other. The cells stand below each other, side by side, or both; an overlay has one profile for all chains above the cells, and

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Measures what a movie's frame is to hold, before its layout: axes, words, captions. Part of creating a composer. */
 #include <math.h>
 #include <string.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The comment, the chapters and the subtitles of a movie's file. The sink makes them once the times are known. */
 #include "render/movie/movie_notes.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a movie's file says beside its pictures: what made it, its chapters and subtitles. */
 #ifndef BEADREEL_RENDER_MOVIE_MOVIE_NOTES_H
 #define BEADREEL_RENDER_MOVIE_MOVIE_NOTES_H

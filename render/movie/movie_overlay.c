@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What changes around the views: time, line about the horizon, caption; and the colour bar. The composer updates it after the
  * views. */
 #include <math.h>

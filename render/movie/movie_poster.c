@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Keeps the frame that becomes the poster while frames pass, and writes it. The sink offers it every frame drawn. */
 #include "render/movie/movie_poster.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The poster of a movie: one of its frames, kept while it passes, as a PNG file. */
 #ifndef BEADREEL_RENDER_MOVIE_MOVIE_POSTER_H
 #define BEADREEL_RENDER_MOVIE_MOVIE_POSTER_H

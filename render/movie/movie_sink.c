@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Movies as outputs of scenes. Three threads work at the same time: the run delivers samples, a second thread draws frames from
  * copies of them, a third encodes the frames. Frames do not depend on which is faster. */
 #include <math.h>

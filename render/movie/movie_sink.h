@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sink that makes movies. */
 #ifndef BEADREEL_RENDER_MOVIE_MOVIE_SINK_H
 #define BEADREEL_RENDER_MOVIE_MOVIE_SINK_H

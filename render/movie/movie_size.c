@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses the size of a movie's frames in pixels, also where the scene gives lengths. */
 #include "render/movie/movie_size.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The size of a movie's frames, from its output. */
 #ifndef BEADREEL_RENDER_MOVIE_MOVIE_SIZE_H
 #define BEADREEL_RENDER_MOVIE_MOVIE_SIZE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses when frames and samples are. The sink counts frames by it. */
 #include "render/movie/movie_times.h"
 

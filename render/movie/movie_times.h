@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* When a movie's frames are: the card's first, then those of the motion, at equal steps from its first time to its last. */
 #ifndef BEADREEL_RENDER_MOVIE_MOVIE_TIMES_H
 #define BEADREEL_RENDER_MOVIE_MOVIE_TIMES_H

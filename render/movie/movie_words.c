@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The words of movies: clock, headings, facts, and the title card. The composer puts them on the frame. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The words of a movie's frame: time, facts, headings. */
 #ifndef BEADREEL_RENDER_MOVIE_MOVIE_WORDS_H
 #define BEADREEL_RENDER_MOVIE_MOVIE_WORDS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Canvas: the table of back ends, and which of them is opened. Views paint through paint.c on what is made here. */
 #include "beadreel/canvas.h"
 

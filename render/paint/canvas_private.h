@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Inside of a canvas: its back end, a const table, and what is painted on right now. No GL headers here. */
 #ifndef BEADREEL_RENDER_PAINT_CANVAS_PRIVATE_H
 #define BEADREEL_RENDER_PAINT_CANVAS_PRIVATE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* OpenGL functions by name, shaders from the assets, framebuffers. paint_gl.c draws with them. */
 #include "render/paint/gl.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The few OpenGL functions that drawing needs, loaded by name; no GL library is linked for them. */
 #ifndef BEADREEL_RENDER_PAINT_GL_H
 #define BEADREEL_RENDER_PAINT_GL_H

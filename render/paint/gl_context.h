@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Ways to an OpenGL 3.3 core context without a display: one const table each, which brings its own headers. */
 #ifndef BEADREEL_RENDER_PAINT_GL_CONTEXT_H
 #define BEADREEL_RENDER_PAINT_GL_CONTEXT_H

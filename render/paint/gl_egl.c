@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes an OpenGL context with EGL, without a surface: OSMesa's software renderer, for Mesa 25.1 and later, which lack OSMesa. */
 #include <EGL/egl.h>
 #include <EGL/eglext.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Mesa's off-screen interface: software rendering, no display, no window system. Gone from Mesa 25.1 on. */
 #include <GL/glcorearb.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Painting: arguments are checked here; the back end of the canvas paints (paint_gl.c, paint_plain.c). */
 #include "render/paint/paint.h"
 

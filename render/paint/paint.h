@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Painter: balls and marks into a rectangle of a frame. Lengths in pixels, y downwards; positions need not be whole pixels.
  * Each time:  bead_paint_begin (backdrop) -> bead_paint_balls, bead_paint_marks, ... -> bead_paint_end.
  * assets/shaders has the formulas of what a pixel looks like; every way of painting follows them. */

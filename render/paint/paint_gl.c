@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Painting with OpenGL: the shaders of assets/shaders, into a framebuffer of the canvas's own, which is read back. */
 #include <stdbool.h>
 #include <stdint.h>

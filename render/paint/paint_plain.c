@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Painting without OpenGL, right into the frame. */
 #include <stdio.h>
 #include <stdlib.h>

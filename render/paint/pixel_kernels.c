@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which instruction set paints, converts and draws curves: the best that this processor has, or the one asked for. */
 #include "render/paint/pixel_kernels.h"
 

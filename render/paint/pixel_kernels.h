@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Loops over pixels, compiled for each vector instruction set and chosen at run time; the pixels are the same from all. */
 #ifndef BEADREEL_RENDER_PAINT_PIXEL_KERNELS_H
 #define BEADREEL_RENDER_PAINT_PIXEL_KERNELS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kernels of pixel_kernels_body.h, compiled for AVX2. */
 #ifdef __x86_64__
 #define KERNELS_NAME  "avx2"

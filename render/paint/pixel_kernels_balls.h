@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Included by pixel_kernels_body.h: assets/shaders/ball.frag, row by row along the chords of the disc. */
 
 /* What every pixel of a ball needs to know. */

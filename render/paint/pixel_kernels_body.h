@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Included by pixel_kernels_<set>.c, which defines KERNELS_NAME and KERNELS_TABLE. What is painted follows assets/shaders, in the
  * same order of operations, with 8-bit blending as Mesa's llvmpipe has it. */
 #include <math.h>

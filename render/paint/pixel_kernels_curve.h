@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Included by pixel_kernels_body.h: curves, row by row. */
 
 /* How much of the pixels of row y the slices cover, on average over these, times their number. */

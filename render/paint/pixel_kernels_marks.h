@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Included by pixel_kernels_body.h: assets/shaders/mark.frag and glow.frag; the way to a lens. */
 
 /* Cover of the pixels in `px` of row `py`, before the mark's own opacity. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Included by pixel_kernels_body.h: vectors of 32-bit numbers, one a pixel, as wide as the instruction set has them, in GCC's and
  * Clang's vector types. With KERNELS_PORTABLE nothing else is used. */
 #include <math.h>

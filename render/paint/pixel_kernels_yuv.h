@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Included by pixel_kernels_body.h: frames as encoders want them.
  * BT.709, limited range, from full-range R'G'B' 0..255 (ITU-R BT.709-6, items 3.2-3.5 for 8 bits):
  *   Y  =  16 + 219/255 (0.2126 R + 0.7152 G + 0.0722 B)

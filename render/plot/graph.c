@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Entry to graphs: draws one into a picture, or writes it as a file of its own. Layout and drawing are in the other graph files. */
 #include "render/draw/markup.h"
 #include "render/draw/page.h"

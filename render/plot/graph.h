@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Graphs: curves, points and error bars over axes, in one panel or several, with rulers, legends, letters and a caption. They
  * draw everything that is not a picture of beads: peaks, sweeps, profiles, energies of modes.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws the curves, points, bands and error bars of a panel; graph_draw.c calls it between axes and words. */
 #include <assert.h>
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A graph onto a page: frames, bands, curves, rulers and words, and the styles of its words and lines. The last step: the layout is
  * known. */
 #include "render/plot/graph_private.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The layout of a graph. Axes and words are measured, plots get the remaining room. Words and legends that find no free room inside
  * the panels go outside, which makes plots smaller; this repeats until everything has a place. */
 #include <math.h>

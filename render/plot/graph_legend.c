@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Legends: a grid of entries that says which curve is which. Measured and placed by the layout, drawn by graph_draw.c. */
 #include <math.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of a graph share: graph.c (entry, files), graph_range.c (axes), graph_layout.c (where things go), graph_words.c
  * (words at rulers), graph_legend.c, graph_draw.c (the page), graph_curve.c (curves and points). Lengths in px. */
 #ifndef BEADREEL_RENDER_PLOT_GRAPH_PRIVATE_H

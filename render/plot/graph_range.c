@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Ranges of a graph's axes: as requested, else from data and rulers, widened so that nothing touches the frame. First step of the
  * layout. */
 #include <math.h>

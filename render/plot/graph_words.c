@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Places the words of rulers beside their lines, where they hide nothing. A mask of what curves, points and rulers cover finds free
  * room for words and legends. */
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Plots: collects what a plot shows from samples, by the functions of its kind, and makes panels of graphs from it. Stills and
  * panels use it. */
 #include "render/plot/plot_data.h"

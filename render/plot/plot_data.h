@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What plots show, gathered from a run and made into panels of graphs: force of sensors against time, energies of modes or
  * profiles, a panel a chain; or peaks of contacts, all chains in one panel. */
 #ifndef BEADREEL_RENDER_PLOT_PLOT_DATA_H

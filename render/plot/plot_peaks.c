@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Peak forces of contacts along the chain: one curve a chain, hollow where the force was still rising at the end. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the kinds of plots share: the data gathered, and the table of functions that each kind fills in. */
 #ifndef BEADREEL_RENDER_PLOT_PLOT_PRIVATE_H
 #define BEADREEL_RENDER_PLOT_PLOT_PRIVATE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A field along the chain at several times: a panel for each chain. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Force of sensors against time: a panel for each chain that has some, all with one axis of forces. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Plots of sweeps: force against magnetism, and decay along the chain. */
 #ifndef BEADREEL_RENDER_PLOT_SWEEP_PLOT_H
 #define BEADREEL_RENDER_PLOT_SWEEP_PLOT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reports: a run, or a sweep, as one HTML file that needs nothing else. report_run.c (life of the sink), report_data.c (what its
  * page is made of), report_sweep.c (both of sweeps), report_write.c (text). The page itself, its style and its program are the
  * files of assets/report. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the page of a run is made of: its title, pictures and scene as HTML, and all numbers as JSON. */
 #include <math.h>
 #include <stdlib.h>

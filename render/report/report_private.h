@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of a report share. */
 #ifndef BEADREEL_RENDER_REPORT_REPORT_PRIVATE_H
 #define BEADREEL_RENDER_REPORT_REPORT_PRIVATE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The life of a report: it keeps samples, as many as a page of a few megabytes has room for, and writes them at the end. */
 #include <math.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reports of sweeps: force against magnetism, with the space-time image of each configuration behind its point. */
 #include <math.h>
 #include <stdlib.h>

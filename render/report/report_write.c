@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes the page of a report from its template, and escapes what comes from scenes. */
 #include "render/report/report_write.h"
 

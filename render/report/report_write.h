@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Text of a report: its page from a template, and the pieces that HTML and JSON are made of. */
 #ifndef BEADREEL_RENDER_REPORT_REPORT_WRITE_H
 #define BEADREEL_RENDER_REPORT_REPORT_WRITE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Entry to schematic drawings: finds the drawing that an output shows, tries it for room, and writes it as a file. */
 #include "render/schematic/schematic.h"
 

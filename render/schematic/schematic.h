@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Schematic drawings of a scene, for which nothing is simulated. A contact, drawn to scale (thesis, Fig. 2); the cells of its
  * chains (Fig. 3); the experiment (Fig. 4). */
 #ifndef BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cells of a scene's chains (thesis, Fig. 3): N_1 beads of one material, N_2 of the next, ...; both ways round where the chain
  * has them so. */
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A contact drawn to scale: two beads, or a bead and the wall, cut along their axis, pressed together as the output says. The
  * outlines meet in a chord of half length q; each bead is flattened by delta_i = R_i - sqrt(R_i^2 - q^2), which for small ones is
  * q^2 / (2 R_i): Hertz's share of the compression (thesis, 2.1 and Fig. 2). */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses which beads of a long chain the drawing of the experiment shows, and its words. The plan is made from these. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which beads of a chain are shown, and with which words. */
 #ifndef BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_PARTS_H
 #define BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_PARTS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Plans the drawing of an experiment: tries how much of each chain to show, and how large, until everything fits. schematic_setup.c
  * draws it. */
 #include "render/schematic/schematic_plan.h"

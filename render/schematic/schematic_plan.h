@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Plans of the drawing of an experiment: how much of each chain is shown, how large, and where its labels go. */
 #ifndef BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_PLAN_H
 #define BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_PLAN_H

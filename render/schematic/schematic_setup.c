@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws the experiment (thesis, Fig. 4): striker on its ramp, guide, beads to scale, sensors, wall. The plan is made before. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Strokes, texts and labels of schematic drawings, and whether the texts can all be read. */
 #include "render/schematic/schematic_sketch.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sketches: the strokes that schematic drawings are made of. The box of every text is kept, so that one can check afterwards that
  * all can be read. Lengths in px, y downwards. */
 #ifndef BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_SKETCH_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Words that several schematic drawings use: names of cells, groups of beads, materials. */
 #include <stdio.h>
 #include <string.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Words that schematic drawings share. */
 #ifndef BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_WORDS_H
 #define BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_WORDS_H

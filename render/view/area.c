@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Areas: add samples to sums of pixels as they come, and give finished columns out again. The space-time view, bare images and
  * contact sheets are made of them. */
 #include <math.h>

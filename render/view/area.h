@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Areas: samples averaged exactly over the pixels of a space-time image, as they arrive.
  *
  * * Between samples, values are linear in time; across the chain, bead j is a cell from j - 1/2 to j + 1/2. Every pixel is the

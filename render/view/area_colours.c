@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Colours of an area's columns, as indices into a palette, written straight into an image. The space-time view and bare images call
  * it. */
 #include "render/view/area_colours.h"

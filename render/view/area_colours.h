@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Turns areas into images of palette indices. */
 #ifndef BEADREEL_RENDER_VIEW_AREA_COLOURS_H
 #define BEADREEL_RENDER_VIEW_AREA_COLOURS_H

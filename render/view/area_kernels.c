@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Inner loops of areas, one element after the other; compiled with -O3, which vectorises them. */
 #include "render/view/area_kernels.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Inner loops of areas and colours: element by element, so that any vector width gives the same bits. Arrays do not overlap. */
 #ifndef BEADREEL_RENDER_VIEW_AREA_KERNELS_H
 #define BEADREEL_RENDER_VIEW_AREA_KERNELS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The beads view's own state: the row of all beads, and the lens that follows the front. */
 #ifndef BEADREEL_RENDER_VIEW_BEADS_H
 #define BEADREEL_RENDER_VIEW_BEADS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The state of the beads at one time: positions, colours, loads, and where the lens is. First step of every draw of the beads view.
  */
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What of the row and the lens must be painted again. Where the lens goes in whole pixels, beads at rest look the same but for
  * their place: they are moved in the frame, which costs a tenth of painting them. */
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From positions and colours to balls and marks, which the canvas paints. Second step of every draw of the beads view. */
 #include <math.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Places the row of beads and the lens, and draws what never changes around them: names, wall, lens frame. Once per picture. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* More beads than pixels: each column of the row shows the exact mean of the field over the beads in it, as a colour over that of
  * their materials, and the background where they leave gaps. */
 #include <math.h>

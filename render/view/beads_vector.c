@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The composed beads as paths, for PDF and SVG. */
 #include <math.h>
 

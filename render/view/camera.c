@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the front, smooths its motion and moves a chain's window with it. Movies that follow the front have one camera per chain.
  */
 #include "render/view/camera.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Camera: which piece of a chain is shown while the front runs through it.
  *
  * * The window has a constant length. It rests at the start of the chain until the front is well inside, moves with the front at

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds from when on two runs differ visibly at each bead, and draws the line through these times. Used by pictures with `trust`.
  */
 #include "render/view/horizon.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Horizon: up to when a picture can be trusted.
  *
  * Two runs of the same chain with different accuracy agree at first. Where the motion is chaotic their difference grows

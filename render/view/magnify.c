@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses the factor by which displacements are drawn larger, from the first hit. Stills and movies take it unless the scene gives
  * one. */
 #include "render/view/magnify.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How much displacements are magnified where beads are drawn. */
 #ifndef BEADREEL_RENDER_VIEW_MAGNIFY_H
 #define BEADREEL_RENDER_VIEW_MAGNIFY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Labels that move with the camera, as masks shifted by parts of a pixel. Below profiles and above rows of beads. */
 #include "render/view/moving_labels.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Labels of a moving axis. Each is drawn once and then shifted by parts of a pixel, so that it moves smoothly; it fades out before
  * it reaches an end. */
 #ifndef BEADREEL_RENDER_VIEW_MOVING_LABELS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which way space-time images lie. */
 #include "render/view/orientation.h"
 

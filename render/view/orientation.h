@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which way space-time images lie: the default of each kind of output, and what follows for axes and pixels. */
 #ifndef BEADREEL_RENDER_VIEW_ORIENTATION_H
 #define BEADREEL_RENDER_VIEW_ORIENTATION_H

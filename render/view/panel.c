@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws panels and their vertical axes: in figures with the title beside the axis, in movies above the panel, where it reads
  * without turning one's head and never breaks. */
 #include "render/view/panel.h"

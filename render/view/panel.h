@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The panel behind a plot of a movie, which reaches beyond it where beads stand there, and the vertical axis at its left. */
 #ifndef BEADREEL_RENDER_VIEW_PANEL_H
 #define BEADREEL_RENDER_VIEW_PANEL_H

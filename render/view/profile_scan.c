@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The curve of the profile view, column by column: exact coverage of the line and of the area below it. */
 #include "render/view/profile_scan.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A curve y(x) with a line of some width and the area below it, pixel by pixel. A column depends only on the points near it, so
  * parts can be redrawn alone. */
 #ifndef BEADREEL_RENDER_VIEW_PROFILE_SCAN_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Keeps curves over time in bounded memory: four points per stretch of time. The sensors view and plots of sensors store theirs
  * here. */
 #include "render/view/sensor_curves.h"

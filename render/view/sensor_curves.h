@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Curves over time, such as force at sensors, reduced to what a row of pixels can show. */
 #ifndef BEADREEL_RENDER_VIEW_SENSOR_CURVES_H
 #define BEADREEL_RENDER_VIEW_SENSOR_CURVES_H

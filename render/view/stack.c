@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Heights of a stack of plots: what headings and axes leave is divided among the views. Layouts of stills and movies start here. */
 #include "render/view/stack.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A stack of plots: rows of chains, in each a heading and the chain's views, one below the other. Heights only; stills and movies
  * both lay out their views with it.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Words about the horizon, from a full sentence to one word, as much as fits. Below headings in stills, beside the time in movies.
  */
 #include "render/view/trust_words.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One line of text about the horizon of a picture. */
 #ifndef BEADREEL_RENDER_VIEW_TRUST_WORDS_H
 #define BEADREEL_RENDER_VIEW_TRUST_WORDS_H

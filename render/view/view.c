@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the functions that draw a view: one row for each row of the table of kinds. */
 #include "render/view/views.h"
 

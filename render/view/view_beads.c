@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* View: the chain's beads, as spheres. Where they are small, a lens below the row shows those at the front. */
 #include <math.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* View: energies of the linear modes of an equation, a bar for each. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* View: the field along the chain, as a smooth line over a filled area, with dots at the beads where there is room. The view of one
  * chain can draw those of others with its own, on one axis. */
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sensors: the force of each against time, in one plot with the names at the curves. */
 #include <math.h>
 #include <stdlib.h>

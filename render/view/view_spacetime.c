@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Space-time image: every pixel the exact mean of the field over its stretch of chain and time, lying as the setup's orientation
  * says. With `fill` only what has passed is shown, with a line at the present. */
 #include "render/draw/chain_axis.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The functions of every view of the table of kinds, each in a file of its own; bead_view_find looks among these. */
 #ifndef BEADREEL_RENDER_VIEW_VIEWS_H
 #define BEADREEL_RENDER_VIEW_VIEWS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Goes back over the steps of a run for the derivatives of contact forces: see adjoint.h. */
 #include "sim/adjoint/adjoint.h"
 

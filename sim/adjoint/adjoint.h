@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Adjoint: the derivatives of a contact force by everything that a chain is made of, from one sweep back in time.
  *
  * The force at time T depends on the coefficients A_k and static forces F_k of the contacts, on the masses m_j and on the

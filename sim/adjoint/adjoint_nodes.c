@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds what adjoints need of a chain at the nodes of a step: see adjoint_nodes.h. */
 #include "sim/adjoint/adjoint_nodes.h"
 

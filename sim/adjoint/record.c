@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Keeps the states between the steps of a run, for what looks at them again: see record.h. */
 #include "sim/adjoint/record.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A record of steps: the states between them, kept so that a stepper can be set to any step again, such as for a sweep backwards.
  */
 #ifndef BEADREEL_SIM_ADJOINT_RECORD_H

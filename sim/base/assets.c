@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds ready scenes, materials and colour maps: in BEADREEL_ASSETS, beside the program, or where they were installed. */
 #include "beadreel/assets.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files that appear complete or not at all, and claims on them. Every file that the programs write goes through here. */
 #include "beadreel/file.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fits the decay of a wave along a chain: exponential first, then a power law, with bootstrap errors. Sweeps use it. */
 #include <math.h>
 #include <stdlib.h>

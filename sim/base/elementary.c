@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Logarithm, cube root and the powers 2/5 and 3/2, with the same bits on every processor. */
 #include "sim/base/elementary.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Functions that are called often, from additions, products, quotients and square roots of double alone: the same bits on every
  * processor, where those of the C library depend on whether it multiplies and adds at once. */
 #ifndef BEADREEL_SIM_BASE_ELEMENTARY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Error codes, their texts and exit statuses, from the one list in error.h; and messages. */
 #include "beadreel/error.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fingerprints: 64 bits that detect accidental differences; they do not protect against deliberate ones. */
 #ifndef BEADREEL_SIM_BASE_FINGERPRINT_H
 #define BEADREEL_SIM_BASE_FINGERPRINT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* HDF5 files, errors and attributes: see h5.h. h5_series.c writes growing datasets and tables, h5_read.c reads. */
 #include "beadreel/file.h"
 #include "sim/base/h5_private.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* HDF5 with every call checked and the first error kept.
  *
  * A `struct bead_h5` remembers the first failure: all later calls on it do nothing and return -1, so that a row of

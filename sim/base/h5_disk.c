@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The HDF5 driver of h5_disk.h: holds changes of what was flushed until the next flush, and keeps what could not be written, so
  * that HDF5 itself never sees a failure. */
 #include "sim/base/h5_disk.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An HDF5 driver for writing one plain file that never fails, and that can be read whenever its run is killed.
  *
  * A flush of HDF5's own writes its metadata by address: a run killed in between leaves indices that point beyond the end in the

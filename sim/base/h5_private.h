@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the reading and writing halves of h5 share. */
 #ifndef BEADREEL_SIM_BASE_H5_PRIVATE_H
 #define BEADREEL_SIM_BASE_H5_PRIVATE_H

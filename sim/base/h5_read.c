@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads HDF5 files that are not trusted: see h5.h. Trajectories and sweep files are read through it. */
 #include "sim/base/h5_private.h"
 

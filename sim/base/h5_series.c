@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes growing datasets and whole tables: see h5.h. The trajectory sink streams its samples through these. */
 #include "sim/base/h5_private.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Memory for arrays of megabytes; in the header, for both libraries. */
 #ifndef BEADREEL_SIM_BASE_LARGE_H
 #define BEADREEL_SIM_BASE_LARGE_H

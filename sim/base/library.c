@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opens a library and its functions at run time: for libraries that most runs do not need. */
 #include "beadreel/library.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How much memory is left, asked before large arrays are made. */
 #include "sim/base/memory.h"
 

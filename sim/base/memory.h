@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Is there room for what is about to be made? Where arrays are only touched later, the system ends the program instead of refusing
  * them. */
 #ifndef BEADREEL_SIM_BASE_MEMORY_H

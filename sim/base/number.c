@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers as text: see number.h. */
 #include "sim/base/number.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers as text: the fewest digits that read back as the same double. */
 #ifndef BEADREEL_SIM_BASE_NUMBER_H
 #define BEADREEL_SIM_BASE_NUMBER_H

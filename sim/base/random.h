@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Random numbers: Philox4x32-10, which gives word `index` of a stream without the words before. */
 #ifndef BEADREEL_SIM_BASE_RANDOM_H
 #define BEADREEL_SIM_BASE_RANDOM_H

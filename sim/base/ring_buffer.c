@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A ring of slots between two threads: one fills them, the other does the work. A movie is encoded behind it. */
 #include "beadreel/ring_buffer.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Structures of settings that callers fill in (api.h): taken over member by member as far as the caller's own header had them. */
 #ifndef BEADREEL_SIM_BASE_SETTINGS_H
 #define BEADREEL_SIM_BASE_SETTINGS_H

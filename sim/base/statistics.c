@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Statistics that sweeps and measures share: summaries of samples, least-squares lines, participation. */
 #include "beadreel/statistics.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A wish that a run stop: set by a signal handler, in whatever thread that runs, and looked up by all threads. */
 #ifndef BEADREEL_SIM_BASE_STOP_H
 #define BEADREEL_SIM_BASE_STOP_H

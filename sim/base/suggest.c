@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the name nearest to a mistyped word, for messages. */
 #include "sim/base/suggest.h"
 

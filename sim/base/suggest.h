@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* "Did you mean": the nearest of some names. */
 #ifndef BEADREEL_SIM_BASE_SUGGEST_H
 #define BEADREEL_SIM_BASE_SUGGEST_H

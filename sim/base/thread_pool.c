@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A pool of threads for independent jobs (chains of a scene or a sweep). Each run starts and joins its own threads. */
 #include "sim/base/thread_pool.h"
 

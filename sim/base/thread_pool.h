@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Thread pool: runs independent jobs on several threads, including the calling one. */
 #ifndef BEADREEL_SIM_BASE_THREAD_POOL_H
 #define BEADREEL_SIM_BASE_THREAD_POOL_H

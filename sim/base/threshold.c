@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the magnetism at the threshold between delocalised waves and clean propagation, for the statistics of sweeps. */
 #include <math.h>
 #include <stdbool.h>

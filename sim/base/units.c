@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads numbers with units for the scene: the usual units from a table, others from UDUNITS-2. */
 #include "sim/base/units.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers with units: "0.443 m/s", "193 GPa", "1.5". */
 #ifndef BEADREEL_SIM_BASE_UNITS_H
 #define BEADREEL_SIM_BASE_UNITS_H

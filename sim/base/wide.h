@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Arithmetic with 113 bits, IEEE binary128: the same bits on every processor and from every C library, which neither `long double`
  * nor the functions of double have (x86-64 has 64 bits in the one; the others depend on whether the processor multiplies and adds
  * at once). In software: some 20 ns an operation, 1 us a function. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parses YAML text into trees of nodes, from libyaml's events; the scene reader starts here. */
 #include "sim/base/yaml.h"
 

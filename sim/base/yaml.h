@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* YAML documents as trees of nodes that know where they stand.
  *
  * Read with libyaml, event by event, so that size, depth and number of nodes are bounded before memory is

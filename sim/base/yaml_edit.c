@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Settings of the command line: `key.path=value` changes a tree before it is read. */
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes a tree as YAML text, through libyaml's emitter: the scene as changed by settings, which trajectories store. */
 #include <stdlib.h>
 #include <string.h>

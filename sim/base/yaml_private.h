@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Inside of YAML documents, shared by yaml*.c. */
 #ifndef BEADREEL_SIM_BASE_YAML_PRIVATE_H
 #define BEADREEL_SIM_BASE_YAML_PRIVATE_H

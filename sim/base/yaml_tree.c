@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Trees of nodes: memory, look-ups, and their text in messages. Parser, editor and scene reader share these. */
 #include <stdlib.h>
 #include <string.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes a chain from its part of the scene: first its outline, which plans need, then the arrays of its beads and contacts. Runs
  * take it from here, unchanged. */
 #include "beadreel/chain.h"

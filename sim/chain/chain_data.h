@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A chain's insides, for the computing half only. */
 #ifndef BEADREEL_SIM_CHAIN_CHAIN_DATA_H
 #define BEADREEL_SIM_CHAIN_CHAIN_DATA_H

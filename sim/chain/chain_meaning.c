@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The meaning of a chain's numbers: fields, units, times and places, of beads and of equations alike. Tables and views ask here. */
 #include <stdio.h>
 

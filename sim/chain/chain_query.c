@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What others ask a chain: its beads and contacts, its energy, and the bound on its frequencies from which the step follows. */
 #include <math.h>
 

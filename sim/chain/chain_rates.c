@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From derivatives by stiffnesses and static forces to those by the masses, radii and moduli of beads. */
 #include <string.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Walks along a chain from contact to contact: materials, stiffness and static state of each. */
 #include "sim/chain/contact_walk.h"
 

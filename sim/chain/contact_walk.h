@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The contacts of a chain one after the other, from its specification and spins: nothing has to be built for a plan.
  *
  *     struct bead_contact_walk walk;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of pair forces: a chain takes its row from the scene and asks it for forces, energies and coefficients. */
 #include "beadreel/law.h"
 

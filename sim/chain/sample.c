@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of fields, and the times of a grid of samples. */
 #include "beadreel/sample.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws the spins of random cells with counter-based random numbers, so that they depend on seed and configuration only. */
 #include "sim/chain/spins.h"
 

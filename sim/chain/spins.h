@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Spins of a segment's cells. */
 #ifndef BEADREEL_SIM_CHAIN_SPINS_H
 #define BEADREEL_SIM_CHAIN_SPINS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Systems: what the points of an equation mean to code that shows or stores them as if they were beads.
  *
  * A chain that is an equation has one of these in its specification (bead_equation_spec.system); sim/equation, the room above,

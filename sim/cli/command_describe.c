@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* --plan and --info as one JSON object, for programs. The man page documents the keys. */
 #include <math.h>
 #include <stdlib.h>

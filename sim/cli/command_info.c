@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* --info: describes a scene, a trajectory or a sweep's file. */
 #include "sim/cli/command_line.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Options of both programs: one table gives parser, help, man page, completion and error messages. */
 #include "sim/cli/command_line.h"
 

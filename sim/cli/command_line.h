@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line of both programs: options, help, lists, progress and results.
  * Linked into the two programs only: the libraries neither print nor exit. */
 #ifndef BEADREEL_SIM_CLI_COMMAND_LINE_H

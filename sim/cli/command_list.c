@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lists that need no graphics: ready scenes, materials, methods, laws, keys of scenes. */
 #include "sim/cli/command_line.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The frame of both programs: parse the command line, act on it, report the error and the exit status. */
 #include "sim/cli/command_line.h"
 

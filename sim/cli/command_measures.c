@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Measures of a stored run, computed from its samples, for --info. */
 #include "sim/cli/command_line.h"
 

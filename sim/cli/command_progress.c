@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Progress on stderr, as a bar, plain lines or JSON; and numbers with units for all output. */
 #include "sim/cli/command_line.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The result of a run as one JSON object on stdout, for programs: --json. The man page documents its keys. */
 #include <math.h>
 #include <string.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs or plans a session for the command line: progress on stderr, results on stdout. */
 #include "sim/cli/command_line.h"
 

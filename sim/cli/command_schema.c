@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The JSON Schema of scenes (draft 7), from the tables that read them: editors complete keys by it and find what is wrong. */
 #include "sim/cli/command_line.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Values of options as a scene has them. */
 #include <stdlib.h>
 #include <string.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* --watch: the scene again each time it is saved; --new: a scene to start from. */
 #include <errno.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* JSON as text: see json.h. */
 #include "sim/cli/json.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes JSON (RFC 8259) to a stream, a value at a time; commas come by themselves. */
 #ifndef BEADREEL_SIM_CLI_JSON_H
 #define BEADREEL_SIM_CLI_JSON_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of equations, in which scenes and runs look theirs up. */
 #include "sim/equation/equation.h"
 

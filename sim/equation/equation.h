@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Equations: what can move in a scene instead of a chain of beads, one const table each.
  *
  * The unknown stands at points x_0 < x_1 < ..., equally far apart; samples of it are those of a chain with as many beads, so

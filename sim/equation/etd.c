@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Exponential time differencing, see etd.h: the coefficients of a step and the step itself, for kdv_solver.c. */
 #include "sim/equation/etd.h"
 

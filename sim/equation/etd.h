@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Exponential time differencing for u' = i w u + N(u), mode by mode: the linear part exactly, N by a Runge-Kutta method of order
  * four.
  *

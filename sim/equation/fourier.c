@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Discrete Fourier transforms for spectral.c. */
 #include "sim/equation/fourier.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Discrete Fourier transforms of any length, as sums and products in one order on every machine: results have the same bits, which
  * those of a library do not that is compiled with fused multiply-adds on one processor and without on another.
  *

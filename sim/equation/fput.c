@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The equation `fput`: turns the string of fput_string.h into a row of equation.c; its modes, and the return of the first one. */
 #include <math.h>
 #include <stdio.h>

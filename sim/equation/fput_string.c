@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The string of Fermi, Pasta, Ulam and Tsingou: its springs, starts, steps and dense output. fput.c makes a row of equation.c of
  * it. */
 #include "sim/equation/fput_string.h"

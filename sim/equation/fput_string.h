@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The string of Fermi, Pasta, Ulam and Tsingou: unit masses between springs of unit length and stiffness.
  *
  * Spring j is left of mass j; with fixed ends there is one more, at the right end; with periodic ones spring 0 joins the last

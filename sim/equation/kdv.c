@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The equation `kdv`: makes the solver of kdv_solver.h a row of equation.c; its settings, integrals, recurrence and measures. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds and follows solitons: see kdv_solitons.h. */
 #include "sim/equation/kdv_solitons.h"
 

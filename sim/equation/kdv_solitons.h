@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Solitons of the Korteweg-de Vries equation: which crest is which, followed from the start through their collisions. */
 #ifndef BEADREEL_SIM_EQUATION_KDV_SOLITONS_H
 #define BEADREEL_SIM_EQUATION_KDV_SOLITONS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The Korteweg-de Vries equation on a ring: its start, number of points and steps. kdv.c turns it into a row of equation.c. */
 #include "sim/equation/kdv_solver.h"
 

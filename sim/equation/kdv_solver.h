@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The Korteweg-de Vries equation u_t + drift u_x + a u u_x + b u_xxx = 0 on a ring, by Fourier series and exponential time
  * differencing.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The equation `shock`: waves that steepen and break, by finite volumes and the Runge-Kutta method SSPRK(3,3) of C.-W. Shu and
  * S. Osher, J. Comput. Phys. 77, 439 (1988). */
 #include <math.h>

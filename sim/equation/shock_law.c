@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The breaking wave on a grid: its start, and the rates of change that shock.c steps with. */
 #include "sim/equation/shock_law.h"
 

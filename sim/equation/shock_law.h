@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* u_tt = c^2 u_xx (1 + e u_x), the thesis's Appendix 2, as conservation laws of the strain r = u_x and the velocity v = u_t:
  * r_t = v_x, v_t = s(r)_x with the stress s = c^2 (r + e r^2 / 2). Waves run at +-a, a = c sqrt(1 + e r), while 1 + e r > 0.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a run of shock.c watches after every step: energy, variation, and the time at which the wave breaks. */
 #include "sim/equation/shock_watch.h"
 

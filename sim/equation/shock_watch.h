@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a run of the breaking wave watches: when it breaks, and that it neither gains energy nor oscillates. */
 #ifndef BEADREEL_SIM_EQUATION_SHOCK_WATCH_H
 #define BEADREEL_SIM_EQUATION_SHOCK_WATCH_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Functions on a ring as Fourier series. The equations on a ring (KdV) take derivatives and products with them. */
 #include "sim/equation/spectral.h"
 

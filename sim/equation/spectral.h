@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Real functions on a ring as their Fourier series: u(x_i) = sum over |j| <= modes of c_j exp(2 pi i j m / points), where only
  * c_0 .. c_modes are stored, as c_-j is the conjugate of c_j.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the branch points of a step and what interpolation leaves out next to them: see branch_points.h. */
 #include "sim/integrate/branch_points.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Branch points: where a contact opens or closes in a step, or near it, and what they do to the motion between its ends.
  *
  * A force d^p, d > 0, has a branch point where d crosses zero: beads then move like y^{p+2}, y from there on. The Hermite

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds where contacts with damping open and close, see damped_contacts.h; the stepper ends its steps there. */
 #include "sim/integrate/damped_contacts.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contacts with damping, whose force jumps when they close.
  *
  * gamma |D|^a acts from the first touch on, so the force jumps, and a method for smooth forces falls to order 1 there. Beads

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Dense output: interpolates states, compressions and forces between the ends of a step, for samples, peaks and the front. */
 #include "sim/integrate/dense.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Between the ends of a step: Hermite interpolation. */
 #ifndef BEADREEL_SIM_INTEGRATE_DENSE_H
 #define BEADREEL_SIM_INTEGRATE_DENSE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Computes the forces of stored displacements with the laws of the chain, when a trajectory is replayed. */
 #include "sim/integrate/derive.h"
 

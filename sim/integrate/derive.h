@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Forces from displacements, for trajectories that store only these. */
 #ifndef BEADREEL_SIM_INTEGRATE_DERIVE_H
 #define BEADREEL_SIM_INTEGRATE_DERIVE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Corrects a step near contacts that open or close, see events.h. The stepper calls it after every step. */
 #include "sim/integrate/events.h"
 

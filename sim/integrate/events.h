@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contact-event correction: repairs a Nystrom step near contacts that open or close.
  *
  * The force A d_+^{3/2} has a branch point where d crosses zero; there every quadrature of smooth functions falls to order 5/2,

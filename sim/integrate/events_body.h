@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Included by kernels_body.h: the part of the contact-event correction that vectors speed up, in GCC's and Clang's vector types of
  * the set's width. Lanes are contacts or the nodes of a piece; sums have a fixed order, so every set gives the same bits.
  */

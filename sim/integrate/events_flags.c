@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Decides which contacts of a step need a correction; events.c then makes it. */
 #include <math.h>
 #include <stdlib.h>

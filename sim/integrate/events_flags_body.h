@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Included by kernels_body.h: which contacts open or close, see events.h. Lanes are contacts. */
 #include <math.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Kinks: contacts that open or close once within a step, put right by what the method's quadrature owes them.
  *
  * Nearly all events are of this kind: the compression d crosses zero at tau, once and steeply. With x = s - tau (closing) or

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Included by kernels_body.h: kinks, see events_kinks.h. Lanes are kinks. */
 #include <math.h>
 

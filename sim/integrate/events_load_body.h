@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Included by kernels_body.h: the patches around contacts that open or close; see events.h. Lanes are contacts. */
 #include "sim/integrate/events_patch.h"
 

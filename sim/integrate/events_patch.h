@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Patches: the few contacts around one that opens or closes, integrated again over one step.
  *
  * Time is counted in steps, s = (t - t0)/h from 0 to 1, and d' means dd/ds: all numbers then follow the exact scaling of

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of the contact-event correction share, see events.h. */
 #ifndef BEADREEL_SIM_INTEGRATE_EVENTS_PRIVATE_H
 #define BEADREEL_SIM_INTEGRATE_EVENTS_PRIVATE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Quadrature on the pieces of a step that events_body.h integrates again: the nodes and their matrices, and how nodes are placed
  * where a piece begins or ends at, or near, a branch point. */
 #include <math.h>

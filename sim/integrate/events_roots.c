@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the branch points of one contact, where its compression crosses zero or nearly does, for the patches of events.c. */
 #include <math.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses the kernels of the best instruction set, and has the scalar ones: laws without a vector kernel, damping, Appendix 4. */
 #include "sim/integrate/kernels.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Inner loops along the chain, compiled once for each instruction set from kernels_body.h and chosen at run time.
  *
  * All arithmetic is element-wise, without contraction, so every set gives the same bits. Arrays have one

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kernels of kernels_body.h, compiled for AVX-512. */
 #ifdef __x86_64__
 #define KERNELS_NAME        "avx512"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Included by kernels_<set>.c, which defines KERNELS_NAME, KERNELS_DESCRIPTION and KERNELS_TABLE.
  * Plain C that the compiler vectorises for the set. */
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kernels of kernels_body.h for any processor, in the compiler's vector types. */
 #define KERNELS_NAME        "portable"
 #define KERNELS_DESCRIPTION "any processor"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Included by kernels_body.h: vectors as wide as the instruction set has them, in GCC's and Clang's vector types. With
  * KERNELS_PORTABLE nothing else is used: 128 bits are what most processors have. */
 #include <math.h>

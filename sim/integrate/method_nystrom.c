@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runge-Kutta-Nystrom methods for u'' = a(u), from a tableau.
  *
  * A long chain goes through the stages in tiles that the cache holds: stage i of a tile lies SKEW beads further left for each

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The classical Runge-Kutta method of order 4 on (u, v), as the thesis uses it (its Appendix 1). */
 #include "sim/integrate/stepper.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Symplectic compositions of drifts and kicks. */
 #include "sim/integrate/stepper.h"
 #include "sim/integrate/tableau.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of methods: one row each, with its step in units of 1/omega. Scenes name them, the stepper runs them. */
 #include "beadreel/methods.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Hermite interpolants, and zeros by false position. */
 #include "sim/integrate/polynomial.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Polynomials over a step, and zeros within it. */
 #ifndef BEADREEL_SIM_INTEGRATE_POLYNOMIAL_H
 #define BEADREEL_SIM_INTEGRATE_POLYNOMIAL_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Coefficients of Runge-Kutta-Nystrom methods: the nearest doubles to the published rationals; where the rational is short it
  * stands in the comment of its row. tests/sim/test_accuracy.c measures their orders. */
 #include "sim/integrate/tableau.h"

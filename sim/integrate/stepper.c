@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Holds the state of one chain and moves it on by a method: forces, window, events. Runs drive it. */
 #include "sim/integrate/stepper.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stepper: the state of one chain between two times, moved on by a method.
  *
  *   bead_stepper_create(chain, method, kernels, full, &stepper, &msg);

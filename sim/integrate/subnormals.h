@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Subnormal numbers taken for zeros, in what is read and in what is written, by the processor that this is compiled for. */
 #ifndef BEADREEL_SIM_INTEGRATE_SUBNORMALS_H
 #define BEADREEL_SIM_INTEGRATE_SUBNORMALS_H

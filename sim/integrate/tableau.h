@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Coefficients of the methods: data with their sources. */
 #ifndef BEADREEL_SIM_INTEGRATE_TABLEAU_H
 #define BEADREEL_SIM_INTEGRATE_TABLEAU_H

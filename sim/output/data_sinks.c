@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of the sinks of this room, which both programs hand to sessions. */
 #include "sim/output/data_sinks.h"
 

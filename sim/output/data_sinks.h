@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sinks of the computing half: one line for each. */
 #ifndef BEADREEL_SIM_OUTPUT_DATA_SINKS_H
 #define BEADREEL_SIM_OUTPUT_DATA_SINKS_H

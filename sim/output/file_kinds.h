@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kind and format that a sweep's file states; here, because opening a trajectory must recognise it. */
 #ifndef BEADREEL_SIM_OUTPUT_FILE_KINDS_H
 #define BEADREEL_SIM_OUTPUT_FILE_KINDS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Measures of a run: takes samples, feeds pulses, trace and participation, and reads the rows at the end. */
 #include "beadreel/measure.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Curves through equally spaced samples: the polynomial through a few of them. */
 #ifndef BEADREEL_SIM_OUTPUT_MEASURE_CURVE_H
 #define BEADREEL_SIM_OUTPUT_MEASURE_CURVE_H

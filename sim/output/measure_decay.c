@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fits the decay of the leading force where the transient of the strike is over: see measure_decay.h. */
 #include "sim/output/measure_decay.h"
 

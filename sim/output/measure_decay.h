@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The decay of the leading force along a chain: a rate, how well it is known, and where it was found. */
 #ifndef BEADREEL_SIM_OUTPUT_MEASURE_DECAY_H
 #define BEADREEL_SIM_OUTPUT_MEASURE_DECAY_H

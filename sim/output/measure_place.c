@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds where along a chain to measure: see measure_place.h. */
 #include "sim/output/measure_place.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Places: where along a chain something can be measured: regular stretches, defects between them, the probe. */
 #ifndef BEADREEL_SIM_OUTPUT_MEASURE_PLACE_H
 #define BEADREEL_SIM_OUTPUT_MEASURE_PLACE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The insides of measures: what is kept of a run for the rows of measure_rows.c. */
 #ifndef BEADREEL_SIM_OUTPUT_MEASURE_PRIVATE_H
 #define BEADREEL_SIM_OUTPUT_MEASURE_PRIVATE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the pulses in every contact's force, see measure_pulses.h; measures of speed, decay and walls follow from them. */
 #include "sim/output/measure_pulses.h"
 

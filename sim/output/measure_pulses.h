@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pulses: maxima of every contact's force, found as samples come in; the force must fall between two of them. */
 #ifndef BEADREEL_SIM_OUTPUT_MEASURE_PULSES_H
 #define BEADREEL_SIM_OUTPUT_MEASURE_PULSES_H

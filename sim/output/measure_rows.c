@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of measures: one row each, with name, unit and function. Tables, --info and sweeps read it. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Records what happens at the probe and at the striker, sample by sample, for measure_rows.c. */
 #include <math.h>
 #include <stdlib.h>

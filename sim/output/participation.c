@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The participation of beads in the wave, relative to the clean wave, for which it runs a chain of equal cells. */
 #include "beadreel/participation.h"
 

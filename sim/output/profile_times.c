@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Collects the profiles of a field at given times, for tables and plots. */
 #include "beadreel/profile_times.h"
 

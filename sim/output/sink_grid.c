@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sample times and spans of outputs, shared by all sinks. */
 #include "sim/output/sink_grid.h"
 

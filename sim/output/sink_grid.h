@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sample times, spans and words that all sinks of data share. */
 #ifndef BEADREEL_SIM_OUTPUT_SINK_GRID_H
 #define BEADREEL_SIM_OUTPUT_SINK_GRID_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sink of `table:` outputs: comma-separated values as RFC 4180 has them, numbers with the fewest digits that give
  * the same double when read again. */
 #include <locale.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The insides of the table sink, shared by table.c and the table_*.c, one for each kind of table. */
 #ifndef BEADREEL_SIM_OUTPUT_TABLE_H
 #define BEADREEL_SIM_OUTPUT_TABLE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of chains as they are at rest: a row for each bead, with the contact behind it. Nothing is computed for them. */
 #include "sim/output/table.h"
 

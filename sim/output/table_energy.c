@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of the energy budget: where the energy is at each time, and what has left. */
 #include <stdlib.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of modes: a row for each time, a column for the energy of each mode. */
 #include <math.h>
 #include <stdlib.h>

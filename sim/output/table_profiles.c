@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of profiles: a row for each time and place. */
 #include "beadreel/profile_times.h"
 #include "sim/base/number.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of the derivatives of peak forces: a row for each of the contacts asked for and each bead. */
 #include <math.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The insides of an open trajectory, shared by trajectory_open.c and trajectory_read.c. */
 #ifndef BEADREEL_SIM_OUTPUT_TRAJECTORY_DATA_H
 #define BEADREEL_SIM_OUTPUT_TRAJECTORY_DATA_H

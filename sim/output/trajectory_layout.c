@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of series in a trajectory and of the numbers of its outcome; both the writer and the reader follow it. */
 #include "sim/output/trajectory_layout.h"
 

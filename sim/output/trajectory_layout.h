@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How a trajectory is laid out: shared by the writing and the reading half.
  *
  *   /h5md                          H5MD 1.1

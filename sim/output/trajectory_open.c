@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opens a trajectory. The file is not trusted: everything is checked against the scene that it stores. */
 #include "sim/output/trajectory_data.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes everything in a trajectory but its samples, see trajectory_layout.h; trajectory_write.c calls it. */
 #include "sim/output/trajectory_sink.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads the samples of an open trajectory in blocks, as the session replays it. */
 #include "sim/output/trajectory_data.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The trajectory sink's insides, for its two files: trajectory_write.c (samples) and trajectory_profile.c (all that
  * stands beside them). */
 #ifndef BEADREEL_SIM_OUTPUT_TRAJECTORY_SINK_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sink of `trajectory:` outputs: samples into growing datasets, whole chunks at a time, flushed often enough that a
  * killed run loses about a second. */
 #include "sim/output/trajectory_xdmf.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes the XDMF file beside a trajectory: one grid of points a sample, whose numbers stay in the HDF5 file. In XDMF 2: VTK's
  * reader of XDMF 3 (9.1) knows no slabs of datasets written as items, and that of XDMF 2 none written as paths. */
 #include "sim/output/trajectory_xdmf.h"

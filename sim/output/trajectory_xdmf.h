@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The XDMF file beside a trajectory: how ParaView and VTK read its HDF5 file. */
 #ifndef BEADREEL_SIM_OUTPUT_TRAJECTORY_XDMF_H
 #define BEADREEL_SIM_OUTPUT_TRAJECTORY_XDMF_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Adds up energies and integrates what damping takes: see budget.h.
  *
  * The force f of a contact takes from the beads the power f D, with D the rate of its compression, and the elastic force e gives

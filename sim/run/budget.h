@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The energy budget of a chain: what it has where, what gravity gave, and what damped contacts took, integrated along with the
  * motion.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs of equations: steps a motion, samples it, and reports its outcome. The counterpart of run.c. */
 #include <math.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Estimates a step's error from the embedded method, for the outcome of a run. */
 #include "sim/run/estimate.h"
 

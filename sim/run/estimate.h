@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Estimates a step's error from its own numbers. */
 #ifndef BEADREEL_SIM_RUN_ESTIMATE_H
 #define BEADREEL_SIM_RUN_ESTIMATE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Forces between the ends of a step, from the compressions' polynomials: see force_curve.h. */
 #include "sim/run/force_curve.h"
 

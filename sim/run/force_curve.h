@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Force curve: the force of a contact, or of a bead, over the step just made. */
 #ifndef BEADREEL_SIM_RUN_FORCE_CURVE_H
 #define BEADREEL_SIM_RUN_FORCE_CURVE_H

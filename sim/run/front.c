@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Follows the front of the wave and finds when it reaches the end of the chain. */
 #include "sim/run/front.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Front: when the wave reaches the end of the chain. */
 #ifndef BEADREEL_SIM_RUN_FRONT_H
 #define BEADREEL_SIM_RUN_FRONT_H

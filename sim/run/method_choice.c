@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses method and step for a chain, from its scene, forces and energy; the plan tells why. */
 #include "sim/run/method_choice.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The choice of a method: the one that a scene names or that `auto` picks, its step, and the reason. */
 #ifndef BEADREEL_SIM_RUN_METHOD_CHOICE_H
 #define BEADREEL_SIM_RUN_METHOD_CHOICE_H

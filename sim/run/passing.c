@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds when the first pulse is over at the last contact and at the last sensor. */
 #include "sim/run/passing.h"
 

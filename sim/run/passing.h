@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Passing: when the first pulse is over at the end of the chain, so that plots show it whole. The end of runs without `until`. */
 #ifndef BEADREEL_SIM_RUN_PASSING_H
 #define BEADREEL_SIM_RUN_PASSING_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the largest force of every contact or bead during a run, between steps as well: see peaks.h. */
 #include "sim/run/peaks.h"
 

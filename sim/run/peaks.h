@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Peaks: the largest maximum of every contact's or bead's force, found between the steps.
  *
  * A maximum lies where the rate of the force changes its sign within a step; its place and height come from the

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs one chain: steps under control of energy and accuracy, samples, peaks and front. Sessions and sweeps call it. */
 #include "sim/run/run.h"
 

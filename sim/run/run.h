@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Run: one chain stepped through time, and sampled between the steps.
  *
  *   bead_run_create(&settings, &run, &msg);

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The tables of run_kinds.h for beads; equation_run.c has the one for equations. */
 #include "sim/run/run_kinds.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What can run: chains of beads (run.h) and equations (equation_run.c), each kind a const table with its own struct bead_run.
  * Sessions use only these tables. */
 #ifndef BEADREEL_SIM_RUN_RUN_KINDS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the derivatives of peak forces: see sensitivity.h. */
 #include "sim/run/sensitivity.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sensitivities: the derivatives of peak forces by the mass, radius and modulus of every bead, and by the striker's velocity.
  *
  * The chain is run once more, with steps of its own, and its states are kept; each peak then takes one sweep back over them

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Step control: how long the next step may be.
  *
  * The step is theta/omega. omega bounds the frequencies the chain can show: at first from the energy put in, then again every few

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The method and the steps of a run, from what its scene asks: see run.h. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Estimates the uncertainty of peaks from two runs, see uncertainty.h. */
 #include "sim/run/uncertainty.h"
 

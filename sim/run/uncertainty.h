@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Uncertainty: how well the peaks of a run are known, from those of a comparison run with other steps.
  *
  * A comparison run at f times the tolerance is off by up to f times what was asked, and the run itself by that less: where the two

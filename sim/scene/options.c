@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads a map of a scene into a structure, key by key, by the rows of an option table. */
 #include "sim/scene/options.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Options: one const table for each settings structure. Parser, help text, man page and error messages come from it. */
 #ifndef BEADREEL_SIM_SCENE_OPTIONS_H
 #define BEADREEL_SIM_SCENE_OPTIONS_H

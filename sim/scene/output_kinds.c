@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kinds of outputs, in the order of their enum, and what everybody asks of them. */
 #include "sim/scene/output_kinds.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Kinds of outputs: the type of each says what it is called, which keys it has, how they are checked, and what sets the kind apart.
  * Parser, help, messages, --set, --info and sessions ask the types. */
 #ifndef BEADREEL_SIM_SCENE_OUTPUT_KINDS_H

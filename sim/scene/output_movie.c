@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kind of output `movie`: its table of keys. What the values must be like besides is checked in scene_movie.c. */
 #include <math.h>
 

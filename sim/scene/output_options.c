@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kinds of outputs, each with its table of keys: rows of its own and rows that several kinds share. What the values must be
  * like besides is checked in scene_output.c. */
 #include <math.h>

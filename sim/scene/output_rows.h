@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the tables of keys of outputs are made of, each in a file of its own or in output_options.c. */
 #ifndef BEADREEL_SIM_SCENE_OUTPUT_ROWS_H
 #define BEADREEL_SIM_SCENE_OUTPUT_ROWS_H

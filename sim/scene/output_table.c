@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables: their keys, of single runs and of sweeps. */
 #include "sim/scene/output_rows.h"
 

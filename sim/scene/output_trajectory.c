@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kind of output `trajectory`: its table of keys. */
 #include "sim/scene/output_rows.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scenes: from text to structures. Every structure has a file of its own, scene_*.c, with its table of keys. */
 #include "beadreel/scene.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One output of a scene as a list of its own: what `-o FILE` asks for. */
 #include <stdlib.h>
 #include <string.h>

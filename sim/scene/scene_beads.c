@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `beads`: the segments of a chain, left to right. */
 #include <stdlib.h>
 #include <string.h>

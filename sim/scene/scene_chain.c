@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `chain`: what stands in a row, how it is struck, and the forces in it. */
 #include <math.h>
 #include <stdlib.h>

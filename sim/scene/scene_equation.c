@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A chain that is an equation: its keys, which of them belong to which equation, and how it starts. */
 #include <math.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds and lists ready scenes: assets/scenes/NAME.yaml, in folders too. */
 #include <dirent.h>
 #include <errno.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* All keys of scenes, or those of one section, from the tables that read them. */
 #include <string.h>
 

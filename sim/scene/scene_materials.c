@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `materials`: what beads and walls are made of. */
 #include <math.h>
 #include <stdlib.h>

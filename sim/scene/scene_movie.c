@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Keys of movies that explain what is to be seen: captions, title card, poster, camera. */
 #include <ctype.h>
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `outputs`: the list, and what must fit together in it. */
 #include "sim/scene/scene_output.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Readers of the keys of outputs that are more than a number, a word or a choice. */
 #ifndef BEADREEL_SIM_SCENE_SCENE_OUTPUT_H
 #define BEADREEL_SIM_SCENE_SCENE_OUTPUT_H

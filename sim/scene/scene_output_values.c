@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Readers of the values of outputs' keys that are more than a number, a word or a choice. */
 #include <math.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `panels` of images and plots. */
 #include <stdlib.h>
 #include <string.h>

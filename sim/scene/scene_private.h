@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Inside of scenes, shared by sim/scene*.c: one reader and one option table for each structure. */
 #ifndef BEADREEL_SIM_SCENE_SCENE_PRIVATE_H
 #define BEADREEL_SIM_SCENE_SCENE_PRIVATE_H

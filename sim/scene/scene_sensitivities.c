@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What sensitivities are wanted of, and where they cannot be had. */
 #include <stdlib.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `show`: what plots and tables can show, and which keys go with what. */
 #include <string.h>
 

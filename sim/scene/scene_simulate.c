@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `simulate`: until when and how well. */
 #include <math.h>
 #include <stdlib.h>

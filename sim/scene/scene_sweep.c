@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `sweep`, `sweeps`: chains that differ in the spins of their random cells, and what is measured of them. */
 #include <stdlib.h>
 #include <string.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The configurations of a sweep: groups of one magnetism, from `magnetism` or `spins` and the random cells of its chain. */
 #include <math.h>
 #include <stdlib.h>

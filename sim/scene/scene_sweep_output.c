@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Checks of outputs that only sweeps have, or that a sweep must fit. */
 #include <math.h>
 #include <stdlib.h>

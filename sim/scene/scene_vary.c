@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beads that differ from their material: see scene_vary.h. Each value of its own is a material of its own, of the same name. */
 #include "sim/scene/scene_vary.h"
 

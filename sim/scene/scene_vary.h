@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beads that differ from their material: radius, mass and modulus of an entry of `beads`, taper, disorder. */
 #ifndef BEADREEL_SIM_SCENE_SCENE_VARY_H
 #define BEADREEL_SIM_SCENE_SCENE_VARY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Names as people read them. */
 #ifndef BEADREEL_SIM_SCENE_SCENE_WORDS_H
 #define BEADREEL_SIM_SCENE_SCENE_WORDS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scenes of sweeps as YAML: the chain that a sweep means, the scene of one configuration, and what of the text matters to results.
  */
 #include "sim/scene/sweep_yaml.h"

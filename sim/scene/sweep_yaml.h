@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chains of sweeps as scenes have them: as trees and as text. */
 #ifndef BEADREEL_SIM_SCENE_SWEEP_YAML_H
 #define BEADREEL_SIM_SCENE_SWEEP_YAML_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of views as scenes know them: names and traits, without any drawing. Scene parsing and render both ask it. */
 #include "beadreel/view_kind.h"
 

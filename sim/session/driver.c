@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Schedules samples: finds the next time that any consumer wants, and delivers the sample to those that want it. */
 #include "sim/session/driver.h"
 

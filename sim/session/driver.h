@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The driver: takes samples of all chains, in order of time, from a simulation or a trajectory to the consumers that want them. */
 #ifndef BEADREEL_SIM_SESSION_DRIVER_H
 #define BEADREEL_SIM_SESSION_DRIVER_H

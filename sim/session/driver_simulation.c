@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Samples from a simulation: all chains advance together, none further than the next sample needs. */
 #include <math.h>
 #include <stdatomic.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Delivers the samples stored in a trajectory to their consumers. */
 #include <math.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opens a session: from a job to its scene, its chains and the end of the run; session_sinks.c then makes the sinks. */
 #include <math.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opens a trajectory as a session that draws it again. */
 #include <math.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Claims of a session on the files it is going to write: of two runs that share a file the second is refused at its start. */
 #include "beadreel/file.h"
 #include "sim/session/session_data.h"

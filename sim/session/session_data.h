@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The inside of a session, shared by the session_*.c. */
 #ifndef BEADREEL_SIM_SESSION_SESSION_DATA_H
 #define BEADREEL_SIM_SESSION_SESSION_DATA_H

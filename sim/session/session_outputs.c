@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which outputs a session has: those of its scene that are asked for. */
 #include <stdlib.h>
 #include <string.h>

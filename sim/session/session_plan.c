@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* --plan: what a session will compute, what it skips, and why. */
 #include <math.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs a session: a scouting pass if one is needed, the pass itself, and the end of every sink. */
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The one output that `-o FILE` names, of a scene, a trajectory or a sweep's file, and what the command line says of it. */
 #include <stdlib.h>
 #include <string.h>

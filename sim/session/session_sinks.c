@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes the sinks of a session and decides whose samples each takes: its own, or those of the trajectory output. */
 #include <math.h>
 #include <stdlib.h>

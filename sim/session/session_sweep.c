@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sessions of sweeps: compute many chains, or read their results from a file, and write tables and plots of them. */
 #include <errno.h>
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes sure of the accuracy before the run (`simulate: {verify: true}`), and warns of steps that are too long. */
 #include <math.h>
 #include <stdio.h>

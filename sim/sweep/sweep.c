@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes a sweep from its scene: panels, configurations and their chains. The other files of this room run, store and read it. */
 #include <math.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The insides of a sweep, shared by the files of this room. */
 #ifndef BEADREEL_SIM_SWEEP_SWEEP_DATA_H
 #define BEADREEL_SIM_SWEEP_SWEEP_DATA_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The journal of a sweep: a head, then one record for each finished chain, in the order they finished. A process that is killed
  * at any moment leaves whole records and at most one torn one, which the next process cuts off. */
 #include <errno.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads the file of a sweep, which is not trusted, and merges parts. */
 #include <inttypes.h>
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Computes a sweep, one chain per thread, and puts the results into their places. */
 #include <math.h>
 #include <pthread.h>

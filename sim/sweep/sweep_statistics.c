@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Computes the statistics of a sweep from its results: groups of one magnetism, thresholds, plateaus. */
 #include <math.h>
 #include <stdlib.h>

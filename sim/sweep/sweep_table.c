@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of sweeps: statistics of every magnetism, results of every configuration, decay along the chain. */
 #include <locale.h>
 #include <math.h>

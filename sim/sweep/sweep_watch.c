@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs single configurations of a sweep for pictures: delivers samples as they come, and measures of each run. */
 #include <math.h>
 #include <stdlib.h>

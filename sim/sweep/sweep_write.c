@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes the file of a sweep, once everything is known; beadreel/sweep.h describes its contents. */
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Diagrams of benches, drawn with this program's own axes and text. */
 #ifndef BEADREEL_BENCH_DIAGRAM_H
 #define BEADREEL_BENCH_DIAGRAM_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Time of encoding synthetic frames of a bead movie: beads that move, a growing space-time image, a large still part.
  *   encode [BUILD [extension [quality]]]     files are made in a temporary directory and removed, unless KEEP=DIR is set */
 #include <math.h>

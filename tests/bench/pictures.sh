@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Cost of pictures: movies by this program, by `ffmpeg` merely encoding the same frames, by matplotlib and VTK; space-time images.
 #   pictures.sh BUILD        writes BUILD/bench/pictures.csv and a table with ratios; minutes
 # BENCH_QUICK=1: a second of movie instead of ten, whose start-up then counts for much. BENCH_REPEAT=n: the best of n runs. All figures

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Frames of movies, to compare encoders by.
  *   pictures_frames raw MOVIE OUT.yuv       the frames as raw planes, 4:2:0 BT.709
  *   pictures_frames psnr MOVIE RAW.yuv      dB, of luma: of all pixels; of the blocks of 16 x 16 that differ from the frame before

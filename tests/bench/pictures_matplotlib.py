@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The same pictures with matplotlib.
    pictures_matplotlib.py movie RUN.h5 OUT.mp4 FRAMES    of FRAMES frames: beads, profile, space-time image of each chain
    pictures_matplotlib.py image RUN.h5 OUT.png           space-time image with axes"""

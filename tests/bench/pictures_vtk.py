@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The same beads with VTK, as spheres in 1920 x 1080; without profile and space-time image, which it has no ready part for.
    pictures_vtk.py RUN.h5 OUT.mp4 FRAMES"""
 import subprocess

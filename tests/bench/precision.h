@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Work against error: problems, clock and rows that the programs of tests/bench/precision_* share.
  *
  * Every program prints rows `problem,solver,setting,cpu_s,error_peaks,error_velocity,evaluations`: CPU seconds of one run (the best

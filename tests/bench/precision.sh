@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Work against error of our methods and of whatever else is installed, as a table and as a diagram:
 #   precision.sh BUILD       writes BUILD/bench/work-precision.csv, .png and .pdf (errors of peaks), work-precision-velocities.png
 #                            and .pdf (of velocities at an early time)

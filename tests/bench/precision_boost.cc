@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 // Solve a problem of precision_stream with Boost.odeint: precision_boost FILE rkn_sb3a STEP | rkf78 TOLERANCE > stream.
 //
 // Only the solver's own steps are timed, not writing them.

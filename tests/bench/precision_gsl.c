@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Work against error of the GNU Scientific Library's Runge-Kutta Prince-Dormand (8, 9) with its step control. */
 #ifdef BENCH_GSL
 #include <gsl/gsl_errno.h>

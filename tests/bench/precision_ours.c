@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Work against error of this program's own methods, over steps; and of `auto` over the accuracy asked. All rows of a problem are
  * timed in turn, several times over: a processor that changes its clock meanwhile does so for all of them.
  *   precision_ours [problem...]

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Work against error of the classical Runge-Kutta method as one writes it down: loops over all beads, one thing after the other, no
  * windows, no vectors by hand. What a careful user would have without this program. */
 #include "tests/bench/precision_watch.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Solve a problem of precision_stream with SciPy: precision_scipy.py FILE DOP853|LSODA TOLERANCE > stream.
 
 Only the solver's own steps are timed, not writing them."""

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Errors of solutions that programs in other languages write to a pipe.
  *   precision_stream --problem NAME             prints the problem: four columns; rows: beads, striker's velocity, early time, end;
  *                                               scale of displacements, 0, 0, 0; then mass, A, static compression and force of each

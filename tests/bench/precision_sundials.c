@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Work against error of SUNDIALS: CVODE's Adams methods and ARKODE's explicit Runge-Kutta 8. */
 #ifdef BENCH_SUNDIALS
 #include <arkode/arkode_erkstep.h>

@@ -1,3 +1,4 @@
+% SPDX-License-Identifier: GPL-3.0-or-later
 % The program of the thesis's Appendix 4 (Runge-Kutta 4, vectors along the chain, pow for the force) for a problem of
 % precision_stream: octave-cli precision_thesis.m FILE STEP > stream. Only the time steps are timed, not writing them.
 words = argv();

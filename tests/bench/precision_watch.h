@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Errors of somebody else's solution, step by step: peaks between the steps from the same septic interpolant as our own, so that
  * only the solver is judged. And the same right-hand side, with our kernels, for solvers written in C. */
 #ifndef BEADREEL_BENCH_PRECISION_WATCH_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table and the diagram of scaling.c: cost and memory of a bead over the length of the chain. */
 #ifndef BEADREEL_BENCH_SCALING_PLOT_H
 #define BEADREEL_BENCH_SCALING_PLOT_H

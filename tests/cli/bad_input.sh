@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Wrong scenes and files: one clear line, status 1 or 2, and no file left behind.
 source "$(dirname "$0")/../shell.bash"
 mkdir "$T/out.d"

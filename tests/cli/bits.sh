@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The ready scenes give the bits of the reference: tests/reference/bits.txt.
 source "$(dirname "$0")/../shell.bash"
 reference=$top/tests/reference/bits.txt

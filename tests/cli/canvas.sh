@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Back ends of the canvas: OSMesa, else EGL, else plain, which needs no library; result lines say who painted and encoded.
 source "$(dirname "$0")/../shell.bash"
 cat >"$T/scene.yaml" <<'YAML'

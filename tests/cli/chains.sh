@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Chains in a few words: values of beads, taper, disorder, numbers in cells, groups, decorations. The table `show: chain` has them.
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Completion in bash, zsh and fish, as typed on a terminal: options, their values, scenes and files, all as the programs name them.
 source "$(dirname "$0")/../shell.bash"
 scripts=$top/assets/completions

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Few file descriptors: a run is whole, the same as ever, or it fails and leaves nothing. Fonts that cannot be opened are a failure.
 source "$(dirname "$0")/../shell.bash"
 cat >"$T/scene.yaml" <<'YAML'

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What programs read: the result of a run, as one line of JSON on stdout.
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1

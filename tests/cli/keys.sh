@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The examples of beadreel-scene(5): every key has one, and every one is accepted where it belongs.
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # How many beads there can be: stated limits are checked before memory is taken, and plans build no beads.
 source "$(dirname "$0")/../shell.bash"
 scene() { # BEADS [OUTPUTS]

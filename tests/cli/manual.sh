@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The manual: what its chapters say is done here, chapter by chapter, with smaller pictures; and its HTML is whole.
 source "$(dirname "$0")/../shell.bash"
 manual=$top/assets/manual

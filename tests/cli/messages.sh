@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What is said of mistakes that beginners make: all at once, each with its place and what to write instead.
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1

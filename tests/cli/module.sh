@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The Python module, and the notebook that uses it.
 source "$(dirname "$0")/../shell.bash"
 python=/usr/bin/python3

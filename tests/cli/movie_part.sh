@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Movies of runs that end before their time: what a signal or a kill leaves, `name.part`, plays up to there, and an earlier movie of
 # the same name stays. Whole ones leave no part, and mp4 files have their index in front.
 source "$(dirname "$0")/../shell.bash"

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Pictures have names for people: labels of materials, words instead of identifiers; tables keep the names of the scene.
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1

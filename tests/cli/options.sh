@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The command line: help, lists, near misses, wrong values.
 source "$(dirname "$0")/../shell.bash"
 mkdir "$T/here"

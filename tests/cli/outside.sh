@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Scenes of strangers: files stay in the output directory, unless --allow-outside is given; directories inside it are made.
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Programs of other people show what was made: a browser plays movies and opens drawings, poppler reads PDF; where installed.
 source "$(dirname "$0")/../shell.bash"
 cat >"$T/scene.yaml" <<'YAML'

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Readers of other people open a trajectory of a real run, finished or stopped; where they are installed.
 source "$(dirname "$0")/../shell.bash"
 python=/usr/bin/python3

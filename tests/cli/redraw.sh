@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # One file by its name: of a scene, and of a trajectory or a sweep that is drawn again, with the options for it.
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Reports: what is refused, what a page contains, and what a browser makes of it, where there is one.
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1

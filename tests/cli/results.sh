@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What a run prints and leaves: files, sizes, progress; the same results for any threads and instructions.
 source "$(dirname "$0")/../shell.bash"
 cat >"$T/scene.yaml" <<'YAML'

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The JSON Schema of scenes: up to date, and telling right scenes from wrong ones.
 source "$(dirname "$0")/../shell.bash"
 cd "$top" || exit 1

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Tables of the derivatives of peaks, and of what the tolerances of beads make of them.
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Contact sheets: of a sweep, of its file, of one random chain; only what they show is run.
 source "$(dirname "$0")/../shell.bash"
 cat >"$T/sweep.yaml" <<'YAML'

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Stopped runs: status 128+n; the trajectory's .part can be read up to there, and finished files of earlier runs stay. Killed ones
 # leave the same. What stands in the way of unfinished files is neither followed nor waited for.
 source "$(dirname "$0")/../shell.bash"

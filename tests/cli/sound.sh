@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Sound of movies as a user asks for it: what is refused, which tracks a file has, and whether what is heard is the force of the table.
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Scenes to start from (--new), and scenes that are drawn again when saved (--watch).
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1

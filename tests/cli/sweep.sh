@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Sweeps: killed and gone on with, in parts, drawn again, one configuration alone.
 source "$(dirname "$0")/../shell.bash"
 cat >"$T/sweep.yaml" <<'YAML'

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The thesis's figures: every ready scene of them can be planned, the quick ones are made and their numbers are right.
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Times that are asked for are got, or an error says why not; runs that end by themselves have seen the first pulse whole.
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What users are told of the accuracy of peaks: a column, the last line, --info; a guarantee, and what cannot be had; long steps.
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Run a scene and print the hash of all states it went through: displacements and velocities of all chains after every step.
  * states SCENE DIRECTORY [KEY=VALUE]...      Build: cc states.c $(pkg-config --cflags --libs beadsim) */
 #include <beadreel/session.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the fuzz targets share: files, promises, sessions with a watchdog, random numbers. */
 #include "tests/fuzz/fuzz.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fuzz target: journals of sweeps, the `.part` that a killed sweep goes on from. Three quarters of the inputs get right check sums,
  * so that what lies behind these is reached. */
 #include <signal.h>

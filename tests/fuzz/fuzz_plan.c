@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fuzz target: settings -> plan. A scene is opened with every kind of output and planned; nothing is written. */
 #include "beadreel/scene.h"
 #include "tests/fuzz/fuzz.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fuzz target: text -> settings. No plan, so thousands a second. */
 #include <stdlib.h>
 #include <string.h>

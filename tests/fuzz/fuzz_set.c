@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fuzz target: `--set` strings, one a line, applied to a scene with something of everything. What was accepted is a scene whose
  * text, as stored in files, parses again. */
 #include <stdlib.h>

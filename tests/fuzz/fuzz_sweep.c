@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fuzz target: files of sweeps. What can be opened is planned, and one in four written as a table. */
 #include <unistd.h>
 

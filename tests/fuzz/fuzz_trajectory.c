@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fuzz target: trajectory files. Every sample is read; one in eight is drawn, too. */
 #include <unistd.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Mutator of scenes: words and lines, not bytes alone, so that most of what comes out is YAML. Half of the texts that it starts
  * from are ones that were accepted. */
 #include <string.h>

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Run the fuzz targets of a build and count: tests/fuzz/run.sh BUILD SECONDS RUNS [TARGET...]
 # Each target is run for SECONDS, or RUNS executions where that is shorter; -1: any number.
 # What is new in coverage stays in BUILD/corpus/TARGET; the input of a fault in BUILD/faults, and stands in the output; each run adds a

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Seeds of the fuzz targets, from the ready scenes, the wrong scenes of the tests, and runs of small scenes:
 #   tests/fuzz/seeds.sh BUILD DIRECTORY     one directory of seeds for each target
 set -eu

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Chains of the comparisons: their constants by the formulas of textbooks, not by the program, and what the program makes of them."""
 import csv
 import json

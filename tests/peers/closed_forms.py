@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Exact results: collisions, statics, small motion by eigenvectors, similarity; and the solitary wave by its own equation."""
 import math
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """SciPy's DOP853, from contact event to contact event, on cradles, walls, slopes, precompressed and damped chains."""
 import math
 

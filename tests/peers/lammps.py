@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """LAMMPS (pair_style granular, Hertz's law from moduli, velocity Verlet) on balls in a line, at falling steps."""
 import math
 import pathlib

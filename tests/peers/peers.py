@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The program beside others: peers.py BEADSIM; the table goes to stdout, and to RESULTS.md where no peer is missing. Status 1 if a
 difference is larger than it may be."""
 import importlib.util

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Transparent pictures and movies: what is read back covers what is behind it as the opaque ones do, in every format. */
 #include <math.h>
 #include <png.h>

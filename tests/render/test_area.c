@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Areas into colours: the same numbers and indices however they are asked for. */
 #include <math.h>
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Animation: what is drawn bit by bit is what would be drawn at once, changes are told honestly, frames do not depend on threads.
  */
 #include <setjmp.h>

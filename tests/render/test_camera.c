@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The camera: its window holds the front, moves without jerks, rests at both ends. */
 #include <math.h>
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Canvas and painter, of every back end: the backdrop comes back exactly, discs have the right area and place, parts are drawn as
  * wholes, and what cannot be is an error. */
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The colour bar says which colour means what: its colours in movies are those of the map, at their places, as BT.709 has them. */
 #include "movies.h"
 

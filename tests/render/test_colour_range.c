@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Automatic ranges of colours: all values, but not a strike that would hide the wave; and the colour map of dark pictures. */
 #include <math.h>
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pixels for encoders: BT.709 as its formula says, rectangles as whole frames, palettes exact where they can be. */
 #include <math.h>
 #include <setjmp.h>

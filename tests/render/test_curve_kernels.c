@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Curves as their kernels paint them: instruction sets against each other, and against plain arithmetic. */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Figures: presets of size and type, the largest value of every pixel, plots of peaks. */
 #include <math.h>
 #include <setjmp.h>

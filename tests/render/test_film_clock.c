@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Films whose speed changes: how long they take, what they show when, pauses; and their frames. */
 #include <math.h>
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Frames of films in every layout, shape, theme and size of type, with one to four chains: no word is cut off or lies over another,
  * none is shortened, and the space-time images have their share. SHOW=DIRECTORY keeps the frames as pictures. */
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sound of movies: decoded, it is the force at the times that the pictures show, in every format. */
 #include <math.h>
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Golden pictures: every tests/golden/NAME.yaml is run and its picture, or the middle frame of its movie, compared with NAME.png.
  * The pictures are made on Debian 12, where every pixel must be as it was. From cairo 1.18 on glyphs lie between pixels, so that
  * elsewhere text may be off by one, and a few pixels of it by more; but never so many in one place as a mark covers. Where too many

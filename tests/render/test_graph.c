@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Graphs: words that hide nothing and leave no page, axes that are shared, ranges. */
 #include "graphs.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Curves of graphs: points at their place, cut at the frame, interrupted where there is no value. */
 #include "graphs.h"
 

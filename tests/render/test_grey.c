@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Figures in grey: every pair of curves in a panel of a ready figure is told apart by dashes or marks, without its colours. The
  * layouts of all figures pass through here (the Makefile wraps graph_layout_make). */
 #include "graphs.h"

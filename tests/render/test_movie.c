@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Movies: what is read back is what was added, at its times, for its duration. */
 #include "movies.h"
 

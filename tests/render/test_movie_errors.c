@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Movies that cannot be made: refused in time, told in one line, and nothing is left of them. */
 #include "movies.h"
 

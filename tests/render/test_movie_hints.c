@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What encoders are told of unchanged parts is true: nothing that has changed stays behind on the screen. */
 #include "movies.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Layouts of movie frames: whatever is asked for, rectangles stay within the frame and apart from each other. */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A wish to stop comes through while a film draws many frames of one sample: title cards and pauses last as long as the scene says.
  */
 #include "support.h"

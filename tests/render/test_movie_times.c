@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which frames of a movie are drawn: all of them, but in drafts. */
 #include <math.h>
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Space-time images in every orientation: the same pixels, turned or mirrored, in films and in contact sheets; which one each kind
  * of output takes by itself; and no word of a sheet is cut off or lies over another. */
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scenes with pictures: what they skip, that they are the same for any thread count, and the same again from a trajectory. */
 #include "support.h"
 

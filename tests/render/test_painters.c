@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The painter of this program against OpenGL's, pixel by pixel; its instruction sets against each other. */
 #include <setjmp.h>
 #include <stdarg.h>

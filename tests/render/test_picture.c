@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pictures: exact area averages, the same pixels whole or in parts, PNG and PDF that hold exactly what was drawn. */
 #include <math.h>
 #include <png.h>

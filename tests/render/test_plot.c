@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Plots of sensors: what forces are divided by, one axis for all chains, ranges, horizons. */
 #include <math.h>
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reports: samples that read back, text that cannot break out of the page, and what a page is made of. */
 #include <math.h>
 #include <setjmp.h>

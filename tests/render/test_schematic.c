@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Schematic drawings: geometry and scale at known pixels, words that never cover each other, and nothing computed for them. */
 #include "pictures.h"
 

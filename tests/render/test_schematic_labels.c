@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The layout of labels in schematic drawings: near their anchors, in order, never over each other. */
 #include <setjmp.h>
 #include <stdarg.h>

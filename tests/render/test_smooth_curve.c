@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The smooth curve of profiles: through the values, its peak as high wherever a pulse is, no value of the wrong sign. */
 #include <math.h>
 #include <setjmp.h>

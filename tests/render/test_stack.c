@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stacks of plots, which stills and movies lay out alike: heights fill the room, rows keep out of each other. */
 #include <setjmp.h>
 #include <stdarg.h>

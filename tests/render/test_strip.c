@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows of thousands of beads: what a pixel shows is the mean of its beads, and a pulse of one bead does not get lost. */
 #include <math.h>
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Predictability horizon: a comparison run leaves the first one as it is; disordered chains have a horizon and ordered ones none;
  * the picture is the same but for the line. */
 #include "support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of views: every row is complete, and its words, traits and functions fit together. */
 #include "support.h"
 

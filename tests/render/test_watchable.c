@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Movies can be watched: nothing large flashes or flickers, and text is sharp after encoding. */
 #include <math.h>
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Accuracy against references good to 14 digits, and the order of every method on a smooth problem. */
 #include "support.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Failing allocations: each that is made fails once, over every kind of scene and data. What is asked for then works as ever, or is
  * refused for want of memory, with a message, and leaves no memory and no file. */
 #include "tests/support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The program printed in the thesis's Appendix 4, run once under GNU Octave: the same forces from the ready scene. */
 #include "support.h"
 

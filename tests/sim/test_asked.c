@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Peaks are as accurate as was asked, but not much better: disordered chains, other materials, other shapes. */
 #include "support.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contacts that open and close, from the physics: collisions, momentum, scaling, chains that open, contacts that graze. */
 #include "chains.h"
 

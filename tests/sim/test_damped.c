@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Damped contacts: their force jumps as they close, to gamma |D|^a at D m/s. Peaks are the larger of both sides of a jump, and
  * nothing that is found between steps looks across it. */
 #include "support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Forces that follow from stored displacements are, to the bit, those that a run samples. */
 #include "support.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Functions and transforms that have the same bits on every processor: they are right, and they are these bits. */
 #include <float.h>
 #include <inttypes.h>

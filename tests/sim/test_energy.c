@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The energy budget: it closes, and each part is what it says; and so do the energies of the beads. */
 #include "measures.h"
 

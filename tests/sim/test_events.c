@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contacts that open and close: what the correction of their steps restores, and what it must not touch. */
 #include "chains.h"
 

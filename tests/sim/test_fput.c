@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Strings of Fermi, Pasta, Ulam and Tsingou: exact linear waves, recurrence times of converged runs, conserved quantities,
  * solitary pulses. */
 #include "scenes.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The Korteweg-de Vries equation: solitons and their collisions against exact solutions, the recurrence of Zabusky and Kruskal. */
 #include "tests/motions.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A trajectory whose run is killed can be read, whenever that happens: after each of its writes. */
 #include "trajectory_support.h"
 

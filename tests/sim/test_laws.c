@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pair forces: every row of the table is whole and agrees with itself, and a row that no other file knows works like any. */
 #include "chains.h"
 

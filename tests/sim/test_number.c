@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers as text: they read back as the same double, and no text with fewer digits does. */
 #include "tests/support.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Physics that must hold exactly, or to rounding: scaling, conservation, symmetry, known solutions; and that
  * neither window nor instruction set changes a bit. */
 #include "support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pipes: order, bounds, one worker, and no way to wait for ever. */
 #include "beadreel/ring_buffer.h"
 

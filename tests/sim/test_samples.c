@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Samples between steps are as accurate as the steps, where contacts open or close within them, too. */
 #include "support.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scenes: what they mean, their numbers, ready scenes and assets. */
 #include "scenes.h"
 

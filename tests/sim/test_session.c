@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a scene does not need is not computed: proved by what was not evaluated, sampled or written; and what is
  * computed does not depend on what else was asked for. */
 #include "support.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Waves that break: their breaking times against closed forms and characteristics, and what must hold behind the shock. */
 #include "tests/motions.h"
 

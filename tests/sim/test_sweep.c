@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sweeps: spins, forces, statistics, files and journals. */
 #include "support.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sweeps that cannot be run, stored or put together say why, and leave what they found as it was. */
 #include "sweeps.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sweeps: forces, defects and decay that other programs found. */
 #include "support.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables: exactly the columns promised, numbers that round-trip, in any locale. */
 #include "trajectory_support.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chains one a thread: whatever the number of threads, the same numbers and the same error. */
 #include "support.h"
 

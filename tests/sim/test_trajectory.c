@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Trajectories: what is written is read again, whatever ended the run. */
 #include "trajectory_support.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files that are not trajectories, or no longer: one clear line, no crash, nothing believed. */
 #include "trajectory_support.h"
 

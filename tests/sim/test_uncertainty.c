@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Peaks are off by no more than their uncertainties say, or than what was asked; and these say no more than they need. */
 #include "support.h"
 

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The claims of the thesis with all runs, those of minutes, too:  findings.sh BUILD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows of the stress table: what was tried, what came out, ok or FAILED; and how a chain is tried.
  *
  * A row is ok when nothing happened that a user would call wrong: numbers stayed finite, energy and (without wall and tilt)

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Extreme chains: the tables of the programs stress_*, and scenes whose front never comes, which must end with a message.
 #   stress.sh BUILD       status 1 if a row FAILED; STRESS_QUICK=1: seconds instead of minutes
 build=$1

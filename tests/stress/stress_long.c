@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Ten million steps of ten beads that bounce between two walls for ever. Chaos makes the motion itself unpredictable; energy must
  * not notice. The wall at the left is the striker, at rest and immovable. */
 #include "tests/stress/stress.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* No peak of chains drawn at random is off by more than what was asked, or than its uncertainty says; and uncertainties are not
  * large without need. */
 #include "tests/stress/stress.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Loaded before a program (LD_PRELOAD), or linked into one (fail_alloc.h): its FAIL_AT-th allocation fails, once. Only those made
  * by the program's own code count, by the address of the caller: libraries abort on their own; and only those made until main
  * returns: what a compiler adds at exit, to write counts of coverage, is no code of the program's. FAIL_AT=0 fails none; FAIL_COUNT

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Allocations that fail on request, within a program that is linked with fail_alloc.c. */
 #ifndef BEADREEL_TESTS_FAIL_ALLOC_H
 #define BEADREEL_TESTS_FAIL_ALLOC_H

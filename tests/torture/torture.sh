@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Torture the program: tests/torture/torture.sh BUILD KILLS ALLOCATIONS|all [PAIRS]
 # It is killed at random moments, run twice at once, starved of disk, file size, descriptors and memory, and sent every signal. What must
 # hold: no file under a final name that is not whole; unfinished files can be read; exit statuses as documented; a failure says why in
