@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "render/draw/palette.h"
+#include "render/colour/palette.h"
 #include "render/encode/av_file.h"
 
 enum { PER_SECOND = 100 /* units of GIF's times */, LEAST_DELAY = 2 /* of these: players slow shorter ones down */ };

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "beadreel/colormap.h"
-#include "render/draw/colour_range.h"
+#include "render/colour/colour_range.h"
 #include "render/draw/page.h"
 #include "render/draw/picture_times.h"
 #include "render/view/area_colours.h"

@@ -9,7 +9,7 @@
 #include "beadreel/colormap.h"
 #include "beadreel/look.h"
 #include "beadreel/sweep.h"
-#include "render/draw/colour_range.h"
+#include "render/colour/colour_range.h"
 #include "render/draw/page.h"
 #include "render/view/area.h"
 

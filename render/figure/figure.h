@@ -14,7 +14,7 @@
 
 #include "beadreel/canvas.h"
 #include "beadreel/sink.h"
-#include "render/draw/colour_range.h"
+#include "render/colour/colour_range.h"
 #include "render/draw/page.h"
 
 struct bead_figure;

@@ -8,7 +8,7 @@
 
 #include "beadreel/picture.h"
 #include "beadreel/view.h"
-#include "render/draw/colour_range.h"
+#include "render/colour/colour_range.h"
 #include "render/draw/page.h"
 #include "render/figure/figure.h"
 #include "render/view/stack.h"

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "render/draw/colour_range.h"
+#include "render/colour/colour_range.h"
 #include "render/draw/raster.h"
 #include "render/draw/warnings.h"
 #include "render/movie/captions.h"

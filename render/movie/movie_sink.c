@@ -11,7 +11,7 @@
 #include "beadreel/look.h"
 #include "beadreel/movie.h"
 #include "beadreel/ring_buffer.h"
-#include "render/draw/colour_range.h"
+#include "render/colour/colour_range.h"
 #include "render/encode/movie_private.h"
 #include "render/movie/captions.h"
 #include "render/movie/composer.h"

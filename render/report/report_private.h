@@ -5,7 +5,7 @@
 
 #include "beadreel/colormap.h"
 #include "beadreel/measure.h"
-#include "render/draw/colour_range.h"
+#include "render/colour/colour_range.h"
 #include "render/report/report.h"
 #include "render/report/report_write.h"
 #include "render/view/area.h"

@@ -6,8 +6,8 @@
 
 #include "beadreel/api.h"
 #include "beadreel/sweep.h"
-#include "render/draw/colour_range.h"
-#include "render/draw/colour_table.h"
+#include "render/colour/colour_range.h"
+#include "render/colour/colour_table.h"
 #include "render/report/report.h"
 #include "render/report/report_write.h"
 #include "render/view/area.h"

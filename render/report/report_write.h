@@ -11,7 +11,7 @@
 #include "beadreel/colormap.h"
 #include "beadreel/error.h"
 #include "beadreel/sample.h"
-#include "render/draw/colour_range.h"
+#include "render/colour/colour_range.h"
 
 /* What stands in the template as {{name}} and is not a file of assets/report. */
 struct report_part {

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "render/draw/colour_table.h"
+#include "render/colour/colour_table.h"
 #include "render/view/area.h"
 
 /* Where pixels go: pixel p of column c to origin[c * column_step + p * place_step]. One of the two steps is 1. */

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "render/draw/colour_range.h"
+#include "render/colour/colour_range.h"
 #include "render/view/area.h"
 #include "tests/sweeps.h"
 

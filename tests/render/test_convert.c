@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "render/draw/palette.h"
+#include "render/colour/palette.h"
 #include "render/encode/convert.h"
 #include "render/paint/pixel_kernels.h"
 

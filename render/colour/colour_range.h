@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The range of values that a still's colours span: as requested, else from 0 to the largest value, symmetric if values have both
  * signs. */
-#ifndef BEADREEL_RENDER_DRAW_COLOUR_RANGE_H
-#define BEADREEL_RENDER_DRAW_COLOUR_RANGE_H
+#ifndef BEADREEL_RENDER_COLOUR_COLOUR_RANGE_H
+#define BEADREEL_RENDER_COLOUR_COLOUR_RANGE_H
 
 #include <stdbool.h>
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/draw/palette.h"
+#include "render/colour/palette.h"
 
 enum { MOST_BOXES = 256, ROUNDS = 4 };
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses the range of colours of a picture, and its colour map, from the output's settings and the values shown. */
-#include "render/draw/colour_range.h"
+#include "render/colour/colour_range.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Colours of many values at once: the thresholds between colours, found once, and a search without branches. Areas use it. */
-#include "render/draw/colour_table.h"
+#include "render/colour/colour_table.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Colours of many values: the same indices as bead_colours_index gives one by one. */
-#ifndef BEADREEL_RENDER_DRAW_COLOUR_TABLE_H
-#define BEADREEL_RENDER_DRAW_COLOUR_TABLE_H
+#ifndef BEADREEL_RENDER_COLOUR_COLOUR_TABLE_H
+#define BEADREEL_RENDER_COLOUR_COLOUR_TABLE_H
 
 #include <stddef.h>
 #include <stdint.h>

@@ -2,8 +2,8 @@
 /* A palette of up to 255 colours for all frames of an animation: first all are counted, then the colours are chosen, then frames
  * converted. No dithering: flat areas stay flat and still areas still. A palette that changed on the way would cost a whole picture
  * for every frame from then on, since encoders leave out what stays as it is only with the palette of the first frame. */
-#ifndef BEADREEL_RENDER_DRAW_PALETTE_H
-#define BEADREEL_RENDER_DRAW_PALETTE_H
+#ifndef BEADREEL_RENDER_COLOUR_PALETTE_H
+#define BEADREEL_RENDER_COLOUR_PALETTE_H
 
 #include <stddef.h>
 #include <stdint.h>
