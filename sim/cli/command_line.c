@@ -10,16 +10,7 @@
 
 #include "beadreel/scene.h"
 #include "sim/base/suggest.h"
-
-struct option_row {
-    const char *name;
-    char letter; /* 0: none */
-    const char *argument;
-    const char *help;         /* one line */
-    const char *const *words; /* the only values it takes, NULL-terminated; NULL: any, or as `apply` checks */
-    enum bead_error (*apply)(struct command *command, const char *value, struct bead_message *msg);
-    const char *separators; /* of what sets a key of the output -o: what stands between the values of a list; "": one value */
-};
+#include "sim/cli/command_options.h"
 
 static const char *const progress_words[] = {[COMMAND_PROGRESS_AUTO] = "auto",
                                              [COMMAND_PROGRESS_PLAIN] = "plain",
@@ -222,7 +213,7 @@ static enum bead_error set_version(struct command *command, const char *value, s
     return BEAD_OK;
 }
 
-static const struct option_row rows[] = {
+static const struct command_option rows[] = {
     {"output", 'o', "PATH", "directory for the files of a scene (default: this one), or the one file to make, by its ending", NULL,
      set_output, NULL},
     {"set", 0, "KEY=VALUE", "change the scene, as in --set chain.striker.velocity='1 m/s' (repeatable)", NULL, set_setting, NULL},
@@ -263,32 +254,34 @@ static const struct option_row rows[] = {
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
-/* Does this program have the option? One that does not draw has none for drawing. */
-static bool offered(const struct command_program *program, const struct option_row *row)
+const struct command_option *command_option(size_t i)
+{
+    return i < ROWS ? &rows[i] : NULL;
+}
+
+bool command_offers(const struct command_program *program, const struct command_option *row)
 {
     return program->canvases || (row->apply != set_canvas && row->apply != set_sheet && !row->separators);
 }
 
-/* The only values that an option takes, at most WORDS of them; returns how many: 0 where any may be tried. */
-enum { WORDS = 16 };
-static size_t allowed(const struct command_program *program, const struct option_row *row, const char *words[WORDS])
+size_t command_words(const struct command_program *program, const struct command_option *row, const char *words[COMMAND_MOST_WORDS])
 {
     const char *const *list = row->apply == set_canvas ? program->canvases : row->words;
     size_t count = 0;
-    for (; list && count < WORDS && list[count]; count++)
+    for (; list && count < COMMAND_MOST_WORDS && list[count]; count++)
         words[count] = list[count];
-    for (const struct command_list *l = program->lists; row->apply == set_list && count < WORDS && l->name; l++)
+    for (const struct command_list *l = program->lists; row->apply == set_list && count < COMMAND_MOST_WORDS && l->name; l++)
         words[count++] = l->name;
     return count;
 }
 
-static enum bead_error check_word(const struct command_program *program, const struct option_row *row, const char *value,
+static enum bead_error check_word(const struct command_program *program, const struct command_option *row, const char *value,
                                   struct bead_message *msg)
 {
-    const char *words[WORDS];
+    const char *words[COMMAND_MOST_WORDS];
     char all[160] = "", near[64];
     struct bead_suggest search;
-    size_t count = allowed(program, row, words);
+    size_t count = command_words(program, row, words);
     bead_suggest_begin(&search, value);
     for (size_t i = 0; i < count; i++) {
         if (strcmp(value, words[i]) == 0)
@@ -299,118 +292,6 @@ static enum bead_error check_word(const struct command_program *program, const s
     }
     return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: unknown value `%s`%s (allowed: %s)", row->name, value,
                      bead_suggest_text(&search, near, sizeof near), all);
-}
-
-/* Help text of a row; --list names what this program can list. */
-static const char *row_help(const struct command_program *program, const struct option_row *row, char *text, size_t size)
-{
-    if (row->apply != set_list)
-        return row->help;
-    const char *words[WORDS];
-    char names[160] = "";
-    const size_t count = allowed(program, row, words);
-    for (size_t i = 0; i < count; i++) {
-        size_t used = strlen(names);
-        snprintf(names + used, sizeof names - used, "%s%s", i == 0 ? "" : i + 1 < count ? ", " : " or ", words[i]);
-    }
-    snprintf(text, size, "list %s", names);
-    return text;
-}
-
-/* Behind an option, in lines that go on below each other. */
-static void print_wrapped(const char *text, FILE *out)
-{
-    enum { INDENT = 26, WIDTH = 132 - INDENT };
-    while (strlen(text) > WIDTH) {
-        int length = WIDTH;
-        while (length > 0 && text[length] != ' ')
-            length--;
-        if (length == 0)
-            break;
-        fprintf(out, "%.*s\n%*s", length, text, INDENT, "");
-        text += length + 1;
-    }
-    fprintf(out, "%s\n", text);
-}
-
-/* Of the file -o, in one paragraph. */
-static void print_looks(FILE *out)
-{
-    char text[512] = "";
-    for (size_t i = 0; i < ROWS; i++) {
-        const size_t used = strlen(text);
-        if (rows[i].separators)
-            snprintf(text + used, sizeof text - used, "%s--%s %s", used ? ", " : "", rows[i].name, rows[i].argument);
-    }
-    fputs("  of the file -o:         ", out);
-    print_wrapped(text, out);
-}
-
-void command_print_help(const struct command_program *program, FILE *out)
-{
-    char text[256], left[64];
-    fprintf(out, "%s - %s\n\n%s\nOptions:\n", program->name, program->purpose, program->usage);
-    for (size_t i = 0; i < ROWS; i++) {
-        const struct option_row *row = &rows[i];
-        char letter[8] = "    ";
-        if (!offered(program, row) || row->separators)
-            continue;
-        if (row->letter)
-            snprintf(letter, sizeof letter, "-%c, ", row->letter);
-        snprintf(left, sizeof left, "%s--%s%s%s", letter, row->name, row->argument ? " " : "", row->argument ? row->argument : "");
-        fprintf(out, "  %-22s  ", left);
-        print_wrapped(row_help(program, row, text, sizeof text), out);
-    }
-    if (program->canvases)
-        print_looks(out);
-    fprintf(
-        out,
-        "\n%s\nExit status: 0: done; 1: the run failed; 2: the command line or the scene is wrong; 128+N: stopped by signal N.\n",
-        program->examples);
-}
-
-/* The options as a man page has them. */
-void command_print_man(const struct command_program *program, FILE *out)
-{
-    char text[256];
-    for (size_t i = 0; i < ROWS; i++) {
-        const struct option_row *row = &rows[i];
-        if (!offered(program, row))
-            continue;
-        fputs(".TP\n", out);
-        if (row->letter)
-            fprintf(out, "\\fB\\-%c\\fR, ", row->letter);
-        fprintf(out, "\\fB\\-\\-%s\\fR", row->name);
-        if (row->argument)
-            fprintf(out, " \\fI%s\\fR", row->argument);
-        fputc('\n', out);
-        for (const char *c = row_help(program, row, text, sizeof text); *c; c++)
-            fputs(*c == '-' ? "\\-" : *c == '\'' ? "\\(aq" : (char[]){*c, 0}, out);
-        fputc('\n', out);
-    }
-}
-
-/* For the completion of shells: a line for each option, "--name -n", its argument where it has one, the values it may have; a tab;
- * help. */
-void command_print_words(const struct command_program *program, FILE *out)
-{
-    const char *words[WORDS];
-    char text[256];
-    for (size_t i = 0; i < ROWS; i++) {
-        if (!offered(program, &rows[i]))
-            continue;
-        fprintf(out, "--%s %c%c %s", rows[i].name, rows[i].letter ? '-' : '.', rows[i].letter ? rows[i].letter : '.',
-                rows[i].argument ? rows[i].argument : ".");
-        const size_t count = allowed(program, &rows[i], words);
-        for (size_t w = 0; w < count; w++)
-            fprintf(out, " %s", words[w]);
-        fprintf(out, "\t%s\n", row_help(program, &rows[i], text, sizeof text));
-    }
-}
-
-void command_print_version(const struct command_program *program, FILE *out)
-{
-    fprintf(out, "%s " BEADREEL_VERSION "\nLicence GPL-3.0-or-later: free software, without any warranty.\n", program->name);
 }
 
 /* Say what was wrong with an option that getopt_long rejects. */
@@ -439,7 +320,8 @@ static enum bead_error unknown_option(char **argv, int found, struct bead_messag
 }
 
 /* A key of the output that -o names. */
-static enum bead_error add_look(struct command *command, const struct option_row *row, const char *value, struct bead_message *msg)
+static enum bead_error add_look(struct command *command, const struct command_option *row, const char *value,
+                                struct bead_message *msg)
 {
     char *list = command_listed(value, row->separators);
     char **look = &command->looks[command->look_count];
@@ -489,9 +371,9 @@ enum bead_error command_parse(struct command *command, int argc, char **argv, st
         size_t i = found >= 256 ? (size_t)found - 256 : 0;
         while (found < 256 && rows[i].letter != found)
             i++;
-        const char *words[WORDS];
+        const char *words[COMMAND_MOST_WORDS];
         enum bead_error err =
-            allowed(command->program, &rows[i], words) > 0 ? check_word(command->program, &rows[i], optarg, msg) : BEAD_OK;
+            command_words(command->program, &rows[i], words) > 0 ? check_word(command->program, &rows[i], optarg, msg) : BEAD_OK;
         if (!err)
             err = rows[i].separators ? add_look(command, &rows[i], optarg, msg) : rows[i].apply(command, optarg, msg);
         if (err)
