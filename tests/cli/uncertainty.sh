@@ -26,7 +26,7 @@ below() { awk -v x="$1" -v y="$2" 'BEGIN {exit !(x != "" && x + 0 < y + 0)}'; }
 # off FILE ROW : how far that peak is from the one of short steps, N
 off() { awk -v x="$(column "$1" "$2" 2)" -v y="$(column "fine/${1#*/}" "$2" 2)" 'BEGIN {d = x - y; if (d < 0) d = -d; printf "%.6g\n", d}'; }
 
-ok "short steps" exits 0 "$beadsim" rattling.yaml -o fine --set simulate.method=rkn8 --set 'simulate.step=0.05 us'
+ok "short steps" exits 0 "$beadsim" rattling.yaml -o fine --quiet --set simulate.method=rkn8 --set 'simulate.step=0.05 us'
 ok "... without a word" test ! -s err
 ok "a run" exits 0 "$beadsim" rattling.yaml -o run
 ok "tables of contacts have the column" grep -qx 'contact,peak_force_N,time_s,state,uncertainty_N' run/peaks.csv
@@ -46,7 +46,7 @@ ok "without the column" exits 0 "$beadsim" rattling.yaml -o plain --only peaks -
 ok "... the table is the same" cmp plain/peaks.csv <(cut -d, -f1-4 run/peaks.csv)
 ok "... the last line has no worst peak" test "$(grep -c 'least certain' out)" -eq 0
 
-ok "verify: true" exits 0 "$beadsim" rattling.yaml -o sure --set simulate.verify=true
+ok "verify: true" exits 0 "$beadsim" rattling.yaml -o sure --quiet --set simulate.verify=true
 ok "... without a word" test ! -s err
 ok "... makes the bad peak good" below "$(off sure/peaks.csv 5)" "$(column sure/peaks.csv 5 2 | awk '{print 1e-6 * $1}')"
 ok "... says so" below "$(column sure/peaks.csv 5 5)" "$(column sure/peaks.csv 5 2 | awk '{print 1.001e-6 * $1}')"
@@ -63,6 +63,6 @@ outputs: [{table: peaks.csv}]
 YAML
 ok "steps that are too long" exits 0 "$beadsim" steel.yaml -o long
 ok "... are told in words" says 'warning: steel.yaml: simulate.step: steps of 20 us are too long'
-ok "steps that are short enough" exits 0 "$beadsim" steel.yaml -o short --set 'simulate.step=4 us'
+ok "steps that are short enough" exits 0 "$beadsim" steel.yaml -o short --quiet --set 'simulate.step=4 us'
 ok "... are not" test ! -s err
 finish
