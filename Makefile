@@ -80,7 +80,7 @@ LIBRARIES       = $(BUILD)/libbeadsim.a $(BUILD)/libbeadreel.a $(BUILD)/libbeads
 PROGRAMS        = $(BUILD)/beadsim $(BUILD)/beadreel
 
 # Unit tests: every test_*.c in tests/ or a room of it is one cmocka program; other C files in tests/ are linked into all of them.
-TEST_ROOMS   = tests/sim tests/render tests
+TEST_ROOMS   = tests/sim tests/render tests/film tests
 TESTS        = $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(wildcard $(TEST_ROOMS:=/test_*.c))))
 TEST_SUPPORT = $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(filter-out tests/test_%.c,$(wildcard tests/*.c)))
 EXAMPLES     = $(patsubst tests/examples/%.c,$(BUILD)/tests/examples/%,$(wildcard tests/examples/*.c))

@@ -44,7 +44,7 @@ moved() { # ROOM: dependencies of the build name a source that has left it
     bare make --no-print-directory BUILD="$T/b" "$object" || return 1
     rm "$T/b/old.d"
 }
-for room in sim/chain render/draw tests tests/sim; do
+for room in sim/chain render/draw tests tests/sim tests/film; do
     ok "an old build is brought up to date after a source has left $room" moved "$room"
 done
 rm -f "$T/apt"

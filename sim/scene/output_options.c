@@ -87,8 +87,7 @@ const struct bead_option bead_page_rows[4] = {
      .initial = "auto",
      .choices = styles,
      .help = "preset; paper: 8 pt STIX, 86 mm wide (178 mm for several chains side by side); slide: large type for a projector; "
-             "movie: type and "
-             "colours of movies; auto: paper where the size is a length, else screen"},
+             "movie: type and colours of movies; auto: paper where the size is a length, else screen"},
     {.key = "dpi",
      .offset = BEAD_OF_OUTPUT(paper.dpi),
      .initial = "600",

@@ -13,24 +13,7 @@
 
 #include "beadreel/frame.h"
 #include "render/paint/pixel_kernels.h"
-
-static void require(enum bead_error err, const struct bead_message *msg)
-{
-    if (err)
-        fail_msg("%s", msg->text);
-}
-
-static uint32_t random_bits(uint32_t *seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return *seed >> 8;
-}
-
-/* From low to high in 64ths, as views place balls. */
-static float random_place(uint32_t *seed, double low, double high)
-{
-    return (float)(round((low + (high - low) * random_bits(seed) / 16777216.0) * 64) / 64);
-}
+#include "tests/painting.h"
 
 /* Noise of all levels. */
 static void fill(struct bead_frame *frame)

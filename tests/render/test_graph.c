@@ -460,43 +460,6 @@ static void test_bad_ranges_and_sizes_are_errors(void **state)
     assert_refused(panel, 640, 480, "above 0");
 }
 
-/* ---- markup ---- */
-
-static void test_markup(void **state)
-{
-    (void)state;
-    static const struct {
-        const char *text, *has, *lacks;
-    } cases[] = {{"F_0", ">0<", "F_"},
-                 {"10^{-3}", ">-3<", "{"},
-                 {"*x*", "<i>x</i>", "*"},
-                 {"2 * 3 * 4", "2 * 3 * 4", "<i>"},
-                 {"a<b & c", "a&lt;b &amp; c", NULL},
-                 {"chain\\_1", "chain_1", "<"},
-                 {"α_β^γ", ">β<", "α_"},
-                 {"*t* = 8.98", "\u00a0=\u00a08.98", " = "},
-                 {"open {", "open {", NULL},
-                 {"end_", "end_", NULL},
-                 {"*F*_{max, *N*}", "<i>N</i>", "{"}};
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        char out[512];
-        assert_true(bead_markup_size(cases[i].text) <= sizeof out);
-        bead_markup(cases[i].text, out, bead_markup_size(cases[i].text));
-        if (!strstr(out, cases[i].has) || (cases[i].lacks && strstr(out, cases[i].lacks)))
-            fail_msg("'%s' becomes '%s'", cases[i].text, out);
-    }
-    char quoted[64], out[512], small[4];
-    bead_markup_quote("a_b^c*d*\\{e}", quoted, sizeof quoted);
-    bead_markup(quoted, out, sizeof out);
-    assert_string_equal(out, "a_b^c*d*\\{e}");
-    bead_markup_symbols("u\u209c + 6 u u\u2093 of a mode at x; *M*, F_m here", out, sizeof out);
-    assert_string_equal(out, "*u*_{*t*} + 6 *u* *u*_{*x*} of a mode at *x*; *M*, *F*_m here");
-    bead_markup_symbols("u\u2093\u2093\u2093 and N\u2081", out, sizeof out); /* tight: one subscript, numbers upright */
-    assert_string_equal(out, "*u*_{*xxx*} and *N*_{1}");
-    bead_markup("*long*", small, sizeof small); /* no room: as it stands, cut */
-    assert_string_equal(small, "*lo");
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -511,7 +474,6 @@ int main(void)
         cmocka_unit_test(test_long_names_leave_room_for_plots),
         cmocka_unit_test(test_gaps_of_dashes_are_covered),
         cmocka_unit_test(test_legends_of_parts_stay_inside),
-        cmocka_unit_test(test_markup),
     };
     return cmocka_run_group_tests_name("graphs", tests, NULL, NULL);
 }

@@ -20,6 +20,7 @@
 #include "render/paint/pixel_kernels.h"
 #include "sessions.h"
 #include "tests/missing.h"
+#include "tests/painting.h"
 
 enum { WIDTH = 701, HEIGHT = 203, BALLS = 60, MARKS = 24 };
 
@@ -33,24 +34,6 @@ struct drawing {
     struct bead_mark mark[MARKS];
     bool ways; /* the marks are */
 };
-
-static void require(enum bead_error err, const struct bead_message *msg)
-{
-    if (err)
-        fail_msg("%s", msg->text);
-}
-
-static uint32_t random_bits(uint32_t *seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return *seed >> 8;
-}
-
-/* From low to high in 64ths, as views place balls. */
-static float random_place(uint32_t *seed, double low, double high)
-{
-    return (float)(round((low + (high - low) * random_bits(seed) / 16777216.0) * 64) / 64);
-}
 
 static void colour(uint32_t *seed, uint8_t rgba[4])
 {

@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Markup of labels: what becomes of symbols, subscripts and powers. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "render/draw/markup.h"
+
+static void test_markup(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *has, *lacks;
+    } cases[] = {{"F_0", ">0<", "F_"},
+                 {"10^{-3}", ">-3<", "{"},
+                 {"*x*", "<i>x</i>", "*"},
+                 {"2 * 3 * 4", "2 * 3 * 4", "<i>"},
+                 {"a<b & c", "a&lt;b &amp; c", NULL},
+                 {"chain\\_1", "chain_1", "<"},
+                 {"α_β^γ", ">β<", "α_"},
+                 {"*t* = 8.98", "\u00a0=\u00a08.98", " = "},
+                 {"open {", "open {", NULL},
+                 {"end_", "end_", NULL},
+                 {"*F*_{max, *N*}", "<i>N</i>", "{"}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char out[512];
+        assert_true(bead_markup_size(cases[i].text) <= sizeof out);
+        bead_markup(cases[i].text, out, bead_markup_size(cases[i].text));
+        if (!strstr(out, cases[i].has) || (cases[i].lacks && strstr(out, cases[i].lacks)))
+            fail_msg("'%s' becomes '%s'", cases[i].text, out);
+    }
+    char quoted[64], out[512], small[4];
+    bead_markup_quote("a_b^c*d*\\{e}", quoted, sizeof quoted);
+    bead_markup(quoted, out, sizeof out);
+    assert_string_equal(out, "a_b^c*d*\\{e}");
+    bead_markup_symbols("u\u209c + 6 u u\u2093 of a mode at x; *M*, F_m here", out, sizeof out);
+    assert_string_equal(out, "*u*_{*t*} + 6 *u* *u*_{*x*} of a mode at *x*; *M*, *F*_m here");
+    bead_markup_symbols("u\u2093\u2093\u2093 and N\u2081", out, sizeof out); /* tight: one subscript, numbers upright */
+    assert_string_equal(out, "*u*_{*xxx*} and *N*_{1}");
+    bead_markup("*long*", small, sizeof small); /* no room: as it stands, cut */
+    assert_string_equal(small, "*lo");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_markup),
+    };
+    return cmocka_run_group_tests_name("markup", tests, NULL, NULL);
+}
