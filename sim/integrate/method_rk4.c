@@ -10,6 +10,8 @@ void bead_step_rk4(struct bead_stepper *s, double h)
     const double half = 0.5 * h;
     size_t n = s->active;
 
+    /* The bead behind these is at rest; between steps others work here. */
+    v2[n] = v3[n] = v4[n] = 0;
     k->combine(n, s->y, from->u, half, from->v, 0, NULL, NULL);
     k->combine(n, v2, from->v, half, from->a, 0, NULL, NULL);
     bead_stepper_evaluate(s, s->y, v2, f, a2);
