@@ -43,6 +43,8 @@ READER_DEPS = octave python3-paraview python3-mdanalysis python3-xarray python3-
               python3-jsonschema python3-yaml \
               nodejs $(if $(shell command -v npm),,npm)
 NPM_READERS = jsfive@0.4.2 h5wasm@0.10.3
+# H5Web with what it shows itself with; esbuild puts it together.
+NPM_H5WEB   = @h5web/app@16.0.1 @h5web/h5wasm@16.0.1 react@18.3.1 react-dom@18.3.1 esbuild@0.28.2
 # What `make peers` compares with: large, and left out where missing.
 PEER_DEPS  = lammps python3-scipy
 ARM64_DEPS = debootstrap gcc-aarch64-linux-gnu qemu-user-static
@@ -127,8 +129,8 @@ deps: ## install the Debian packages needed to build, run and test (only what is
 deps-ci: | $(filter deps,$(MAKECMDGOALS)) ## the same for lint and .ci/run
 	$(call install_packages,$(CI_DEPS))
 	-$(call install_packages,,$(READER_DEPS))
-	@command -v npm >/dev/null || exit 0; mkdir -p build/npm && cd build/npm && \
-	    npm install --silent --no-audit --no-fund --ignore-scripts --prefix . $(NPM_READERS) || echo "npm could not install $(NPM_READERS)"
+	@command -v npm >/dev/null || exit 0; mkdir -p build/npm && cd build/npm && for set in "$(NPM_READERS)" "$(NPM_H5WEB)"; do \
+	    npm install --silent --no-audit --no-fund --ignore-scripts --legacy-peer-deps --prefix . $$set || echo "npm could not install $$set"; done
 deps-arm64: | $(filter deps deps-ci,$(MAKECMDGOALS)) ## the same for make arm64-test
 	$(call install_packages,$(ARM64_DEPS))
 deps-peers: | $(filter deps deps-ci,$(MAKECMDGOALS)) ## the same for peers

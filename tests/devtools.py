@@ -14,7 +14,7 @@ import time
 class Browser:
     """One page. What it logs, what it asks the network for and what fails in it is kept in `errors` and `requests`."""
 
-    def __init__(self, chromium, width=1280, height=800):
+    def __init__(self, chromium, width=1280, height=800, flags=()):
         self.profile = tempfile.mkdtemp()
         to_browser, self.write_end = os.pipe()
         self.read_end, from_browser = os.pipe()
@@ -26,7 +26,7 @@ class Browser:
 
         self.process = subprocess.Popen(
             [chromium, "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--remote-debugging-pipe", "--no-first-run",
-             "--disable-background-networking", "--user-data-dir=" + self.profile, "about:blank"],
+             "--disable-background-networking", "--user-data-dir=" + self.profile, *flags, "about:blank"],
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, close_fds=False, preexec_fn=pipes,
             start_new_session=True)
         os.close(to_browser)
