@@ -211,6 +211,13 @@ def check_mdanalysis(path, file):
     beads = len(chain["id"])
     universe = MDAnalysis.Universe.empty(beads, trajectory=False, velocities=True, forces=True)
     universe.load_new(path, format="H5MD", convert_units=False)
+    try:
+        MDAnalysis.Universe.empty(beads, trajectory=False).load_new(path, format="H5MD")
+    except ValueError:
+        refused = True
+    else:
+        refused = False
+    ok(refused, "MDAnalysis: without convert_units=False it refuses metres, which its H5MD reader does not know, and reads nothing wrong")
     frames = len(chain[stored[0] + "/time"])
     ok(len(universe.trajectory) == frames, "MDAnalysis: frames")
     good = True
