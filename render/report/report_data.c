@@ -319,5 +319,7 @@ static enum bead_error write_data(const void *context, FILE *file, struct bead_m
     return err;
 }
 
-const struct report_part report_run_parts[] = {
+static const char *const scripts[] = {"data.js", "axes.js", "chain.js", "chart.js", "page.js", "run.js", "start.js", NULL};
+static const struct report_part parts[] = {
     {"title", write_title}, {"pictures", write_pictures}, {"scene", write_scene}, {"data", write_data}, {NULL, NULL}};
+const struct report_page report_run_page = {"controls", "run.html", scripts, parts};

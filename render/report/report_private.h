@@ -42,7 +42,6 @@ struct bead_sink {
     char why[96];
 };
 
-/* Parts of the page. */
-extern const struct report_part report_run_parts[];
+extern const struct report_page report_run_page;
 
 #endif

@@ -255,7 +255,7 @@ static enum bead_error report_end(struct bead_sink *s, const struct bead_outcome
 {
     s->outcomes = outcomes;
     find_range(s);
-    return report_write_page("page.html", report_run_parts, s, s->path, &s->bytes, msg);
+    return report_write_page(&report_run_page, s, s->path, &s->bytes, msg);
 }
 
 static void report_result(const struct bead_sink *s, uint64_t *bytes, uint64_t *items)

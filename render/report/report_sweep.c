@@ -347,7 +347,9 @@ static enum bead_error sweep_run(const struct bead_output *output, const struct 
                                  const struct bead_sweep_settings *settings, const char *path, uint64_t *bytes,
                                  struct bead_message *msg)
 {
+    static const char *const scripts[] = {"data.js", "axes.js", "chart.js", "page.js", "sweep.js", NULL};
     static const struct report_part parts[] = {{"title", sweep_title}, {"scene", sweep_scene}, {"data", sweep_data}, {NULL, NULL}};
+    static const struct report_page page = {NULL, "sweep.html", scripts, parts};
     struct sweep_report r = {.output = output, .sweep = sweep};
     enum bead_error err = prepare_colours(&r, msg);
     if (!err)
@@ -357,7 +359,7 @@ static enum bead_error sweep_run(const struct bead_output *output, const struct 
     if (!err)
         err = find_range(&r, msg);
     if (!err)
-        err = report_write_page("sweep.html", parts, &r, path, bytes, msg);
+        err = report_write_page(&page, &r, path, bytes, msg);
     sweep_clear(&r);
     return err;
 }

@@ -139,72 +139,130 @@ enum bead_error report_samples(FILE *file, const float *values, size_t count, st
 
 /* ---- the page ---- */
 
+static enum bead_error read_file(const char *name, char **text, size_t *length, struct bead_message *msg)
+{
+    char asset[96];
+    snprintf(asset, sizeof asset, "report/%.64s", name);
+    return bead_asset_read(asset, text, length, msg);
+}
+
 /* A file of assets/report as it is. */
 static enum bead_error include_file(const char *name, FILE *file, struct bead_message *msg)
 {
-    char asset[96], *text = NULL;
+    char *text = NULL;
     size_t length = 0;
-    snprintf(asset, sizeof asset, "report/%.64s", name);
-    enum bead_error err = bead_asset_read(asset, &text, &length, msg);
+    enum bead_error err = read_file(name, &text, &length, msg);
     if (!err)
         fwrite(text, 1, length, file);
     free(text);
     return err;
 }
 
-static enum bead_error write_part(const struct report_part *parts, const void *context, const char *name, FILE *file,
-                                  struct bead_message *msg)
+struct filling {
+    const struct report_page *page;
+    const void *context;
+};
+
+static enum bead_error write_scripts(const struct filling *filling, FILE *file, struct bead_message *msg)
 {
-    for (const struct report_part *part = parts; part->name; part++) {
+    enum bead_error err = BEAD_OK;
+    for (const char *const *script = filling->page->scripts; *script && !err; script++) {
+        if (script != filling->page->scripts)
+            fputc('\n', file);
+        err = include_file(*script, file, msg);
+    }
+    return err;
+}
+
+static enum bead_error write_skip(const struct filling *filling, FILE *file, struct bead_message *msg)
+{
+    (void)msg;
+    if (filling->page->controls)
+        fprintf(file, "<a class=\"skip\" href=\"#%s\">Skip to the controls</a>\n", filling->page->controls);
+    return BEAD_OK;
+}
+
+static enum bead_error write_body(const struct filling *filling, FILE *file, struct bead_message *msg);
+
+static enum bead_error write_part(const struct filling *filling, const char *name, FILE *file, struct bead_message *msg)
+{
+    static const struct {
+        const char *name;
+        enum bead_error (*write)(const struct filling *filling, FILE *file, struct bead_message *msg);
+    } own[] = {{"skip", write_skip}, {"body", write_body}, {"scripts", write_scripts}};
+    for (size_t i = 0; i < sizeof own / sizeof *own; i++) {
+        if (strcmp(own[i].name, name) == 0)
+            return own[i].write(filling, file, msg);
+    }
+    for (const struct report_part *part = filling->page->parts; part->name; part++) {
         if (strcmp(part->name, name) == 0)
-            return part->write(context, file, msg);
+            return part->write(filling->context, file, msg);
     }
     return include_file(name, file, msg);
 }
 
-struct filling {
-    const struct report_part *parts;
-    const void *context;
-    const char *name, *text; /* of the template */
-};
-
-static enum bead_error fill_template(void *context, FILE *file, const char *part, struct bead_message *msg)
+/* `name` is that of the text, in messages. */
+static enum bead_error fill(const struct filling *filling, const char *name, const char *text, FILE *file, struct bead_message *msg)
 {
-    const struct filling *filling = context;
-    const char *text = filling->text;
     enum bead_error err = BEAD_OK;
-    (void)part; /* what cannot be written is told as the file is closed */
     while (!err) {
         const char *open = strstr(text, "{{"), *close = open ? strstr(open, "}}") : NULL;
-        char name[64];
+        char part[64];
         if (!open) {
             fputs(text, file);
             return BEAD_OK;
         }
-        if (!close || (size_t)(close - open - 2) >= sizeof name)
-            return bead_fail(msg, BEAD_ERROR_FORMAT, "report/%s: `{{` without a name and `}}`", filling->name);
+        if (!close || (size_t)(close - open - 2) >= sizeof part)
+            return bead_fail(msg, BEAD_ERROR_FORMAT, "report/%s: `{{` without a name and `}}`", name);
         fwrite(text, 1, (size_t)(open - text), file);
-        snprintf(name, sizeof name, "%.*s", (int)(close - open - 2), open + 2);
-        err = write_part(filling->parts, filling->context, name, file, msg);
+        snprintf(part, sizeof part, "%.*s", (int)(close - open - 2), open + 2);
+        err = write_part(filling, part, file, msg);
         text = close + 2;
     }
     return err;
 }
 
-enum bead_error report_write_page(const char *template, const struct report_part *parts, const void *context, const char *path,
-                                  uint64_t *bytes, struct bead_message *msg)
+/* Without its first line, the licence, which the page has already. */
+static enum bead_error write_body(const struct filling *filling, FILE *file, struct bead_message *msg)
 {
-    char *text = NULL, asset[96];
+    char *text = NULL;
+    size_t length = 0;
+    const char *name = filling->page->body;
+    enum bead_error err = read_file(name, &text, &length, msg);
+    const char *licence_end = err ? NULL : strchr(text, '\n');
+    if (!err && (!licence_end || strstr(text, "{{body}}")))
+        err = bead_fail(msg, BEAD_ERROR_FORMAT, "report/%s: no line of its licence, or a {{body}} in the body", name);
+    if (!err)
+        err = fill(filling, name, licence_end + 1, file, msg);
+    free(text);
+    return err;
+}
+
+struct page_text {
+    struct filling filling;
+    const char *text;
+};
+
+static enum bead_error fill_page(void *context, FILE *file, const char *part, struct bead_message *msg)
+{
+    const struct page_text *page = context;
+    (void)part; /* what cannot be written is told as the file is closed */
+    return fill(&page->filling, "page.html", page->text, file, msg);
+}
+
+enum bead_error report_write_page(const struct report_page *page, const void *context, const char *path, uint64_t *bytes,
+                                  struct bead_message *msg)
+{
+    char *text = NULL;
     size_t length = 0;
     locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    snprintf(asset, sizeof asset, "report/%.64s", template);
     enum bead_error err = plain == (locale_t)0 ? bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a report") : BEAD_OK;
     if (!err)
-        err = bead_asset_read(asset, &text, &length, msg);
+        err = read_file("page.html", &text, &length, msg);
     if (!err) {
-        struct filling filling = {parts, context, template, text};
+        struct page_text page_text = {{page, context}, text};
         locale_t before = uselocale(plain);
-        err = bead_file_write(path, fill_template, &filling, bytes, msg);
+        err = bead_file_write(path, fill_page, &page_text, bytes, msg);
         uselocale(before);
     }
     if (plain != (locale_t)0)

@@ -13,16 +13,24 @@
 #include "beadreel/sample.h"
 #include "render/colour/colour_range.h"
 
-/* What stands in the template as {{name}} and is not a file of assets/report. */
+/* What stands in a template as {{name}} and is not a file of assets/report. */
 struct report_part {
     const char *name; /* NULL: behind the last */
     enum bead_error (*write)(const void *context, FILE *file, struct bead_message *msg);
 };
 
-/* The template, a file of assets/report, with its files and parts put in, written to `path` whole or not at all, with a decimal
- * point in every locale. Errors: IO, MEMORY, FORMAT (the template), those of the parts. */
-BEAD_CHECK enum bead_error report_write_page(const char *template, const struct report_part *parts, const void *context,
-                                             const char *path, uint64_t *bytes, struct bead_message *msg);
+/* What differs between pages of assets/report/page.html: {{skip}} leads to `controls`, the id of an element, or is nothing (NULL),
+ * {{body}} is a file with parts of its own, and {{scripts}} are files, up to NULL. */
+struct report_page {
+    const char *controls, *body;
+    const char *const *scripts;
+    const struct report_part *parts;
+};
+
+/* The page, with its files and parts put in, written to `path` whole or not at all, with a decimal point in every locale. Errors:
+ * IO, MEMORY, FORMAT (the templates), those of the parts. */
+BEAD_CHECK enum bead_error report_write_page(const struct report_page *page, const void *context, const char *path, uint64_t *bytes,
+                                             struct bead_message *msg);
 
 /* As text of an element or a quoted attribute; what XML forbids is left out. */
 void report_html(FILE *file, const char *text);

@@ -68,6 +68,13 @@ ok "a trajectory becomes a report" again
 ok "... of its samples, without peaks" json 'd["time"]["count"] == 301 and "peaks" not in d["chains"][0]' again/run.html
 equation() { exits 0 "$beadreel" kdv -o kdv --set 'outputs=[{report: kdv.html}]' && json '"radius" not in d["chains"][0] and d["time"]["unit"] == ""' kdv/kdv.html; }
 ok "equations have reports without beads" equation
+body() { # TEXT MESSAGE : of assets whose body of pages is the text
+    rm -rf made assets && cp -rs "$BEADREEL_ASSETS" assets && rm assets/report/run.html && printf "$1" >assets/report/run.html &&
+        BEADREEL_ASSETS=$T/assets fails 1 "$beadreel" scene.yaml -o made --set 'outputs=[{report: r.html}]' && says "report/run.html: $2" &&
+        [ ! -e made/r.html ]
+}
+ok "a body in itself is refused" body 'licence\n{{body}}\n' 'no line of its licence, or a {{body}} in the body'
+ok "... and an unnamed part" body 'licence\n{{' '`{{` without a name'
 small() { exits 0 "$beadreel" clean-vs-delocalised -o demo --set 'outputs=[{report: run.html, range: [0, 45 N]}, {image: force.png, size: [1920, 1080]}]' && [ "$(stat -c %s demo/run.html)" -le 3000000 ]; }
 ok "that of the demo is not above 3 MB" small
 long_files() { ! wc -l "$top"/assets/report/*.js | awk '$2 != "total" && $1 >= 500' | grep .; }
