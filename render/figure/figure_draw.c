@@ -278,8 +278,10 @@ void bead_figure_bar_title(const struct bead_figure *f, char *title, size_t size
         const char *unit = bead_chain_field(f->context.chains[0], f->output->shown.field)->unit;
         struct bead_axis axis;
         bead_axis_make(&axis, f->range.low, f->range.high, unit, f->colours.scale, f->bar.height, f->look.tick, false);
+        char peak[32];
+        bead_round_number(f->range.hidden * axis.factor, peak, sizeof peak);
         size_t used = strlen(title);
-        snprintf(title + used, size - used, "; peak %.2g", f->range.hidden * axis.factor);
+        snprintf(title + used, size - used, "; peak %s", peak);
     }
 }
 

@@ -63,4 +63,11 @@ if command -v pdftotext >/dev/null; then
 else
     skip "pdftotext (poppler-utils)" "names in pictures"
 fi
+
+# The largest value, where the colours leave it out, is written as people write numbers: not 1.1e+02.
+peak() {
+    printf '%s\n' 'chain: {beads: [{bead: large-steel, count: 40}], wall: rigid}' 'outputs: [{image: peak.svg}]' >"$T/peak.yaml" &&
+        exits 0 "$beadreel" "$T/peak.yaml" -o "$T/made" && grep -qF 'peak 110 (N)' "$T/made/peak.svg"
+}
+ok "peaks of a hundred newtons" peak
 finish
