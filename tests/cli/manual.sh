@@ -26,6 +26,13 @@ for chapter in "$manual"/*.md; do
     fi
 done
 
+short() { # FILE... : scenes of the chapters, none longer than fifteen lines
+    local scene
+    for scene; do [ "$(wc -l <"$T/$scene")" -le 15 ] || { wc -l "$T/$scene"; return 1; }; done
+}
+ok "scenes for common tasks have at most fifteen lines" short figure/figure.yaml lecture/lecture.yaml lecture/loop.yaml recipes/three.yaml \
+    recipes/defect.yaml recipes/cells.yaml sweep/sweep.yaml
+
 # The job of the cluster's chapter, with a smaller sweep.
 slurm_works() {
     cd "$T/cluster" && rm -rf parts && sed -i 's/cells: 32/cells: 8/; s/configurations: 200/configurations: 2/' sweep.yaml && sbatch sweep.slurm >"$T/log" &&
