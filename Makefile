@@ -358,13 +358,14 @@ staged:
 # What came, and which directories were new: `uninstall` removes just these.
 INSTALLED = $(PREFIX)/share/beadreel/installed
 install: all ## install to PREFIX (default /usr/local), libraries to LIBDIR, below DESTDIR
-	@set -e; stage=$$(mktemp -d); trap 'rm -rf "$$stage"' EXIT; \
+	@case "$(PREFIX)" in /*) ;; *) echo >&2 "PREFIX must begin with /; DESTDIR need not."; exit 1 ;; esac
+	@set -e; stage=$$(mktemp -d); trap 'rm -rf "$$stage"' EXIT; mkdir -p "$(DESTDIR)/"; to=$$(cd "$(DESTDIR)/" && pwd -P); \
 	$(MAKE) -s staged DESTDIR="$$stage" && cd "$$stage" && touch ".$(INSTALLED)"; \
-	{ cat "$(DESTDIR)$(INSTALLED)" 2>/dev/null || true; \
+	{ cat "$$to$(INSTALLED)" 2>/dev/null || true; \
 	  find . -mindepth 1 ! -type d -printf '%P\n' -o -type d -printf '%P/\n' | while read -r n; do case $$n in \
-	      /) ;; */) [ -d "$(DESTDIR)/$$n" ] || echo "$$n" ;; *) echo "$$n" ;; esac; done; } | LC_ALL=C sort -u >"$$stage.list"; \
-	mv "$$stage.list" ".$(INSTALLED)"; mkdir -p "$(DESTDIR)/"; \
-	tar -cf - . | tar -xf - -C "$(DESTDIR)/" --no-same-owner --no-overwrite-dir --keep-directory-symlink
+	      /) ;; */) [ -d "$$to/$$n" ] || echo "$$n" ;; *) echo "$$n" ;; esac; done; } | LC_ALL=C sort -u >"$$stage.list"; \
+	mv "$$stage.list" ".$(INSTALLED)"; \
+	tar -cf - . | tar -xf - -C "$$to/" --no-same-owner --no-overwrite-dir --keep-directory-symlink
 	@echo "Installed below $(DESTDIR)$(PREFIX)."
 	@$(if $(DESTDIR),,echo "Programs find the shared libraries in $(LIBDIR) once ldconfig has run (as root), or with LD_LIBRARY_PATH=$(LIBDIR).")
 

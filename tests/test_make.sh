@@ -144,6 +144,18 @@ ok "make install again" in_root install
 ok "make uninstall" in_root uninstall
 ok "... leaves no file and no directory" empty "$T/root"
 ok "make uninstall where nothing is" in_root uninstall
+relative() { # "$T/a place", as seen from here
+    local to
+    to=$(realpath -m --relative-to=. "$T/a place")
+    for target in install uninstall; do
+        quiet make --no-print-directory -o all BUILD="$BUILD" DESTDIR="$to" $target || return 1
+        [ -x "$T/a place/usr/local/bin/beadreel" ] || [ $target = uninstall ] || return 1
+    done
+    empty "$T/a place"
+}
+ok "DESTDIR may be relative, and have spaces" relative
+no_prefix() { ! make --no-print-directory -o all BUILD="$BUILD" DESTDIR="$T/none" PREFIX=usr install >"$T/out" 2>&1 && grep -q 'PREFIX must' "$T/out" && [ ! -e "$T/none" ]; }
+ok "... PREFIX may not" no_prefix
 kept() { # what was there before, and what others put there
     mkdir -p "$root/bin" && touch "$T/root/etc" && in_root install || return 1
     touch "$root/share/man/man1/other.1" && in_root uninstall || return 1
