@@ -10,6 +10,7 @@ mkdir "$T/here" && cd "$T/here" && touch 'my scene.yaml' notes.txt run.h5 || exi
 cases=(
     'an option' 'beadreel --canv' 'beadreel --canvas'
     'a value behind =' 'beadreel --canvas=p' 'beadreel --canvas=plain'
+    'a choice stays open, its option written once' 'beadreel --canvas=' 'beadreel --canvas='
     'a list' 'beadsim --list=mea' 'beadsim --list=measures'
     'a value behind a blank' 'beadreel --progress js' 'beadreel --progress json'
     'no option that beadsim has not' 'beadsim --canv' 'beadsim --canv'
