@@ -250,8 +250,10 @@ deb: ## the Debian packages of the last commit, into build/deb (make deps deps-c
 	@rm -rf $(BUILD)/deb && mkdir -p $(BUILD)/deb && git clone -q . $(BUILD)/deb/beadreel
 	@cd $(BUILD)/deb/beadreel && env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS dpkg-buildpackage -us -uc -J$$(nproc)
 	@rm -rf $(BUILD)/deb/beadreel && ls $(BUILD)/deb/*.deb
-deb-test: deb ## these packages pass lintian, install on a bare Debian and work there (root, debootstrap; minutes)
-	@tests/packages.sh $(BUILD)/deb
+# Of the host's release, or SUITE's, built there.
+asked_suite = $(if $(findstring command line,$(origin SUITE)),$(SUITE))
+deb-test: $(if $(asked_suite),,deb) ## these packages pass lintian, install on a bare Debian and work there; SUITE=trixie (root, debootstrap; minutes)
+	@mkdir -p $(BUILD)/deb && tests/packages.sh $(BUILD)/deb $(asked_suite)
 
 arm64-test: | $(WAIT) ## all results on arm64, in QEMU, have the bits of x86-64 (root, debootstrap; make deps-arm64; 8 minutes of CPU)
 	@tests/arm64.sh $(filter-out gcc pkg-config,$(BUILD_DEPS))

@@ -1,11 +1,12 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Debian packages: tests/packages.sh DIRECTORY, or `make deb-test`. Asks lintian of those in the directory, which are for the host's
-# release; installs them on a bare system of it (see debian.bash), uses them there as a plain user, and removes them. Minutes.
+# Debian packages: tests/packages.sh DIRECTORY [SUITE], or `make deb-test`. Asks lintian of those in the directory, which are for the
+# host's release; installs them on a bare system of it (see debian.bash), uses them there as a plain user, and removes them. Minutes.
+# With a suite (bookworm or trixie), the packages of HEAD are first built on a system of that, into the directory.
 # Ends with `N passed, M failed`; exit status 77: it cannot be tried here.
 set -u
 directory=$(realpath "$1") || exit 1
-suite=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
+suite=${2:-$(. /etc/os-release && echo "${VERSION_CODENAME:-}")}
 source "$(dirname "$0")/debian.bash"
 command -v lintian >/dev/null || cannot "lintian is not installed: run 'make deps-ci' first"
 passed=0 failed=0
@@ -16,15 +17,31 @@ check() { # WHAT COMMAND...
 }
 finish() { echo "$passed passed, $failed failed"; exit $((failed > 0)); }
 
+add() { within apt-get -q -y install --no-install-recommends "$@" >"$root.log" 2>&1 || { tail -n 20 "$root.log"; return 1; }; }
+fresh_root() {
+    make_root "$suite"
+    connect || { say "apt-get update failed" >&2; exit 1; }
+}
+build_packages() {
+    mkdir -p "$root/made/beadreel" && git archive HEAD | tar -x -C "$root/made/beadreel" && add build-essential &&
+        within sh -c 'cd /made/beadreel && apt-get -q -y build-dep --no-install-recommends ./ && dpkg-buildpackage -us -uc' \
+            >"$root.log" 2>&1 || { tail -n 20 "$root.log"; return 1; }
+    rm -rf "$directory" && mkdir -p "$directory" && find "$root/made" -maxdepth 1 -type f -exec cp {} "$directory" \;
+}
+if [ $# -gt 1 ]; then
+    fresh_root
+    check "packages are built" build_packages
+    clean_up
+    [ "$failed" -eq 0 ] || finish
+fi
+
 check "lintian has no errors" lintian --allow-root --fail-on error "$directory"/*.changes
 packages="beadreel libbeadreel0 libbeadreel-dev python3-beadreel"
 all_there() { diff <(for d in "$directory"/*.deb; do dpkg-deb -f "$d" Package; done | grep -v dbgsym | sort) <(printf '%s\n' $packages | sort); }
 check "four packages" all_there
 
-make_root "$suite"
-connect || { say "apt-get update failed" >&2; exit 1; }
+fresh_root
 mkdir "$root/deb" && cp "$directory"/*.deb tests/examples/minimal.c "$root/deb"
-add() { within apt-get -q -y install --no-install-recommends "$@" >"$root.log" 2>&1 || { tail -n 20 "$root.log"; return 1; }; }
 visitor() { within setpriv --reuid=visitor --regid=visitor --init-groups env HOME=/home/visitor sh -c "cd && $1"; }
 within useradd --create-home visitor
 check "beadreel installs" add "/deb/$(cd "$root/deb" && echo beadreel_*.deb)"
