@@ -68,6 +68,16 @@ static bool is_definition(const char *name, size_t length)
 
 static void put_alternatives(struct json *json, const char *like, size_t length);
 
+/* How many elements the list [of] or [2 of] has. Returns the length of what says so. */
+static size_t put_item_count(struct json *json, const char *list)
+{
+    bool pair = strncmp(list, "[2 ", 3) == 0;
+    json_number(json, "minItems", pair ? 2 : 1);
+    if (pair)
+        json_number(json, "maxItems", 2);
+    return pair ? 3 : 1;
+}
+
 /* One alternative of bead_option.like, as an element of a list. */
 static void put_alternative(struct json *json, const char *like, size_t length)
 {
@@ -82,10 +92,9 @@ static void put_alternative(struct json *json, const char *like, size_t length)
     }
     json_open(json, NULL, '{');
     json_text(json, "type", *like == '[' ? "array" : "object");
-    if (*like == '[')
-        json_number(json, "minItems", 1);
+    size_t from = *like == '[' ? put_item_count(json, like) : 1;
     json_open(json, *like == '[' ? "items" : "additionalProperties", '{');
-    put_alternatives(json, like + 1, length - 2);
+    put_alternatives(json, like + from, length - from - 1);
     json_close(json, '}');
     json_close(json, '}');
 }

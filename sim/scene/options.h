@@ -78,7 +78,7 @@ struct bead_option {
         *shape; /* what a custom value looks like (NULL: not to be shown in help), or other words for the range of a number */
     const char *help;
     /* What a custom value may be, for the schema: "number", "flag", "text", "any" (also NULL), the heading of a table, or a word
-     * that stands for itself; [lists of], {maps of}, and a|b. */
+     * that stands for itself; [lists of], [2 of], {maps of}, and a|b. */
     const char *like;
     bool of_motion; /* a time of what moves: without a unit where that has none */
     enum bead_error (*read)(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option, void *settings);

@@ -54,7 +54,7 @@ const struct bead_option bead_beads_row[1] = {
      .shape = "all, one number, or [first, last]; 0 is the striker",
      .help = "which beads",
      .example = "[0, 40]",
-     .like = "all|number|[number]",
+     .like = "all|number|[2 number]",
      .read = bead_output_read_beads},
 };
 const struct bead_option bead_every_row[1] = {
@@ -101,7 +101,7 @@ const struct bead_option bead_page_rows[4] = {
      .shape = "[width, height], both in pixels (1 to 32768) or both lengths such as 86 mm; or auto",
      .help = "size of the picture; auto: that of the style, else [1920, 1080], or [178 mm, 120 mm] in vector files (.pdf, .svg)",
      .example = "[178 mm, 75 mm]",
-     .like = "auto|[number]",
+     .like = "auto|[2 number]",
      .read = bead_output_read_size},
     {.key = "outlines",
      .type = BEAD_OPTION_FLAG,
@@ -161,7 +161,7 @@ const struct bead_option bead_range_row[1] = {
              "would "
              "take more than half of it, and say beside the bar how high it is",
      .example = "[0, 45 N]",
-     .like = "auto|[number]",
+     .like = "auto|[2 number]",
      .read = bead_output_read_colour_range},
 };
 const struct bead_option bead_magnify_row[1] = {
@@ -349,7 +349,7 @@ static const struct bead_option plot_rows[] = {
      .word_value = NAN,
      .help = "ends of the axis of forces; auto: the range of the data",
      .example = "[0, 45 N]",
-     .like = "auto|[number]",
+     .like = "auto|[2 number]",
      .read = bead_output_read_plot_range},
 };
 static const struct bead_option plot_file[] = {
@@ -460,7 +460,7 @@ static const struct bead_option sweep_plot_rows[] = {
      .word_value = NAN,
      .help = "ends of the axis of forces, and with `show: decay` of energies; auto: the range of the data",
      .example = "[0, 1.2]",
-     .like = "auto|[number]",
+     .like = "auto|[2 number]",
      .read = bead_output_read_sweep_range},
 };
 static const struct bead_option_rows sweep_plot_shared[] = {{BEAD_OPTIONS(bead_threshold_row)},
