@@ -57,11 +57,18 @@ static double find_fall(const struct stretch *p)
     return at0 <= 0 ? 0 : at1 >= 0 ? 1 : bead_find_root(force_at, p, at0, at1);
 }
 
-/* Where it has a minimum; NaN: nowhere. */
-static double find_minimum(const struct stretch *p)
+/* What the step has of the pulse: the larger of its maximum, if it has one, and the force at its end. */
+static double largest_within(const struct stretch *p, double rate0, double rate1)
 {
-    double at0 = rate_at(p, 0), at1 = rate_at(p, 1);
-    return at0 < 0 && at1 > 0 ? bead_find_root(rate_at, p, at0, at1) : NAN;
+    const double end = force_at(p, 1);
+    return rate0 > 0 && rate1 < 0 ? fmax(force_at(p, bead_find_root(rate_at, p, rate0, rate1)), end) : end;
+}
+
+/* Where it has a minimum that parts pulses; NaN: nowhere. */
+static double find_minimum(const struct stretch *p, double rate0, double rate1)
+{
+    const double x = rate0 < 0 && rate1 > 0 ? bead_find_root(rate_at, p, rate0, rate1) : NAN;
+    return force_at(p, x) < parted * p->place->most ? x : NAN;
 }
 
 static void watch_place(struct bead_passing_place *place, double largest, const struct bead_stepper *s)
@@ -69,14 +76,17 @@ static void watch_place(struct bead_passing_place *place, double largest, const 
     double force = 0;
     for (size_t i = 0; i < place->contacts; i++)
         force += place->contact[i] < s->active ? s->end.f[place->contact[i]] : 0;
-    place->most = fmax(place->most, force);
-    if (!(place->most > come * largest) || !(force < parted * place->most))
+    if (!(fmax(place->most, force) > come * largest))
         return;
-    struct stretch p = {.place = place, .level = over * place->most};
+    struct stretch p = {.place = place, .level = 0};
     for (size_t i = 0; i < place->contacts; i++)
         p.single[i] = bead_force_curve_of(s, place->contact[i], false);
     p.both = place->contacts == 1 ? p.single[0] : bead_force_curve_of(s, place->contact[1], true);
-    double x = force < p.level ? find_fall(&p) : find_minimum(&p);
+    const double rate0 = rate_at(&p, 0), rate1 = rate_at(&p, 1);
+    place->most = fmax(place->most, largest_within(&p, rate0, rate1));
+    double x = find_minimum(&p, rate0, rate1);
+    p.level = over * place->most;
+    x = force_at(&p, 1) < 0 ? find_fall(&p) : x;
     place->passed = s->t0 + x * s->h;
 }
 

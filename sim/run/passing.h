@@ -12,7 +12,7 @@ enum { BEAD_PASSING_PLACES = 2 };
 struct bead_passing {
     struct bead_passing_place {
         size_t contact[2], contacts;
-        double most;   /* N, so far, at the ends of steps */
+        double most;   /* N, so far */
         double passed; /* s; NaN: not yet */
     } place[BEAD_PASSING_PLACES];
     size_t places;

@@ -163,6 +163,24 @@ static void bead_peaks_within_long_steps_are_found(void **state)
     free(exact.peak);
 }
 
+/* The pulse at the last contact falls to a minimum a little below half of its maximum, and rises again: within one step. */
+static void a_run_ends_where_its_pulse_does_whatever_the_steps(void **state)
+{
+    (void)state;
+    static const char chain[] =
+        "chain: {wall: rigid, beads: [{bead: large-steel, mass: 4.01 g}, {bead: large-steel, mass: 0.47 g},\n"
+        "  {bead: large-steel, mass: 0.26 g}]}\n";
+    struct peaks exact = find_peaks(chain, "method: rkn8, step: 0.02 us", 0, 0, 0);
+    for (size_t i = 0; i < sizeof asked / sizeof *asked; i++) {
+        char simulate[64];
+        snprintf(simulate, sizeof simulate, "accuracy: %g", asked[i]);
+        struct peaks got = find_peaks(chain, simulate, 0, 0, 0);
+        assert_near(got.end / exact.end, 1, asked[i]);
+        free(got.peak);
+    }
+    free(exact.peak);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -171,6 +189,7 @@ int main(void)
         cmocka_unit_test(quiet_contacts_are_as_asked),
         cmocka_unit_test(rattling_beads_are_as_asked),
         cmocka_unit_test(bead_peaks_within_long_steps_are_found),
+        cmocka_unit_test(a_run_ends_where_its_pulse_does_whatever_the_steps),
     };
     return cmocka_run_group_tests_name("asked", tests, NULL, NULL);
 }
