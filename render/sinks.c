@@ -8,7 +8,8 @@
 #include "render/report/report.h"
 
 static const struct bead_sink_type *const sinks[] = {
-    &bead_image_sink, &bead_plot_sink, &bead_movie_sink, &bead_report_sink, NULL,
+    &bead_image_sink, &bead_plot_sink,   &bead_frame_sink, /* before that of all frames: the first that fits is taken */
+    &bead_movie_sink, &bead_report_sink, NULL,
 };
 static const struct bead_sweep_sink *const sweep_sinks[] = {&bead_sweep_plot_sink, &bead_contact_sheet_sink,
                                                             &bead_report_sweep_sink, NULL};

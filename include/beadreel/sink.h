@@ -7,6 +7,7 @@
  *            takes no time and touches no file that a failed run would leave behind;
  *   begin    once, when the run starts: ranges found by a scouting pass are known now; opens `name.part`;
  *   sample   once for each time on its grid and each chain, chains in order within a time;
+ *   again    after the last sample, where there is one: perhaps all samples are wanted once more;
  *   end      once after the last sample: finish, fsync, rename to `name`;
  *   destroy  always; where end was not reached, removes or (trajectory) closes the .part file properly. */
 #ifndef BEADREEL_SINK_H
@@ -44,6 +45,12 @@ struct bead_needs {
     const char *why; /* a few words for --plan: "600 frames of 1920 x 1080, every 5 us" (owned by the sink) */
 };
 
+/* A frame of a film. */
+struct bead_frame_asked {
+    const char *text;  /* as given */
+    double time, part; /* s of the motion, or a part of the film, 0..1: NaN where it is not that; both: the frame of posters */
+};
+
 /* What is known before the first sample. */
 struct bead_run_context {
     const struct bead_scene *scene;
@@ -61,6 +68,7 @@ struct bead_run_context {
     /* Is that output of the scene made already, in this run? Asked in `end`, by sinks that come last. NULL: nobody knows. */
     bool (*is_made)(const void *asker, const struct bead_output *output);
     const void *asker;
+    const struct bead_frame_asked *frame; /* of sinks with `one_frame`; else NULL */
     bool claimed; /* the caller holds claims on all files (file.h); else sinks that write as they go claim their own */
 };
 
@@ -137,6 +145,7 @@ struct bead_sink_type {
     bool background; /* works in threads of its own: ended after the others, which work meanwhile */
     enum bead_error (*create)(const struct bead_output *output, const struct bead_run_context *context, struct bead_sink **sink,
                               struct bead_message *msg);
+    /* Asked again after `begin` and `again`: what is known then may make it less. */
     void (*needs)(const struct bead_sink *sink, struct bead_needs *needs);
     enum bead_error (*begin)(struct bead_sink *sink, struct bead_range range, struct bead_message *msg);
     enum bead_error (*sample)(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg);
@@ -155,6 +164,9 @@ struct bead_sink_type {
     /* Does `create` look at arrays of the chains, such as the places of beads? Else they need not be built for a plan: until
      * `begin` only functions may be asked that return no arrays. NULL: it does not. */
     bool (*looks_at_beads)(const struct bead_output *output);
+    bool one_frame; /* makes a frame rather than the film: listed before the sink that makes all */
+    /* After the last sample: does it want them all once more? Only of a sink that is alone. NULL: no. */
+    enum bead_error (*again)(struct bead_sink *sink, bool *again, struct bead_message *msg);
 };
 
 /* The sinks that need no graphics: trajectory, tables. NULL-terminated. */

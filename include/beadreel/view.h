@@ -73,6 +73,8 @@ struct bead_view_type {
      * static layer is `background`; adds what changed since the last draw. */
     enum bead_error (*draw)(struct bead_view *view, double time, struct bead_frame *frame, const struct bead_frame *background,
                             struct bead_changes *changes, struct bead_message *msg);
+    /* Instead of draw, of a frame that nobody will see. NULL: what is drawn does not depend on frames before. */
+    void (*pass)(struct bead_view *view, double time);
     /* The same contents into a vector file: curves as paths, rasters with nearest-neighbour filter. */
     enum bead_error (*vector)(struct bead_view *view, double time, cairo_t *cr, struct bead_message *msg);
     void (*destroy)(struct bead_view *view);

@@ -127,7 +127,7 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
     c->setup.film = c->setup.film ? c->setup.film : &c->even;
     c->caption = SIZE_MAX;
     c->magnify = output->views.magnify > 0 ? output->views.magnify : bead_magnify_auto(c->setup.chains, c->setup.chain_count);
-    if (output->movie.poster && output->movie.poster[0]) {
+    if (c->setup.interest) {
         err = bead_interest_open(c, msg);
         if (err)
             return err;
@@ -305,6 +305,23 @@ enum bead_error bead_composer_card(struct bead_composer *c, struct bead_changes 
                   : bead_warnings_check(msg);
 }
 
+/* The cameras move on, frame by frame. */
+static void advance_cameras(struct bead_composer *c, double time)
+{
+    for (size_t i = 0; c->cameras && i < c->wants.chain_count; i++)
+        bead_camera_advance(c->cameras[i], time);
+}
+
+void bead_composer_pass(struct bead_composer *c, double time)
+{
+    advance_cameras(c, time);
+    for (size_t i = 0; i < c->wants.chain_count * c->wants.view_count; i++) {
+        const struct bead_view_type *type = c->wants.views[i % c->wants.view_count];
+        if (type->pass)
+            type->pass(c->views[i], time);
+    }
+}
+
 enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct bead_changes *changes, struct bead_message *msg)
 {
     struct bead_rect all = {0, 0, c->frame.width, c->frame.height};
@@ -314,8 +331,7 @@ enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct 
         c->started = true;
     }
     enum bead_error err = BEAD_OK;
-    for (size_t i = 0; c->cameras && i < c->wants.chain_count; i++)
-        bead_camera_advance(c->cameras[i], time);
+    advance_cameras(c, time);
     for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++) {
         size_t chain = i / c->wants.view_count, view = i % c->wants.view_count;
         if (!overlaid(c, chain, view))

@@ -29,6 +29,7 @@ struct bead_composer_setup {
     const char *canvas;                  /* canvas back end; NULL: the first that works */
     double tolerance_factor;             /* of the comparison run of outputs with trust: see bead_run_context */
     const struct bead_text_watch *watch; /* told of all texts; NULL: nobody is */
+    bool interest;                       /* will bead_composer_interest be asked? */
 };
 
 /* BEAD_FIELD_BITs that the views of an output need of samples. */
@@ -51,9 +52,13 @@ BEAD_CHECK enum bead_error bead_composer_card(struct bead_composer *composer, st
 /* Brings the frame to `time`; adds what changed (the first time: everything). */
 BEAD_CHECK enum bead_error bead_composer_draw(struct bead_composer *composer, double time, struct bead_changes *changes,
                                               struct bead_message *msg);
+/* Instead of a draw, of a frame that nobody will see: those after it are as if it had been drawn. */
+void bead_composer_pass(struct bead_composer *composer, double time);
 /* How much the frame at `time` shows: of several chains, how far their values differ; of one, the mean distance of its values from
- * zero along the colour bar, weighted by how far views of all times have filled. Only for outputs with a poster. */
+ * zero along the colour bar, weighted by how far views of all times have filled. Only where the setup says so. */
 double bead_composer_interest(const struct bead_composer *composer, double time);
+/* A sample for that alone. */
+void bead_interest_feed(struct bead_composer *composer, const struct bead_sample *sample);
 const struct bead_frame *bead_composer_frame(const struct bead_composer *composer);
 /* What paints the beads, as of bead_composer_open; "": nothing needs to be painted. */
 const char *bead_composer_painter(const struct bead_composer *composer);

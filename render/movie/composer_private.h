@@ -49,7 +49,6 @@ void bead_composer_bar_title(const struct bead_composer *composer, char *out, si
 BEAD_CHECK enum bead_error bead_composer_cameras(struct bead_composer *composer, struct bead_message *msg);
 /* Keeps values for the poster. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_interest_open(struct bead_composer *composer, struct bead_message *msg);
-void bead_interest_feed(struct bead_composer *composer, const struct bead_sample *sample);
 /* The colour bar, into the static layer. */
 void bead_overlay_draw_bar(struct bead_composer *composer, cairo_t *cr);
 /* Update the parts of the frame that change now and then to `time`; each adds what changed. */

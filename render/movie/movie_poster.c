@@ -12,12 +12,32 @@
 static const double better = 1.002;
 
 struct bead_poster {
-    const char *path, *title;
-    double at, slack; /* s; at NaN: the frame that shows most */
-    double interest;  /* of the frame kept */
+    const char *path;
+    const struct bead_scene *scene;
+    struct bead_poster_choice choice;
     struct bead_frame frame;
-    bool taken;
 };
+
+struct bead_poster_choice bead_poster_choose(double at, double step)
+{
+    return (struct bead_poster_choice){.at = at, .slack = 0.5 * step};
+}
+
+bool bead_poster_reached(const struct bead_poster_choice *choice, double time)
+{
+    return time >= choice->at - choice->slack;
+}
+
+bool bead_poster_prefers(struct bead_poster_choice *choice, const struct bead_composer *composer, double time)
+{
+    const double interest = isnan(choice->at) ? bead_composer_interest(composer, time) : 0;
+    if (isnan(choice->at) ? choice->taken && !(interest > better * choice->interest)
+                          : choice->taken || !bead_poster_reached(choice, time))
+        return false;
+    choice->interest = interest;
+    choice->taken = true;
+    return true;
+}
 
 enum bead_error bead_poster_create(const struct bead_output *output, const struct bead_scene *scene, const char *path, double step,
                                    struct bead_poster **poster, struct bead_message *msg)
@@ -25,10 +45,9 @@ enum bead_error bead_poster_create(const struct bead_output *output, const struc
     struct bead_poster *p = *poster = calloc(1, sizeof *p);
     if (!p)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a poster");
-    p->at = output->movie.poster_at;
-    p->slack = 0.5 * step;
+    p->choice = bead_poster_choose(output->movie.poster_at, step);
     p->path = path;
-    p->title = scene->title;
+    p->scene = scene;
     return BEAD_OK;
 }
 
@@ -44,17 +63,13 @@ enum bead_error bead_poster_offer(struct bead_poster *p, const struct bead_compo
                                   struct bead_message *msg)
 {
     const struct bead_frame *frame = bead_composer_frame(composer);
-    double interest = isnan(p->at) ? bead_composer_interest(composer, time) : 0;
-    bool wanted = isnan(p->at) ? !p->taken || interest > better * p->interest : !p->taken && time >= p->at - p->slack;
-    if (!wanted)
+    if (!bead_poster_prefers(&p->choice, composer, time))
         return BEAD_OK;
     enum bead_error err = p->frame.pixels ? BEAD_OK : bead_frame_create(frame->width, frame->height, &p->frame, msg);
     if (err)
         return err;
     p->frame.alpha = frame->alpha;
     bead_frame_copy(&p->frame, frame, (struct bead_rect){0, 0, frame->width, frame->height});
-    p->interest = interest;
-    p->taken = true;
     return BEAD_OK;
 }
 
@@ -75,12 +90,18 @@ static enum bead_error set_cover(const struct bead_poster *p, uint64_t bytes, st
     return err;
 }
 
+enum bead_error bead_poster_file(const char *path, const struct bead_frame *frame, const struct bead_scene *scene, uint64_t *bytes,
+                                 struct bead_message *msg)
+{
+    const struct bead_picture_notes notes = {.size = sizeof notes, .title = scene->title && scene->title[0] ? scene->title : NULL};
+    return bead_png_write(path, frame, &notes, bytes, msg);
+}
+
 enum bead_error bead_poster_write(const struct bead_poster *p, struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg)
 {
-    const struct bead_picture_notes notes = {.size = sizeof notes, .title = p->title && p->title[0] ? p->title : NULL};
     *bytes = 0;
-    if (!p->taken)
+    if (!p->choice.taken)
         return BEAD_OK;
-    enum bead_error err = bead_png_write(p->path, &p->frame, &notes, bytes, msg);
+    enum bead_error err = bead_poster_file(p->path, &p->frame, p->scene, bytes, msg);
     return err ? err : set_cover(p, *bytes, movie, msg);
 }

@@ -7,10 +7,26 @@
 #include "beadreel/sink.h"
 #include "render/movie/composer.h"
 
+/* Which frame it is. */
+struct bead_poster_choice {
+    double at, slack; /* s; at NaN: the frame that shows most */
+    double interest;  /* of the best so far */
+    bool taken;       /* there is one */
+};
+/* `at`: a time of the motion, s, or NaN; `step`: s of the motion between frames. */
+struct bead_poster_choice bead_poster_choose(double at, double step);
+/* Is a frame of this time as late as the choice asks? */
+bool bead_poster_reached(const struct bead_poster_choice *choice, double time);
+/* Asked of each frame in turn: is it the one, or better than all before? */
+bool bead_poster_prefers(struct bead_poster_choice *choice, const struct bead_composer *composer, double time);
+/* A frame as a PNG file with the scene's title. Errors: IO, MEMORY. */
+BEAD_CHECK enum bead_error bead_poster_file(const char *path, const struct bead_frame *frame, const struct bead_scene *scene,
+                                            uint64_t *bytes, struct bead_message *msg);
+
 struct bead_poster;
 
-/* For an output with a poster, to the file `path`; `step`: s of the motion between frames. `path` and the title of the scene are
- * the caller's. Errors: MEMORY. */
+/* For an output with a poster, to the file `path`; `step`: s of the motion between frames. `path` and scene are the
+ * caller's. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_poster_create(const struct bead_output *output, const struct bead_scene *scene, const char *path,
                                               double step, struct bead_poster **poster, struct bead_message *msg);
 /* NULL is allowed. */

@@ -11,16 +11,12 @@
 #include "beadreel/look.h"
 #include "beadreel/movie.h"
 #include "beadreel/ring_buffer.h"
-#include "render/colour/colour_range.h"
 #include "render/encode/movie_private.h"
-#include "render/movie/captions.h"
-#include "render/movie/composer.h"
+#include "render/movie/film.h"
 #include "render/movie/film_sound.h"
 #include "render/movie/movie_notes.h"
 #include "render/movie/movie_poster.h"
 #include "render/movie/movie_sink.h"
-#include "render/movie/movie_size.h"
-#include "render/movie/movie_times.h"
 #include "sim/base/stop.h"
 
 /* Frames between drawing and encoding; bytes of samples between the run and drawing. */
@@ -42,17 +38,12 @@ struct parcel {
 };
 
 struct bead_sink {
-    const struct bead_output *output;
-    struct bead_run_context context;
+    struct bead_film film;
     char *path, *poster_path, *comment; /* NULL: none */
     struct bead_movie_notes notes;
     struct bead_film_sound *sound; /* NULL: none */
     uint64_t poster_bytes;
     char why[192], makers[160];
-    int width, height;
-    struct bead_movie_times times;
-    unsigned fields, comparison;
-    size_t last_bead; /* the last bead needed of the longest chain */
 
     struct bead_composer *composer;
     struct bead_movie *movie;
@@ -70,37 +61,31 @@ struct bead_sink {
     bool seen_any;
 };
 
-static enum bead_error wrong(const struct bead_sink *s, const char *what, struct bead_message *msg)
-{
-    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s", s->context.scene->file, s->output->place.line,
-                     s->output->place.column, what);
-}
-
 static struct bead_movie_settings movie_settings_of(const struct bead_sink *s)
 {
     return (struct bead_movie_settings){.size = sizeof(struct bead_movie_settings),
-                                        .width = s->width,
-                                        .height = s->height,
-                                        .fps = s->output->movie.fps,
-                                        .quality = s->output->movie.quality,
+                                        .width = s->film.width,
+                                        .height = s->film.height,
+                                        .fps = s->film.output->movie.fps,
+                                        .quality = s->film.output->movie.quality,
                                         .channels = bead_film_sound_channels(s->sound),
-                                        .alpha = s->output->paper.background == BEAD_BACKGROUND_NONE,
-                                        .title = s->context.scene->title[0] ? s->context.scene->title : NULL,
+                                        .alpha = s->film.output->paper.background == BEAD_BACKGROUND_NONE,
+                                        .title = s->film.context.scene->title[0] ? s->film.context.scene->title : NULL,
                                         .comment = s->notes.comment,
                                         .chapters = s->notes.chapters,
                                         .chapter_count = s->notes.chapter_count,
                                         .subtitles = s->notes.subtitles,
                                         .subtitle_count = s->notes.subtitle_count,
-                                        .length = (double)s->times.frames / s->output->movie.fps,
-                                        .cover = s->output->movie.poster && s->output->movie.poster[0]};
+                                        .length = (double)s->film.times.frames / s->film.output->movie.fps,
+                                        .cover = s->film.output->movie.poster && s->film.output->movie.poster[0]};
 }
 
 static void movie_describe(struct bead_sink *s)
 {
     char every[48], frames[96];
-    bead_quantity(s->times.step, bead_chain_time_unit(s->context.chains[0]), 3, every, sizeof every);
-    bead_movie_count_words(&s->times, s->output, frames, sizeof frames);
-    snprintf(s->why, sizeof s->why, "%s of %d x %d pixels, every %s", frames, s->width, s->height, every);
+    bead_quantity(s->film.times.step, bead_chain_time_unit(s->film.context.chains[0]), 3, every, sizeof every);
+    bead_movie_count_words(&s->film.times, s->film.output, frames, sizeof frames);
+    snprintf(s->why, sizeof s->why, "%s of %d x %d pixels, every %s", frames, s->film.width, s->film.height, every);
 }
 
 static void movie_destroy(struct bead_sink *s)
@@ -121,37 +106,22 @@ static void movie_destroy(struct bead_sink *s)
     free(s);
 }
 
-static enum bead_error movie_prepare(struct bead_sink *s, struct bead_message *msg)
+static enum bead_error movie_prepare(struct bead_sink *s, const struct bead_output *output, const struct bead_run_context *context,
+                                     struct bead_message *msg)
 {
-    struct bead_movie_settings settings;
-    enum bead_error err = bead_colour_range_check(s->output, s->context.scene->file, msg);
+    enum bead_error err = bead_film_prepare(output, context, &s->film, msg);
+    if (!err && output->movie.poster && output->movie.poster[0])
+        err = bead_file_join(context->directory, output->movie.poster, &s->poster_path, msg);
     if (!err)
-        err = bead_movie_size(s->output, s->context.scene, &s->width, &s->height, msg);
+        err = bead_file_join(context->directory, output->path, &s->path, msg);
     if (!err)
-        err = bead_movie_times_choose(s->output, &s->context, &s->times, msg);
+        err = bead_movie_notes_make(output, context->scene, &s->film.times, &s->notes, msg);
     if (!err)
-        err = bead_captions_check(s->output, s->context.scene, s->times.time[1], bead_chain_time_unit(s->context.chains[0]), msg);
-    if (!err && s->output->movie.poster && s->output->movie.poster[0])
-        err = bead_file_join(s->context.directory, s->output->movie.poster, &s->poster_path, msg);
-    if (!err)
-        err = bead_file_join(s->context.directory, s->output->path, &s->path, msg);
-    if (!err)
-        err = bead_movie_notes_make(s->output, s->context.scene, &s->times, &s->notes, msg);
-    if (!err)
-        err = bead_film_sound_create(s->output, &s->context, &s->times, &s->sound, msg);
+        err = bead_film_sound_create(output, context, &s->film.times, &s->sound, msg);
     if (err)
         return err;
-    settings = movie_settings_of(s);
-    err = bead_movie_check(s->output->path, &settings, msg);
-    s->fields = bead_composer_fields(s->output, s->context.chains[0]);
-    s->comparison = bead_composer_comparison(s->output, s->context.chains[0]);
-    for (size_t c = 0; c < s->context.chain_count; c++) {
-        size_t last = bead_chain_beads(s->context.chains[c]) - 1;
-        s->last_bead = last > s->last_bead ? last : s->last_bead;
-    }
-    s->last_bead = s->output->shown.beads.last < s->last_bead ? s->output->shown.beads.last : s->last_bead;
-    if (s->output->shown.beads.first > s->last_bead)
-        return wrong(s, "beads: no chain has so many beads", msg);
+    const struct bead_movie_settings settings = movie_settings_of(s);
+    err = bead_movie_check(output->path, &settings, msg);
     if (!err)
         movie_describe(s);
     return err;
@@ -164,9 +134,7 @@ static enum bead_error movie_create(const struct bead_output *output, const stru
     struct bead_sink *s = calloc(1, sizeof *s);
     if (!s)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
-    s->output = output;
-    s->context = *context;
-    enum bead_error err = movie_prepare(s, msg);
+    enum bead_error err = movie_prepare(s, output, context, msg);
     if (err)
         movie_destroy(s);
     else
@@ -176,21 +144,14 @@ static enum bead_error movie_create(const struct bead_output *output, const stru
 
 static void movie_needs(const struct bead_sink *s, struct bead_needs *needs)
 {
-    *needs = (struct bead_needs){.fields = s->fields,
-                                 .beads = {s->output->shown.beads.first, s->last_bead},
-                                 .grid = s->times.grid,
-                                 .range = isnan(s->output->colours.range[0]) || isnan(s->output->colours.range[1]),
-                                 .range_field = s->output->shown.field,
-                                 .comparison = s->comparison,
-                                 .until = s->times.time[1],
-                                 .why = s->why};
+    bead_film_needs(&s->film, s->why, needs);
     bead_film_sound_needs(s->sound, needs);
 }
 
 /* Numbers of one field in a snapshot. */
 static size_t field_room(const struct bead_sink *s)
 {
-    return s->last_bead + 1;
+    return s->film.last_bead + 1;
 }
 
 static size_t field_count(unsigned fields)
@@ -225,7 +186,7 @@ static enum bead_error send_frame(struct bead_sink *s, const struct bead_changes
     const struct bead_frame *frame = bead_composer_frame(s->composer);
     enum bead_error err = BEAD_OK;
     if (!parcel) /* the encoder says why when it finishes */
-        return bead_fail(msg, BEAD_ERROR_CODEC, "%s: encoding has failed", s->output->path);
+        return bead_fail(msg, BEAD_ERROR_CODEC, "%s: encoding has failed", s->film.output->path);
     parcel->changes = *changes;
     if (changes->count == 0 && s->filled > 0) { /* what the encoder has already */
         parcel->buffer = (s->filled - 1) % FRAME_SLOTS;
@@ -250,8 +211,8 @@ static enum bead_error send_frame(struct bead_sink *s, const struct bead_changes
 
 static enum bead_error movie_draw_frame(struct bead_sink *s, struct bead_changes *changes, struct bead_message *msg)
 {
-    double time = bead_movie_time(&s->times, s->drawn);
-    if (s->drawn < s->times.card)
+    double time = bead_movie_time(&s->film.times, s->drawn);
+    if (s->drawn < s->film.times.card)
         return bead_composer_card(s->composer, changes, msg);
     enum bead_error err = bead_composer_draw(s->composer, time, changes, msg);
     return !err && s->poster ? bead_poster_offer(s->poster, s->composer, time, msg) : err;
@@ -260,11 +221,11 @@ static enum bead_error movie_draw_frame(struct bead_sink *s, struct bead_changes
 /* Frames up to `until`. */
 static enum bead_error draw_frames(struct bead_sink *s, double until, struct bead_message *msg)
 {
-    while (s->drawn < s->times.frames && bead_movie_time(&s->times, s->drawn) <= until) {
+    while (s->drawn < s->film.times.frames && bead_movie_time(&s->film.times, s->drawn) <= until) {
         struct bead_changes changes = {0};
-        if (bead_stop_is_asked(s->context.stop)) /* pauses and cards are many frames of one sample */
-            return bead_fail(msg, BEAD_ERROR_STOPPED, "%s: stopped after %zu frames", s->output->path, s->drawn);
-        enum bead_error err = bead_movie_draws(&s->times, s->drawn) ? movie_draw_frame(s, &changes, msg) : BEAD_OK;
+        if (bead_stop_is_asked(s->film.context.stop)) /* pauses and cards are many frames of one sample */
+            return bead_fail(msg, BEAD_ERROR_STOPPED, "%s: stopped after %zu frames", s->film.output->path, s->drawn);
+        enum bead_error err = bead_movie_draws(&s->film.times, s->drawn) ? movie_draw_frame(s, &changes, msg) : BEAD_OK;
         if (!err)
             err = send_frame(s, &changes, msg);
         if (err)
@@ -285,17 +246,17 @@ static enum bead_error take_snapshot(struct bead_sink *s, struct snapshot *snaps
     for (unsigned i = 0; i < 2 * BEAD_FIELD_COUNT; i++) {
         unsigned f = i % BEAD_FIELD_COUNT;
         bool first = i < BEAD_FIELD_COUNT;
-        if (!((first ? s->fields : s->comparison) & BEAD_FIELD_BIT(f)))
+        if (!((first ? s->film.fields : s->film.comparison) & BEAD_FIELD_BIT(f)))
             continue;
         *(first ? &sample.field[f] : &sample.comparison[f]) = data;
         data += field_room(s);
     }
     enum bead_error err = bead_composer_feed(s->composer, &sample, msg);
-    if (err || snapshot->chain + 1 < s->context.chain_count)
+    if (err || snapshot->chain + 1 < s->film.context.chain_count)
         return err;
     s->seen = snapshot->time;
     s->seen_any = true;
-    return draw_frames(s, snapshot->time + 1e-6 * s->times.grid.every, msg);
+    return draw_frames(s, snapshot->time + 1e-6 * s->film.times.grid.every, msg);
 }
 
 /* Drawing thread. */
@@ -309,73 +270,55 @@ static enum bead_error movie_draw(void *context, void *slot, int last, struct be
     /* The last sample stands for the rest of its interval; a stopped run ends the movie early. */
     enum bead_error err = BEAD_OK;
     if (last == BEAD_PIPE_DONE && s->seen_any)
-        err = draw_frames(s, s->seen + s->times.grid.every, msg);
+        err = draw_frames(s, s->seen + s->film.times.grid.every, msg);
     bead_composer_close(s->composer);
     return err;
 }
 
 static enum bead_error create_pipes(struct bead_sink *s, struct bead_message *msg)
 {
-    size_t numbers_bytes = (field_count(s->fields) + field_count(s->comparison)) * field_room(s) * sizeof(double);
-    size_t bytes = sizeof(struct snapshot) + numbers_bytes, chains = s->context.chain_count;
+    size_t numbers_bytes = (field_count(s->film.fields) + field_count(s->film.comparison)) * field_room(s) * sizeof(double);
+    size_t bytes = sizeof(struct snapshot) + numbers_bytes, chains = s->film.context.chain_count;
     size_t slots = sample_bytes / bytes;
     slots = slots < LEAST_SAMPLES ? LEAST_SAMPLES : slots > MOST_SAMPLES ? MOST_SAMPLES : slots;
     slots = (slots + chains - 1) / chains * chains; /* a slot always holds the same chain: less to copy */
     enum bead_error err =
-        bead_ring_buffer_create(FRAME_SLOTS, sizeof(struct parcel), s->context.threads, movie_encode, s, &s->encoding, msg);
-    return err ? err : bead_ring_buffer_create(slots, bytes, s->context.threads, movie_draw, s, &s->drawing, msg);
+        bead_ring_buffer_create(FRAME_SLOTS, sizeof(struct parcel), s->film.context.threads, movie_encode, s, &s->encoding, msg);
+    return err ? err : bead_ring_buffer_create(slots, bytes, s->film.context.threads, movie_draw, s, &s->drawing, msg);
 }
 
 static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range, struct bead_message *msg)
 {
-    struct bead_composer_setup setup = {.output = s->output,
-                                        .chains = s->context.chains,
-                                        .chain_count = s->context.chain_count,
-                                        .title = s->context.scene->title,
-                                        .width = s->width,
-                                        .height = s->height,
-                                        .time = {s->times.time[0], s->times.time[1]},
-                                        .step = s->times.step,
-                                        .film = &s->times.film,
-                                        .scene = s->context.scene,
-                                        .tolerance_factor = s->context.tolerance_factor,
-                                        .canvas = s->context.canvas};
-    struct bead_colour_range colours =
-        bead_colour_range_find(&s->output->colours, bead_chain_signed(s->context.chains[0], s->output->shown.field),
-                               &(struct bead_shown_values){range.low, range.high, INFINITY});
-    setup.range[0] = colours.low;
-    setup.range[1] = colours.high;
-    bead_colour_range_ends(s->output, s->context.chains[0], &colours, &setup.over, &setup.under);
-    enum bead_error err = bead_composer_create(&setup, &s->composer, msg);
+    enum bead_error err = bead_film_compose(&s->film, range, s->poster_path != NULL, &s->composer, msg);
     struct bead_movie_settings settings = movie_settings_of(s);
     if (!err && s->poster_path)
-        err = bead_poster_create(s->output, s->context.scene, s->poster_path, s->times.step, &s->poster, msg);
+        err = bead_poster_create(s->film.output, s->film.context.scene, s->poster_path, s->film.times.step, &s->poster, msg);
     if (!err)
         err = bead_movie_open(s->path, &settings, &s->movie, msg);
     if (!err)
         err = bead_movie_reserve(s->movie, FRAME_SLOTS, &s->ahead, msg);
     for (int i = 0; !err && !s->ahead && i < FRAME_SLOTS; i++) {
-        err = bead_frame_create(s->width, s->height, &s->buffer[i], msg);
+        err = bead_frame_create(s->film.width, s->film.height, &s->buffer[i], msg);
         s->buffer[i].alpha = settings.alpha;
     }
-    bead_canvas_prepare(s->context.canvas); /* before our threads start */
+    bead_canvas_prepare(s->film.context.canvas); /* before our threads start */
     return err ? err : create_pipes(s, msg);
 }
 
 /* Copies moving beads, and beads at rest only once. */
 static void movie_fill(const struct bead_sink *s, const struct bead_sample *sample, struct snapshot *snapshot)
 {
-    size_t first = s->output->shown.beads.first, room = field_room(s);
+    size_t first = s->film.output->shown.beads.first, room = field_room(s);
     bool fresh = snapshot->owner != sample->chain + 1;
-    size_t last = s->comparison && sample->comparison_active > sample->active ? sample->comparison_active : sample->active;
+    size_t last = s->film.comparison && sample->comparison_active > sample->active ? sample->comparison_active : sample->active;
     size_t moving = last + 1, filled = fresh ? SIZE_MAX : snapshot->filled;
     double *data = movie_numbers(snapshot);
     for (unsigned i = 0; i < 2 * BEAD_FIELD_COUNT; i++) {
         unsigned f = i % BEAD_FIELD_COUNT;
         const double *values = i < BEAD_FIELD_COUNT ? sample->field[f] : sample->comparison[f];
-        if (!((i < BEAD_FIELD_COUNT ? s->fields : s->comparison) & BEAD_FIELD_BIT(f)))
+        if (!((i < BEAD_FIELD_COUNT ? s->film.fields : s->film.comparison) & BEAD_FIELD_BIT(f)))
             continue;
-        const struct bead_chain *chain = s->context.chains[sample->chain];
+        const struct bead_chain *chain = s->film.context.chains[sample->chain];
         size_t count = bead_field_info((enum bead_field)f)->of_contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain);
         size_t end = moving > filled ? moving : filled;
         end = end < count ? end : count;

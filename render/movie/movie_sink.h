@@ -5,6 +5,6 @@
 
 #include "beadreel/sink.h"
 
-extern const struct bead_sink_type bead_movie_sink;
+extern const struct bead_sink_type bead_movie_sink, bead_frame_sink;
 
 #endif

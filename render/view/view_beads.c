@@ -309,6 +309,13 @@ static enum bead_error beads_draw(struct bead_view *v, double time, struct bead_
     return err;
 }
 
+/* The front and the lens move on. */
+static void beads_pass(struct bead_view *v, double time)
+{
+    if (v->fed > 0)
+        bead_beads_advance(v, time);
+}
+
 static enum bead_error beads_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
 {
     (void)msg;
@@ -331,6 +338,7 @@ const struct bead_view_type bead_view_beads_type = {
     .decorate = beads_decorate,
     .feed = beads_feed,
     .draw = beads_draw,
+    .pass = beads_pass,
     .vector = beads_vector,
     .destroy = beads_destroy,
     .margins = bead_beads_margins,

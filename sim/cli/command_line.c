@@ -114,6 +114,12 @@ static enum bead_error set_canvas(struct command *command, const char *value, st
     return check_draws(command, "canvas", msg);
 }
 
+static enum bead_error set_frame(struct command *command, const char *value, struct bead_message *msg)
+{
+    command->frame = value;
+    return *value ? check_draws(command, "frame", msg) : bead_fail(msg, BEAD_ERROR_USAGE, "--frame: the moment is empty");
+}
+
 static enum bead_error set_list(struct command *command, const char *value, struct bead_message *msg)
 {
     (void)msg;
@@ -226,6 +232,8 @@ static const struct command_option rows[] = {
     {"size", 0, "WxH", "of the file -o: in pixels, or as lengths: 86mmx60mm", NULL, NULL, "x,"},
     {"style", 0, "NAME", "of the file -o: paper, slide or movie", NULL, NULL, ""},
     {"views", 0, "VIEW,VIEW", "of the file -o: what is drawn, from top to bottom; see --list views", NULL, NULL, ","},
+    {"frame", 0, "MOMENT", "draw only a frame of the scene's film, as PNG: 2.1ms of the motion, 50% of the film, or peak", NULL,
+     set_frame, NULL},
     {"plan", 0, NULL, "show what would be computed, what is skipped, and why; compute nothing", NULL, set_plan, NULL},
     {"new", 0, "KIND", "write a commented scene to start from, KIND.yaml or -o FILE: paper, lecture, sweep or compare", new_words,
      set_new, NULL},
@@ -261,7 +269,8 @@ const struct command_option *command_option(size_t i)
 
 bool command_offers(const struct command_program *program, const struct command_option *row)
 {
-    return program->canvases || (row->apply != set_canvas && row->apply != set_sheet && !row->separators);
+    return program->canvases ||
+           (row->apply != set_canvas && row->apply != set_sheet && row->apply != set_frame && !row->separators);
 }
 
 size_t command_words(const struct command_program *program, const struct command_option *row, const char *words[COMMAND_MOST_WORDS])

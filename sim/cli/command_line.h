@@ -52,7 +52,7 @@ struct command {
     const struct command_program *program;
     enum command_action action;
     const struct command_list *list;
-    const char *input, *output, *instructions, *canvas, *configuration;
+    const char *input, *output, *instructions, *canvas, *configuration, *frame;
     bool allow_outside;
     bool sheet;
     bool json, watch;

@@ -29,6 +29,7 @@ static void fill_job(const struct command *command, const volatile sig_atomic_t 
     job->sweep_sinks = command->program->sweep_sinks;
     job->configuration = command->configuration;
     job->sheet = command->sheet;
+    job->frame = command->frame;
     job->allow_outside = command->allow_outside;
     job->part = command->shard;
     job->parts = command->shards;

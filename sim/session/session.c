@@ -89,15 +89,18 @@ static enum bead_error load_scene(struct bead_session *s, struct bead_message *m
     enum bead_error err = bead_scene_find(s->job.input, path, sizeof path, msg);
     if (err)
         return err;
-    if (!bead_session_names_file(s->job.output)) {
+    if (!s->job.frame && !bead_session_names_file(s->job.output)) {
         if (s->job.look_count > 0)
             return bead_fail(msg, BEAD_ERROR_USAGE, "--%.*s: of which output? name it with -o FILE, or use --set outputs.N.%s",
                              (int)strcspn(s->job.looks[0], "="), s->job.looks[0], s->job.looks[0]);
         return bead_scene_load(path, s->job.settings, s->job.setting_count, &s->scene, msg);
     }
     err = bead_scene_load(path, NULL, 0, &plain, msg);
-    if (!err)
+    if (!err && s->job.frame)
+        err = bead_session_frame_settings(s, plain, &settings, msg);
+    else if (!err)
         err = bead_session_single_settings(s, plain, plain->sweep_count > 0 ? bead_sweep_file_kinds : kinds, &settings, msg);
+    s->amid = s->job.frame != NULL;
     if (!err)
         err = bead_scene_load(path, settings.all, settings.count, &s->scene, msg);
     bead_session_settings_free(&settings);
@@ -129,7 +132,7 @@ static enum bead_error open_scene(struct bead_session *s, struct bead_message *m
     if (!err)
         err = bead_session_list_outputs(s, msg);
     if (!err && s->single)
-        err = bead_session_check_single(s, &s->made[0], msg);
+        err = bead_session_check_single(s, bead_session_single_made(s), msg);
     if (!err)
         err = find_end(s, msg);
     return err ? err : bead_session_create_sinks(s, msg);
@@ -140,6 +143,8 @@ static enum bead_error open_input(struct bead_session *s, struct bead_message *m
 {
     if (s->job.configuration && s->job.sheet)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--sheet shows many configurations, --configuration one: give one of the two");
+    if (s->job.frame && (s->job.configuration || s->job.sheet))
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--frame: has no effect with --%s", s->job.sheet ? "sheet" : "configuration");
     if (s->job.configuration || !bead_trajectory_is(s->job.input))
         return open_scene(s, msg);
     enum bead_error err = bead_trajectory_begin(s->job.input, &s->trajectory, msg);
@@ -198,6 +203,7 @@ void bead_session_close(struct bead_session *s)
         free(s->made[i].poster);
     }
     free(s->made);
+    free(s->frame_path);
     free(s->results);
     free(s->outcomes);
     bead_session_free_sensitivities(s);

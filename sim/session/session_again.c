@@ -91,7 +91,7 @@ enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead
                                                   {BEAD_OUTPUT_REPORT, NULL},
                                                   {BEAD_OUTPUT_KINDS, NULL}};
     struct bead_settings settings;
-    if (!s->job.output)
+    if (!s->job.output && !s->job.frame)
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s is a trajectory: say what to draw with -o FILE (png, pdf, svg, mp4, ...)",
                          s->job.input);
     if (s->job.parts > 0)
@@ -99,7 +99,8 @@ enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead
     enum bead_error err = check_settings(s, msg);
     if (err)
         return err;
-    err = bead_session_single_settings(s, bead_trajectory_scene(s->trajectory), kinds, &settings, msg);
+    err = s->job.frame ? bead_session_frame_settings(s, bead_trajectory_scene(s->trajectory), &settings, msg)
+                       : bead_session_single_settings(s, bead_trajectory_scene(s->trajectory), kinds, &settings, msg);
     if (!err)
         err = bead_trajectory_settle(s->trajectory, settings.all, settings.count, msg);
     bead_session_settings_free(&settings);

@@ -16,10 +16,11 @@ struct bead_made {
     bool asked;                               /* not excluded by --only */
     bool shared;                              /* draws from the samples of the trajectory output */
     bool ended;
-    char *path;                   /* where it goes */
-    char *poster;                 /* of `changed`, own */
-    char *part;                   /* what a stopped run leaves of it; NULL: nothing */
-    struct bead_claim *claims[2]; /* on `path` and on a second file; NULL: none */
+    char *path;                    /* where it goes */
+    char *poster;                  /* of `changed`, own */
+    struct bead_frame_asked frame; /* of `single`, with the job's frame */
+    char *part;                    /* what a stopped run leaves of it; NULL: nothing */
+    struct bead_claim *claims[2];  /* on `path` and on a second file; NULL: none */
     struct bead_needs needs;
     struct bead_range range; /* found by scouting */
 };
@@ -36,6 +37,8 @@ struct bead_session {
     bool sweep_read;                    /* it comes from a file */
     const char *single;                 /* the one file to make, where -o names it; else NULL */
     size_t single_index;                /* of its output in the scene */
+    bool amid;                          /* the other outputs stay known: frames keep the sample times of a trajectory */
+    char *frame_path;                   /* what `single` is for a frame, own */
     struct bead_trajectory *trajectory; /* NULL with a scene */
     const struct bead_scene *source;    /* either's */
     struct bead_chain **own_chains;
@@ -86,6 +89,10 @@ BEAD_CHECK enum bead_error bead_session_lay(struct bead_session *session, struct
 BEAD_CHECK enum bead_error bead_session_find_resolution(struct bead_session *session, struct bead_message *msg);
 /* Make the sink of an output; find what it needs and where its file goes. */
 BEAD_CHECK enum bead_error bead_session_create_sink(struct bead_session *session, struct bead_made *made, struct bead_message *msg);
+/* Ask a sink what it needs, within the session's chains. */
+void bead_session_ask_needs(const struct bead_session *session, struct bead_made *made);
+/* The latest time that any sink needs, s. */
+double bead_session_latest(const struct bead_session *session);
 /* Make the sinks of all outputs that are asked for. */
 BEAD_CHECK enum bead_error bead_session_create_sinks(struct bead_session *session, struct bead_message *msg);
 /* Does this output need to know the end of the run before it starts? */
@@ -97,6 +104,10 @@ BEAD_CHECK enum bead_error bead_session_list_outputs(struct bead_session *sessio
 bool bead_session_holds_sweep(const struct bead_made *made);
 /* Behind the last slash. */
 const char *bead_session_base_name(const char *path);
+/* Does --only NAME mean it: `beads.mp4`, `movies/beads.mp4` or `beads` for movies/beads.mp4? */
+bool bead_session_is_named(const struct bead_output *output, const char *name);
+/* The one output that is made, where `single` is. */
+struct bead_made *bead_session_single_made(const struct bead_session *session);
 /* NULL: this program cannot make it. */
 const struct bead_sink_type *bead_session_find_type(const struct bead_job *job, const struct bead_output *output);
 
@@ -111,16 +122,16 @@ struct bead_file_kind {
 /* `[{movie: "a.mp4"}]` for a file of the first kind that it ends like; to be freed. Errors: USAGE, MEMORY. */
 BEAD_CHECK enum bead_error bead_session_outputs_for(const char *file, const struct bead_file_kind *kinds, char **outputs,
                                                     struct bead_message *msg);
-/* Settings of a scene: `first` (NULL: none; borrowed), the outputs (NULL: those of the scene), what the job's options say of the
- * first of them, then the job's settings. To be freed only where there was no error. Errors: MEMORY. */
+/* Settings of a scene: `first` (NULL: none; borrowed), the outputs (NULL: those of the scene), what the job's options say of output
+ * `index`, then the job's settings. To be freed only where there was no error. Errors: MEMORY. */
 struct bead_settings {
     const char **all;
     size_t count;
     char **own;
     size_t own_count;
 };
-BEAD_CHECK enum bead_error bead_session_settings_make(const struct bead_job *job, const char *outputs, const char *first,
-                                                      struct bead_settings *settings, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_session_settings_make(const struct bead_job *job, size_t index, const char *outputs,
+                                                      const char *first, struct bead_settings *settings, struct bead_message *msg);
 void bead_session_settings_free(struct bead_settings *settings);
 /* Settings that leave nothing but the output of the scene that `-o FILE` means; where it has none (or is NULL), one of `kinds`.
  * None where the command line changes nothing: session->single_index is the output then. To be freed in any case. Errors: USAGE,
@@ -134,6 +145,13 @@ BEAD_CHECK enum bead_error bead_session_check_single(const struct bead_session *
 /* The session's only output, which may then be changed, and its poster beside it. Errors: USAGE, MEMORY. */
 BEAD_CHECK enum bead_error bead_session_place_single(const struct bead_session *session, struct bead_made *made,
                                                      struct bead_message *msg);
+
+/* session_frame.c: which movie of the scene the job's frame is of, and where it goes; settings as above. Errors: USAGE, MEMORY. */
+BEAD_CHECK enum bead_error bead_session_frame_settings(struct bead_session *session, const struct bead_scene *scene,
+                                                       struct bead_settings *settings, struct bead_message *msg);
+/* What the job's frame says. Errors: USAGE, MEMORY. */
+BEAD_CHECK enum bead_error bead_session_read_frame(const struct bead_session *session, struct bead_frame_asked *frame,
+                                                   struct bead_message *msg);
 
 /* session_verify.c: warnings; and with `verify` the tolerance at which two runs agree to what was asked, in runs of their own. */
 BEAD_CHECK enum bead_error bead_session_verify(struct bead_session *session, struct bead_message *msg);

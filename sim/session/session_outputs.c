@@ -16,15 +16,14 @@ const struct bead_sink_type *bead_session_find_type(const struct bead_job *job, 
 {
     for (const struct bead_sink_type *const *const *list = job->sinks; list && *list; list++) {
         for (const struct bead_sink_type *const *type = *list; *type; type++) {
-            if ((*type)->kind == output->kind)
+            if ((*type)->kind == output->kind && (job->frame || !(*type)->one_frame))
                 return *type;
         }
     }
     return NULL;
 }
 
-/* `beads.mp4`, `movies/beads.mp4` and `beads` all name the output movies/beads.mp4. */
-static bool is_named(const struct bead_output *output, const char *name)
+bool bead_session_is_named(const struct bead_output *output, const char *name)
 {
     const char *base = bead_session_base_name(output->path), *dot = strrchr(base, '.');
     size_t stem = dot ? (size_t)(dot - base) : strlen(base);
@@ -38,7 +37,7 @@ static enum bead_error check_names(const struct bead_session *s, struct bead_mes
         char names[512] = "";
         for (size_t o = 0; o < s->source->output_count; o++) {
             const struct bead_output *output = &s->source->outputs[o];
-            found += is_named(output, s->job.only[i]);
+            found += bead_session_is_named(output, s->job.only[i]);
             if (used + strlen(output->path) + 3 < sizeof names)
                 used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", output->path);
         }
@@ -51,32 +50,45 @@ static enum bead_error check_names(const struct bead_session *s, struct bead_mes
 static bool is_asked(const struct bead_session *s, const struct bead_output *output)
 {
     for (size_t i = 0; i < s->job.only_count; i++) {
-        if (is_named(output, s->job.only[i]))
+        if (bead_session_is_named(output, s->job.only[i]))
             return true;
     }
     return s->job.only_count == 0;
 }
 
+struct bead_made *bead_session_single_made(const struct bead_session *s)
+{
+    return &s->made[s->amid ? s->single_index : 0];
+}
+
+/* What -o names instead is not the scene's. */
+static enum bead_error place(const struct bead_session *s, struct bead_made *m, struct bead_message *msg)
+{
+    const bool single = s->single && m == bead_session_single_made(s);
+    enum bead_error err = single ? BEAD_OK : bead_session_check_inside(s, m->output, m->output->path, msg);
+    if (!err)
+        err = bead_session_check_inside(s, m->output, m->output->movie.poster, msg);
+    if (!err && single)
+        err = bead_session_place_single(s, m, msg);
+    m->asked = s->single ? single : is_asked(s, m->output);
+    return err;
+}
+
 enum bead_error bead_session_list_outputs(struct bead_session *s, struct bead_message *msg)
 {
+    const bool alone = s->single && !s->amid;
     enum bead_error err = check_names(s, msg);
     if (err)
         return err;
     s->made = calloc(s->source->output_count + 1, sizeof *s->made);
     if (!s->made)
         return bead_session_out_of_memory(msg);
-    s->made_count = s->single ? 1 : s->source->output_count;
+    s->made_count = alone ? 1 : s->source->output_count;
     for (size_t i = 0; i < s->made_count && !err; i++) {
         struct bead_made *m = &s->made[i];
-        m->output = &s->source->outputs[s->single_index + i];
-        if (!s->single)
-            err = bead_session_check_inside(s, m->output, m->output->path, msg);
-        if (!err)
-            err = bead_session_check_inside(s, m->output, m->output->movie.poster, msg);
-        if (!err && s->single)
-            err = bead_session_place_single(s, m, msg);
+        m->output = &s->source->outputs[alone ? s->single_index : i];
+        err = place(s, m, msg);
         m->type = bead_session_find_type(&s->job, m->output);
-        m->asked = s->single || is_asked(s, m->output);
         if (bead_output_type(m->output->kind)->stores_samples && !s->keeper)
             s->keeper = m->output;
     }

@@ -106,7 +106,9 @@ static void plan_output(const struct bead_session *s, const struct bead_made *m,
 {
     if (!m->sink) {
         fprintf(out, "output %s: skipped: %s\n", m->output->path,
-                m->asked ? "this program makes data only" : "not asked for (--only)");
+                m->asked       ? "this program makes data only"
+                : s->job.frame ? "not asked for (--frame)"
+                               : "not asked for (--only)");
         return;
     }
     const struct bead_needs *n = &m->needs;

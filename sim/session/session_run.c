@@ -62,10 +62,34 @@ static enum bead_error session_begin(struct bead_session *s, struct bead_consume
         enum bead_error err = m->type->begin(m->sink, m->range, msg);
         if (err)
             return err;
+        bead_session_ask_needs(s, m);
         consumers[(*count)++] =
             (struct bead_consumer){.needs = m->needs, .exact = m->output == s->keeper, .take = give_to_sink, .made = m};
     }
     return BEAD_OK;
+}
+
+/* The pass, and where a sink has only then found what it looked for, another. */
+static enum bead_error play_passes(struct bead_session *s, struct bead_driver *p, struct bead_message *msg)
+{
+    bool again;
+    enum bead_error err = BEAD_OK;
+    do {
+        p->needed = s->needed = bead_session_latest(s);
+        err = play(s, p, &s->passed, msg);
+        again = false;
+        for (size_t i = 0; !err && i < p->consumer_count; i++) {
+            struct bead_consumer *c = &p->consumers[i];
+            err = c->made->type->again ? c->made->type->again(c->made->sink, &again, msg) : BEAD_OK;
+            bead_session_ask_needs(s, c->made);
+            c->needs = c->made->needs;
+        }
+        if (again) {
+            s->scout_steps = s->counts.steps;
+            bead_passed_free(&s->passed);
+        }
+    } while (again);
+    return err;
 }
 
 /* The outcomes that sinks get at the end: those of the pass, or those stored in the trajectory. */
@@ -90,7 +114,7 @@ static void add_result(struct bead_session *s, const struct bead_made *m, const 
     *r = (struct bead_result){.path = path,
                               .makers = m->type->makers ? m->type->makers(m->sink) : NULL,
                               .name = m->output->path,
-                              .kind = bead_output_key(m->output->kind)};
+                              .kind = m->type->one_frame ? m->type->name : bead_output_key(m->output->kind)};
     if (m->type->result)
         m->type->result(m->sink, &r->bytes, &r->items);
 }
@@ -201,9 +225,8 @@ static enum bead_error session_run(struct bead_session *s, struct bead_consumer 
     struct bead_driver p = bead_session_driver(s, s->trajectory || draws_frames(s) ? "drawing" : "simulating");
     err = session_begin(s, consumers, &p.consumer_count, msg);
     p.consumers = consumers;
-    p.needed = s->needed;
     if (!err)
-        err = play(s, &p, &s->passed, msg);
+        err = play_passes(s, &p, msg);
     if (!err && !s->trajectory)
         err = bead_session_find_sensitivities(s, msg);
     if (err && err != BEAD_ERROR_STOPPED)

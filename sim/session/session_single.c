@@ -110,14 +110,14 @@ enum bead_error bead_session_outputs_for(const char *file, const struct bead_fil
 /* ---- its settings ---- */
 
 /* "--colormap:outputs.0.colormap=grey": an option as the setting that it stands for. */
-static char *look_setting(const char *look)
+static char *look_setting(const char *look, size_t index)
 {
     char *setting = NULL;
     const int key = (int)strcspn(look, "=");
-    return asprintf(&setting, "--%.*s:outputs.0.%s", key, look, look) < 0 ? NULL : setting;
+    return asprintf(&setting, "--%.*s:outputs.%zu.%s", key, look, index, look) < 0 ? NULL : setting;
 }
 
-enum bead_error bead_session_settings_make(const struct bead_job *job, const char *outputs, const char *first,
+enum bead_error bead_session_settings_make(const struct bead_job *job, size_t index, const char *outputs, const char *first,
                                            struct bead_settings *settings, struct bead_message *msg)
 {
     const size_t most = job->setting_count + job->look_count + 2;
@@ -130,7 +130,7 @@ enum bead_error bead_session_settings_make(const struct bead_job *job, const cha
         settings->own_count += good;
     }
     for (size_t i = 0; i < job->look_count && good; i++) {
-        good = (settings->own[settings->own_count] = look_setting(job->looks[i])) != NULL;
+        good = (settings->own[settings->own_count] = look_setting(job->looks[i], index)) != NULL;
         settings->own_count += good;
     }
     for (size_t i = 0; i < settings->own_count; i++)
@@ -171,7 +171,7 @@ enum bead_error bead_session_single_settings(struct bead_session *s, const struc
     enum bead_error err = found ? bead_scene_single_output(scene, index, &outputs, msg)
                                 : bead_session_outputs_for(s->job.output, kinds, &outputs, msg);
     if (!err)
-        err = bead_session_settings_make(&s->job, outputs, NULL, settings, msg);
+        err = bead_session_settings_make(&s->job, 0, outputs, NULL, settings, msg);
     free(outputs);
     return err;
 }
@@ -194,6 +194,10 @@ enum bead_error bead_session_place_single(const struct bead_session *s, struct b
     m->output = &m->changed;
     const char *path = m->changed.path, *poster = m->changed.movie.poster;
     size_t length = (size_t)(bead_session_base_name(path) - path);
+    if (s->job.frame) {
+        m->changed.movie.poster = NULL;
+        return bead_session_read_frame(s, &m->frame, msg);
+    }
     if (s->source->output_count != 1 && s->job.setting_count > 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "-o names one file, but there are %zu outputs: give a directory",
                          s->source->output_count);

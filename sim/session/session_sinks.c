@@ -104,6 +104,23 @@ static bool is_made(const void *asker, const struct bead_output *output)
     return false;
 }
 
+void bead_session_ask_needs(const struct bead_session *s, struct bead_made *m)
+{
+    size_t last = 0;
+    m->type->needs(m->sink, &m->needs);
+    for (size_t i = 0; i < s->chain_count; i++)
+        last = bead_chain_beads(s->chains[i]) > last ? bead_chain_beads(s->chains[i]) : last;
+    m->needs.beads.last = m->needs.beads.last < last ? m->needs.beads.last : last - 1;
+}
+
+double bead_session_latest(const struct bead_session *s)
+{
+    double latest = 0;
+    for (size_t i = 0; i < s->made_count; i++)
+        latest = s->made[i].sink ? fmax(latest, s->made[i].needs.until) : latest;
+    return latest;
+}
+
 enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
     m->shared = s->trajectory || (m->output != s->keeper && m->output->shown.every == 0 && covers(s, m->output));
@@ -121,17 +138,14 @@ enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_mad
                                        .is_made = is_made,
                                        .asker = s,
                                        .claimed = true,
+                                       .frame = m->frame.text ? &m->frame : NULL,
                                        .directory = s->trajectory || !s->job.output ? "." : s->job.output};
     enum bead_error err = m->type->looks_at_beads && m->type->looks_at_beads(m->output) ? bead_session_lay(s, msg) : BEAD_OK;
     if (!err)
         err = m->type->create(m->output, &context, &m->sink, msg);
     if (err)
         return err;
-    m->type->needs(m->sink, &m->needs);
-    size_t last = 0;
-    for (size_t i = 0; i < s->chain_count; i++)
-        last = bead_chain_beads(s->chains[i]) > last ? bead_chain_beads(s->chains[i]) : last;
-    m->needs.beads.last = m->needs.beads.last < last ? m->needs.beads.last : last - 1;
+    bead_session_ask_needs(s, m);
     m->shared = m->shared && s->native.every > 0 && m->needs.grid.every == s->native.every;
     return bead_file_join(context.directory, m->output->path, &m->path, msg);
 }
@@ -158,10 +172,6 @@ enum bead_error bead_session_create_sinks(struct bead_session *s, struct bead_me
         if (m->output != s->keeper && m->asked && m->type)
             err = bead_session_create_sink(s, m, msg);
     }
-    s->needed = 0;
-    for (size_t i = 0; i < s->made_count; i++) {
-        if (s->made[i].sink)
-            s->needed = fmax(s->needed, s->made[i].needs.until);
-    }
+    s->needed = bead_session_latest(s);
     return err;
 }

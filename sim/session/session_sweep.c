@@ -74,7 +74,7 @@ static enum bead_error load_sheet(struct bead_session *s, const char *path, cons
                                   struct bead_message *msg)
 {
     struct bead_settings settings;
-    enum bead_error err = bead_session_settings_make(&s->job, outputs, sweep, &settings, msg);
+    enum bead_error err = bead_session_settings_make(&s->job, 0, outputs, sweep, &settings, msg);
     if (!err)
         err = bead_scene_load(path, settings.all, settings.count, &s->scene, msg);
     bead_session_settings_free(&settings);
@@ -223,7 +223,7 @@ enum bead_error bead_session_load_configuration(struct bead_session *s, struct b
         err = bead_sweep_single(sweep, panel, index, outputs, &text, msg);
     struct bead_settings settings = {0};
     if (!err)
-        err = bead_session_settings_make(&s->job, NULL, NULL, &settings, msg);
+        err = bead_session_settings_make(&s->job, 0, NULL, NULL, &settings, msg);
     if (!err)
         err = bead_scene_parse(s->job.input, text, strlen(text), settings.all, settings.count, &s->scene, msg);
     bead_session_settings_free(&settings);

@@ -119,6 +119,7 @@ static void open_stage(struct stage *s, const char *text, const int size[2])
                                         .scene = s->scene,
                                         .canvas = "plain",
                                         .tolerance_factor = 1,
+                                        .interest = true,
                                         .watch = &s->watch};
     if (bead_composer_create(&setup, &s->composer, &msg) || bead_composer_open(s->composer, &msg))
         fail_msg("%s\n%s", msg.text, text);
@@ -237,7 +238,7 @@ static void test_differences_count(void **state)
     char text[4096];
     describe(&w, text, sizeof text);
     *strstr(text, "}]\n") = '\0';
-    strcat(text, ", poster: p.png, views: [profile]}]\n");
+    strcat(text, ", views: [profile]}]\n");
     open_stage(&s, text, size);
     one[7] = 30;
     far[40] = 12;

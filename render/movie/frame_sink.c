@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One frame of a movie, as a PNG file. Views are fed and cameras move as for the film, but nothing else is drawn or encoded, and no
+ * sample is taken beyond the frame. A frame that is chosen for what it shows takes a run to be found, and another. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "beadreel/canvas.h"
+#include "beadreel/file.h"
+#include "render/movie/film.h"
+#include "render/movie/movie_poster.h"
+#include "render/movie/movie_sink.h"
+
+struct bead_sink {
+    struct bead_film film;
+    char *path;
+    bool search, found;             /* the frame is that of a poster; it is known which */
+    struct bead_poster_choice peak; /* while it is searched for */
+    size_t frame, next;             /* which one; the next to pass */
+    double seen;                    /* s: time that all chains have reached */
+    bool seen_any, begun, drawn;    /* `begun`: the range of colours is known */
+    struct bead_composer *composer;
+    uint64_t bytes;
+    char why[96], makers[96];
+};
+
+static void frame_destroy(struct bead_sink *s)
+{
+    if (!s)
+        return;
+    bead_composer_destroy(s->composer);
+    free(s->path);
+    free(s);
+}
+
+/* ---- which one ---- */
+
+/* What the film shows at frame `index`: of a group, its first. */
+static size_t drawn_for(const struct bead_sink *s, size_t index)
+{
+    while (!bead_movie_draws(&s->film.times, index))
+        index--;
+    return index;
+}
+
+static enum bead_error outside(const struct bead_sink *s, struct bead_message *msg)
+{
+    const struct bead_run_context *context = &s->film.context;
+    const char *unit = bead_chain_time_unit(context->chains[0]);
+    const char *space = *unit ? " " : "";
+    return bead_fail(msg, BEAD_ERROR_USAGE, "--frame %s: is not in the film, which shows %g%s%s to %g%s%s, 0%% to 100%%",
+                     context->frame->text, s->film.times.time[0], space, unit, s->film.times.time[1], space, unit);
+}
+
+/* A time of the motion: the frame that a poster of this time is. */
+static enum bead_error find_time(struct bead_sink *s, double at, struct bead_message *msg)
+{
+    const struct bead_movie_times *t = &s->film.times;
+    const struct bead_poster_choice choice = bead_poster_choose(at, t->step);
+    const double rounding = 1e-9 * t->time[1];
+    if (!(at >= t->time[0] - rounding && at <= t->time[1] + rounding))
+        return outside(s, msg);
+    s->frame = t->frames - 1;
+    for (size_t k = t->frames; k-- > t->card;) {
+        if (bead_movie_draws(t, k) && bead_poster_reached(&choice, bead_movie_time(t, k)))
+            s->frame = k;
+    }
+    return BEAD_OK;
+}
+
+static enum bead_error find_frame(struct bead_sink *s, const struct bead_frame_asked *asked, struct bead_message *msg)
+{
+    s->search = isnan(asked->time) && isnan(asked->part);
+    s->found = !s->search;
+    s->peak = bead_poster_choose(NAN, s->film.times.step);
+    if (!isnan(asked->time))
+        return find_time(s, asked->time, msg);
+    if (s->search)
+        return BEAD_OK;
+    if (!(asked->part >= 0 && asked->part <= 1))
+        return outside(s, msg);
+    s->frame = drawn_for(s, (size_t)round(asked->part * (double)(s->film.times.frames - 1)));
+    return BEAD_OK;
+}
+
+/* ---- life ---- */
+
+static enum bead_error frame_create(const struct bead_output *output, const struct bead_run_context *context,
+                                    struct bead_sink **sink, struct bead_message *msg)
+{
+    struct bead_sink *s = *sink = calloc(1, sizeof *s);
+    if (!s)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a frame");
+    enum bead_error err = bead_film_prepare(output, context, &s->film, msg);
+    if (!err)
+        err = find_frame(s, context->frame, msg);
+    if (!err)
+        err = bead_file_join(context->directory, output->path, &s->path, msg);
+    if (err) {
+        frame_destroy(s);
+        *sink = NULL;
+        return err;
+    }
+    snprintf(s->why, sizeof s->why, "one frame of %zu, of %d x %d pixels", s->film.times.frames, s->film.width, s->film.height);
+    return BEAD_OK;
+}
+
+/* Samples up to the frame, or all, as long as the frame or the range of colours must be found. */
+static void frame_needs(const struct bead_sink *s, struct bead_needs *needs)
+{
+    bead_film_needs(&s->film, s->why, needs);
+    if (!s->found || (bead_film_scouts(&s->film) && !s->begun))
+        return;
+    const double count = ceil((bead_movie_time(&s->film.times, s->frame) - needs->grid.start) / needs->grid.every - 1e-6);
+    needs->grid.end = fmin(needs->grid.end, needs->grid.start + fmax(0, count) * needs->grid.every);
+    needs->until = fmin(needs->until, needs->grid.end);
+}
+
+static enum bead_error frame_begin(struct bead_sink *s, struct bead_range range, struct bead_message *msg)
+{
+    s->begun = true;
+    enum bead_error err = bead_film_compose(&s->film, range, s->search, &s->composer, msg);
+    return err ? err : bead_composer_open(s->composer, msg);
+}
+
+/* A frame of its own passes: it is drawn, or judged, or moves the cameras on. */
+static enum bead_error pass_frame(struct bead_sink *s, struct bead_message *msg)
+{
+    const double time = bead_movie_time(&s->film.times, s->next);
+    const bool card = s->next < s->film.times.card;
+    struct bead_changes changes = {0};
+    s->drawn = s->found && s->next == s->frame;
+    if (s->drawn || (s->found && !card && s->film.output->shown.trust)) { /* whose line says what was known when it came */
+        return card ? bead_composer_card(s->composer, &changes, msg) : bead_composer_draw(s->composer, time, &changes, msg);
+    }
+    if (!s->found && !card && bead_poster_prefers(&s->peak, s->composer, time))
+        s->frame = s->next;
+    if (s->found && !card)
+        bead_composer_pass(s->composer, time);
+    return BEAD_OK;
+}
+
+static enum bead_error pass_frames(struct bead_sink *s, double until, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (; !err && !s->drawn && s->next < s->film.times.frames && bead_movie_time(&s->film.times, s->next) <= until; s->next++)
+        err = bead_movie_draws(&s->film.times, s->next) ? pass_frame(s, msg) : BEAD_OK;
+    return err;
+}
+
+static enum bead_error frame_sample(struct bead_sink *s, const struct bead_sample *sample, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    if (s->found)
+        err = bead_composer_feed(s->composer, sample, msg);
+    else
+        bead_interest_feed(s->composer, sample);
+    if (err || sample->chain + 1 < s->film.context.chain_count)
+        return err;
+    s->seen = sample->time;
+    s->seen_any = true;
+    return pass_frames(s, sample->time + 1e-6 * s->film.times.grid.every, msg);
+}
+
+/* The last sample stands for the rest of its interval. */
+static enum bead_error pass_rest(struct bead_sink *s, struct bead_message *msg)
+{
+    return s->seen_any ? pass_frames(s, s->seen + s->film.times.grid.every, msg) : BEAD_OK;
+}
+
+static enum bead_error frame_again(struct bead_sink *s, bool *again, struct bead_message *msg)
+{
+    enum bead_error err = pass_rest(s, msg);
+    *again = !err && !s->found;
+    if (*again) {
+        s->found = true;
+        s->next = 0;
+        s->seen_any = false;
+    }
+    return err;
+}
+
+static enum bead_error frame_end(struct bead_sink *s, const struct bead_outcome *outcomes, struct bead_message *msg)
+{
+    (void)outcomes;
+    const char *painter = bead_composer_painter(s->composer);
+    if (!s->drawn)
+        return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: there are no samples of this frame", s->path);
+    snprintf(s->makers, sizeof s->makers, "%s%s", *painter ? "painted by " : "", painter);
+    return bead_poster_file(s->path, bead_composer_frame(s->composer), s->film.context.scene, &s->bytes, msg);
+}
+
+static void frame_result(const struct bead_sink *s, uint64_t *bytes, uint64_t *items)
+{
+    *bytes = s->bytes;
+    *items = 1;
+}
+
+static const char *frame_makers(const struct bead_sink *s)
+{
+    return s->makers;
+}
+
+const struct bead_sink_type bead_frame_sink = {
+    .name = "frame",
+    .help = "one frame of a movie",
+    .kind = BEAD_OUTPUT_MOVIE,
+    .one_frame = true,
+    .create = frame_create,
+    .needs = frame_needs,
+    .begin = frame_begin,
+    .sample = frame_sample,
+    .again = frame_again,
+    .end = frame_end,
+    .destroy = frame_destroy,
+    .result = frame_result,
+    .makers = frame_makers,
+};

@@ -1,0 +1,113 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# --frame: one frame of a film is what the film shows, pixel by pixel, at less work.
+source "$(dirname "$0")/../shell.bash"
+cd "$T" || exit 1
+chains='
+  - {name: A, striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{cell: [large-steel, aluminium], count: 30}, {bead: small-steel, sensor: S}], wall: brass}
+  - {name: B, striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{cell: [large-steel, aluminium], count: 30, spins: random, seed: 3}, {bead: small-steel, sensor: S}], wall: brass}'
+# film NAME KEYS [LENGTH] : a scene with one film, lossless, and its trajectory.
+film() {
+    cat >"$1.yaml" <<YAML
+title: One frame
+chains: $chains
+simulate: {until: 0.9 ms}
+outputs:
+  - {table: peaks.csv, show: peaks}
+  - {movie: film.apng, size: [480, 270], ${3:-duration: 2 s, fps: 20}, $2}
+  - {trajectory: run.h5, every: 3 us, fields: [displacement, velocity, force]}
+YAML
+    exits 0 "$beadreel" "$1.yaml" -o "$1"
+}
+pixels() { ffmpeg -v fatal -i "$1" -vf "select=eq(n\,${2:-0})" -frames:v 1 -f rawvideo -pix_fmt rgba -; }
+# shows INPUT MOMENT DIRECTORY FRAME : the frame of the film.
+shows() {
+    exits 0 "$beadreel" "$1" --frame "$2" -o frame.png || return
+    pixels "$3/film.apng" "$4" >film.raw && pixels frame.png >frame.raw
+    [ -s film.raw ] && cmp film.raw frame.raw
+}
+# same NAME WHAT KEYS [LENGTH] [PARTS] : the film's frames, from the scene and from its trajectory.
+same() {
+    ok "$2" film "$1" "$3" "${4:-}"
+    for part in ${5:-0:0 30:12 77:30 100:39}; do
+        ok "... frame ${part#*:}" shows "$1.yaml" "${part%:*}%" "$1" "${part#*:}"
+    done
+}
+if command -v ffmpeg >/dev/null; then
+    same plain "beads, profile, space-time" "views: [beads, profile, spacetime]"
+    ok "... at a time" shows plain.yaml 0.46ms plain 20
+    ok "... at the last" shows plain.yaml "0.9 ms" plain 39
+    ok "... of its trajectory" exits 0 "$beadreel" plain/run.h5 -o again/film.apng
+    ok "... is that of the film of it" shows plain/run.h5 77% again 30
+    same follow "a camera, sensors" "views: [beads, profile, sensors], follow: front, field: velocity"
+    same overlay "curves of all chains in one, captions with pauses, a title card" \
+        "views: [profile, spacetime], layout: overlay, card: {text: Begin, for: 0.3 s}, captions: [{at: 0.3 ms, text: Now, pause: 0.3 s}]" "duration: 1.4 s, fps: 20"
+    same clear "no background, a range that is given" "views: [beads, spacetime], background: none, range: [0, 40 N]"
+    same draft "a draft: the file holds every second frame" "views: [beads, spacetime], quality: draft" "fps: 40, duration: 1 s" "0:0 30:6 33:6 100:20"
+    same trust "a comparison run" "views: [spacetime, sensors], trust: true"
+    chains='
+  - {name: A, striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{bead: large-steel, count: 400}]}'
+    same lens "a lens, a single chain" "views: [beads, profile], poster: poster.png"
+    ok "peak" exits 0 "$beadreel" lens.yaml --frame peak -o frame.png
+    ok "... is the poster" cmp <(pixels lens/poster.png) <(pixels frame.png)
+    sed -i 's/count: 400/count: 30/' lens.yaml
+    ok "a scene of a short chain" exits 0 "$beadreel" lens.yaml -o lens
+    ok "... its peak" exits 0 "$beadreel" lens.yaml --frame peak -o frame.png
+    ok "... is its poster" cmp <(pixels lens/poster.png) <(pixels frame.png)
+    ok "... from the trajectory" exits 0 "$beadreel" lens/run.h5 --frame peak -o frame.png
+    ok "... too" cmp <(pixels lens/poster.png) <(pixels frame.png)
+else
+    skip ffmpeg "frames of films"
+    film lens "views: [beads]"
+fi
+
+# ---- how much is computed ----
+
+cat >given.yaml <<'YAML'
+chain: {beads: [{bead: large-steel, count: 40}]}
+simulate: {until: 0.6 ms}
+outputs:
+  - {movie: films/one.mp4, duration: 1 s, fps: 21, size: [320, 240], range: [0, 40 N]}
+  - {image: still.png, size: [320, 240]}
+  - {movie: two.webm, duration: 1 s, fps: 21, size: [320, 240], colormap: grey}
+YAML
+ok "a plan" exits 0 "$beadreel" given.yaml --frame 50% --plan
+ok "... stops at the frame" prints "time: stops at 0.3 ms of 0.6 ms"
+ok "... and leaves out the rest" prints "output still.png: skipped: not asked for"
+ok "a range that must be found needs all" exits 0 "$beadreel" given.yaml --frame 50% --plan --only two
+ok "... of the run" prints "time: 0.6 ms as asked"
+ok "JSON" exits 0 "$beadreel" given.yaml --frame 50% --json -q
+ok "... names the file and its kind" prints '"kind": "frame"'
+
+# ---- names ----
+
+rm -f ./*.png
+ok "without -o" exits 0 "$beadreel" given.yaml --frame 50%
+ok "... the film's name and the moment" test -s one-50percent.png
+ok "... nothing else" [ "$(find . -newer given.yaml -name '*.png' | wc -l)" -eq 1 ]
+ok "a directory" exits 0 "$beadreel" given.yaml --frame "0.2 ms" --only two.webm -o into/it
+ok "... is made" test -s into/it/two-0.2ms.png
+ok "options for the film" exits 0 "$beadreel" given.yaml --frame 50% --colormap grey -o grey.png
+ok "... change it" [ "$(cmp -s grey.png one-50percent.png; echo $?)" -eq 1 ]
+ok "as do settings" exits 0 "$beadreel" given.yaml --frame 50% --set outputs.0.colormap=grey -o set.png
+ok "... in the same way" cmp grey.png set.png
+
+# wrong MESSAGE ARGUMENT... : nothing is made.
+wrong() {
+    local message=$1
+    shift
+    fails 2 "$beadreel" "$@" -o no/no.png && says "$message" && [ ! -e no ]
+}
+ok "beyond the film" wrong "--frame 7ms: is not in the film, which shows 0 s to 0.0006 s, 0% to 100%" given.yaml --frame 7ms
+ok "before it" wrong "--frame -1ms: is not in the film" given.yaml --frame=-1ms
+ok "more than all of it" wrong "--frame 101%: is not in the film" given.yaml --frame 101%
+ok "no moment" wrong "--frame: \`soon\` " given.yaml --frame soon
+ok "a wrong unit" wrong "--frame: \`3 N\` is not in a unit of s" given.yaml --frame "3 N"
+ok "no movie" wrong "--frame: schematics has no movie" schematics --frame 50%
+ok "--only of none" wrong "--frame: --only still.png names no movie of given.yaml" given.yaml --frame 50% --only still.png
+ok "another output" wrong "--set outputs.1.colormap=grey: has no effect: the frame is one of outputs.0" given.yaml --frame 50% --set outputs.1.colormap=grey
+ok "one of a sweep" wrong "--frame: has no effect with --configuration" sweep --frame 50% --configuration 1
+ok "another kind of file" fails 2 "$beadreel" given.yaml --frame 50% -o no.mp4
+ok "... says so" says "--frame: makes a PNG file, and -o names no.mp4"
+ok "beadsim does not draw" fails 2 "$beadsim" given.yaml --frame 50%
+finish
