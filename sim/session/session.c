@@ -184,6 +184,8 @@ enum bead_error bead_session_open(const struct bead_job *job, struct bead_sessio
     if (!s)
         return bead_session_out_of_memory(msg);
     enum bead_error err = begin(s, job, msg);
+    if (err == BEAD_ERROR_SCENE)
+        bead_session_name_option(&s->job, msg);
     if (err)
         bead_session_close(s);
     else

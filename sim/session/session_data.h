@@ -139,6 +139,9 @@ void bead_session_settings_free(struct bead_settings *settings);
 BEAD_CHECK enum bead_error bead_session_single_settings(struct bead_session *session, const struct bead_scene *scene,
                                                         const struct bead_file_kind *kinds, struct bead_settings *settings,
                                                         struct bead_message *msg);
+/* What is found wrong with an output once it is known where it stands in a scene, as in `run.h5:9:3: colormap: ...`, names the
+ * option that set the key, where one did. */
+void bead_session_name_option(const struct bead_job *job, struct bead_message *msg);
 /* Can the program make the file that `-o` names, once its types are known? Errors: USAGE. */
 BEAD_CHECK enum bead_error bead_session_check_single(const struct bead_session *session, const struct bead_made *made,
                                                      struct bead_message *msg);

@@ -238,10 +238,8 @@ static enum bead_error session_run(struct bead_session *s, struct bead_consumer 
     return err ? err : closing;
 }
 
-enum bead_error bead_session_run(struct bead_session *s, struct bead_message *msg)
+static enum bead_error run_single(struct bead_session *s, struct bead_message *msg)
 {
-    if (s->sweep)
-        return bead_session_run_sweep(s, msg);
     struct bead_consumer *consumers = calloc(s->made_count + 1, sizeof *consumers);
     if (!consumers)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for outputs");
@@ -255,6 +253,14 @@ enum bead_error bead_session_run(struct bead_session *s, struct bead_message *ms
         }
     }
     bead_session_release(s);
+    return err;
+}
+
+enum bead_error bead_session_run(struct bead_session *s, struct bead_message *msg)
+{
+    enum bead_error err = s->sweep ? bead_session_run_sweep(s, msg) : run_single(s, msg);
+    if (err == BEAD_ERROR_SCENE)
+        bead_session_name_option(&s->job, msg);
     return err;
 }
 

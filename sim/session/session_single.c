@@ -176,6 +176,41 @@ enum bead_error bead_session_single_settings(struct bead_session *s, const struc
     return err;
 }
 
+/* The key that a setting ends with: "colormap" of `outputs.0.colormap=grey`, or of a look `colormap=grey`. */
+static size_t setting_key(const char *setting, const char **key)
+{
+    const size_t length = strcspn(setting, "=");
+    *key = setting;
+    for (size_t i = 0; i < length; i++)
+        *key = setting[i] == '.' ? setting + i + 1 : *key;
+    return (size_t)(setting + length - *key);
+}
+
+/* Replaces what stands before "colormap: ..." in the message. */
+static bool name_option(const char *setting, const char *option, size_t number, struct bead_message *msg)
+{
+    const char *key = NULL, *colon = strstr(msg->text, ": ");
+    const size_t length = setting_key(setting, &key);
+    if (!colon || strncmp(colon + 2, key, length) != 0 || strncmp(colon + 2 + length, ": ", 2) != 0)
+        return false;
+    struct bead_message named;
+    bead_fail(&named, BEAD_ERROR_SCENE, "--%s:%zu:1: %s", option, number, colon + 2);
+    *msg = named;
+    return true;
+}
+
+void bead_session_name_option(const struct bead_job *job, struct bead_message *msg)
+{
+    bool named = !msg || strncmp(msg->text, "--", 2) == 0;
+    for (size_t i = 0; i < job->look_count && !named; i++) {
+        char option[32];
+        snprintf(option, sizeof option, "%.*s", (int)strcspn(job->looks[i], "="), job->looks[i]);
+        named = name_option(job->looks[i], option, 1, msg);
+    }
+    for (size_t i = 0; i < job->setting_count && !named; i++)
+        named = strncmp(job->settings[i], "outputs.", 8) == 0 && name_option(job->settings[i], "set", i + 1, msg);
+}
+
 /* ---- where it goes ---- */
 
 enum bead_error bead_session_check_single(const struct bead_session *s, const struct bead_made *m, struct bead_message *msg)
