@@ -55,7 +55,8 @@ wrong() {
 }
 ok "--only has no effect" wrong "--only force.png: has no effect" --only force.png
 ok "a colour map that is none, found as it is drawn" wrong "--colormap:1:1: colormap: there is no colour map \`nope\`" --colormap nope
-ok "... by --set" wrong "--set:2:1: colormap: there is no colour map \`nope\`" --set title=x --set outputs.0.colormap=nope
+ok "... by --set" fails 2 "$beadreel" run/run.h5 -o no/force.png --set title=x --set outputs.0.colormap=nope
+ok "... the second" says "--set:2:1: colormap: there is no colour map \`nope\`"
 ok "a size without room" wrong "--size:1:1: size: 9 x 9 pixels leave no room" --size 9x9 --set outputs.0.axes=true
 ok "what was computed stays" wrong "--set:1:1: chain.striker.velocity: has no effect: run/run.h5" --set chain.striker.velocity=1
 ok "... the second setting" wrong "--set:2:1: simulate.until: has no effect" --set title=x --set simulate.until=1
