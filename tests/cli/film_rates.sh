@@ -1,0 +1,71 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Films of all ready scenes, small and short, in every container: as many frames as the plan says, at a rate that ffprobe finds constant.
+source "$(dirname "$0")/../shell.bash"
+cd "$T" || exit 1
+if ! command -v ffprobe >/dev/null; then
+    skip "ffprobe (ffmpeg)" "rates of films"
+    finish
+fi
+formats="mp4 mov mkv webm apng gif"
+
+# What does not change the film's times, and makes scenes quick.
+lighter() { case $1 in kdv | zabusky-kruskal) echo chain.points=160 ;; fput-kdv) echo chains.1.points=256 ;; esac; }
+# film SCENE INDEX KEY=VALUE... : arguments for a run or a plan of output INDEX as m.EXTENSION.
+film() {
+    local scene=$1 index=$2 pair
+    shift 2
+    arguments=("$scene" --canvas plain -o "$T" --set "outputs.$index.movie=[m.${formats// /, m.}]" --set "outputs.$index.poster=none")
+    for pair in size='[160, 90]' duration='0.5 s' "$@"; do arguments+=(--set "outputs.$index.$pair"); done
+    for pair in $(lighter "$scene"); do arguments+=(--set "$pair"); done
+    for pair in $formats; do arguments+=(--only "m.$pair"); done
+}
+made() { exits 0 "$beadreel" "${arguments[@]}" -q; }
+# planned NAME : frames in the file.
+planned() { sed -n "s/^output .*$1: \([0-9]*\) frames\( (\([0-9]*\) of them [^)]*)\)\{0,1\} of .*/\1 \3/p" plan | awk '{print $NF}'; }
+# rate NAME : the rates of the stream, how many frames it has, how far apart they and how long they are (least, most; in ticks).
+rate() {
+    ffprobe -v error -count_frames -select_streams v:0 -show_entries stream=r_frame_rate,avg_frame_rate,nb_read_frames:packet=pts,duration "$1" |
+        awk -F= '/^r_f/ {r = $2} /^avg/ {a = $2} /^nb/ {n = $2} /^dur/ {if (!d++ || $2 < dl) dl = $2; if ($2 > dm) dm = $2}
+                 /^pts/ {if (p++) {g = $2 - at; if (p == 2 || g < gl) gl = g; if (g > gm) gm = g} at = $2}
+                 END {print r, a, n, dl, dm, gl, gm}'
+}
+# constant NAME FPS TICKS FRAMES : all frames are within TICKS (of the container's clock) of as long.
+constant() {
+    local r a n dl dm gl gm
+    read -r r a n dl dm gl gm < <(rate "$1")
+    echo "$1: rates $r and $a, $n frames (planned: $4) of $dl to $dm, $gl to $gm apart"
+    case $1 in *.apng | *.gif) r=$a ;; esac # ffprobe takes it from the file's clock
+    [ "$r" = "$2/1" ] && [ "$a" = "$2/1" ] && [ "$n" = "$4" ] && [ "$n" -gt 10 ] && [ $((dm - dl)) -le "$3" ] && [ $((gm - gl)) -le "$3" ]
+}
+all_constant() { # FPS: as asked for
+    "$beadreel" "${arguments[@]}" --plan >plan
+    local name
+    for name in mp4 mov apng; do ok "... m.$name" constant "m.$name" "$1" 0 "$(planned "m.$name")"; done
+    for name in mkv webm; do ok "... m.$name, to 1 ms" constant "m.$name" "$1" 1 "$(planned "m.$name")"; done
+    ok "... m.gif, to 10 ms" constant m.gif "$(($1 > 50 ? $1 / 2 : $1))" $((100 % $1 > 0)) "$(planned m.gif)"
+}
+
+films=0
+for scene in $("$beadreel" --list scenes | awk '{print $1}'); do
+    while read -r index; do
+        films=$((films + 1))
+        film "$scene" "$index"
+        ok "films of $scene" made
+        all_constant 60
+    done < <("$beadreel" "$scene" --plan | grep '^output' | grep -nE '^output [^ ]*: [0-9]+ frames' | awk -F: '{print $1 - 1}')
+done
+ok "scenes have films" [ $films -ge 7 ]
+
+film teaching 0 fps=25 card='{for: 0.4 s}' captions='[{at: 0.5 ms, text: Stop, pause: 0.6 s}]'
+ok "a title card, a pause and 25 frames a second" made
+all_constant 25
+# A draft may leave frames out, and says how many there are.
+film shock 0 quality=draft
+ok "a draft" made
+"$beadreel" "${arguments[@]}" --plan >plan
+for name in mp4 mkv webm; do
+    read -r _ _ frames _ < <(rate "m.$name")
+    ok "... m.$name has the 16 of 30 frames that the plan says" [ "$frames $(planned "m.$name")" = "16 16" ]
+done
+finish
