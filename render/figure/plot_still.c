@@ -80,7 +80,7 @@ static enum bead_error drawing_write(struct bead_still *s, const struct bead_out
 static enum bead_error plot_write(struct bead_still *s, const struct bead_outcome *outcomes, const char *path, uint64_t *bytes,
                                   struct bead_message *msg)
 {
-    return bead_plot_data_write(s->plot, outcomes, &s->page, path, bytes, msg);
+    return bead_plot_data_write(s->plot, outcomes, path, bytes, msg);
 }
 
 const struct bead_still_kind bead_drawing_still = {

@@ -38,19 +38,19 @@ static enum bead_error graph_draw(void *context, cairo_t *cr, struct bead_messag
     return err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;
 }
 
-enum bead_error bead_graph_write(const struct bead_graph *graph, bool titled, const struct bead_output *output,
-                                 const struct bead_scene *scene, const char *path, uint64_t *bytes, struct bead_message *msg)
+enum bead_error bead_graph_write(const struct bead_graph *graph, const struct bead_output *output, const struct bead_scene *scene,
+                                 const char *path, uint64_t *bytes, struct bead_message *msg)
 {
     char title[2048] = "", size[BEAD_SIZE_WORDS];
     struct bead_graph whole = *graph;
-    if (titled)
-        bead_markup_quote(scene->title, title, sizeof title);
     whole.title = title;
     whole.caption = output->still.caption;
     struct job job = {.graph = &whole, .output = output, .scene = scene};
     enum bead_error err = bead_page_find(output, scene->file, &job.page, msg);
     if (err)
         return err;
+    if (bead_page_titled(&job.page))
+        bead_markup_quote(scene->title, title, sizeof title);
     whole.size = bead_page_size(&job.page, size);
     bead_page_look(&job.page, &output->paper, &job.look);
     return bead_page_write(&job.page, output, scene, &(struct bead_drawing){graph_draw, NULL, &job}, path, bytes, msg);

@@ -3,7 +3,7 @@
  * draw everything that is not a picture of beads: peaks, sweeps, profiles, energies of modes.
  *
  *   struct bead_graph graph = {.panels = panels, .panel_count = 4, .columns = 2, .letters = true};
- *   err = bead_graph_write(&graph, true, output, scene, path, &bytes, &msg);        png, pdf or svg of the output's size and style
+ *   err = bead_graph_write(&graph, output, scene, path, &bytes, &msg);              png, pdf or svg of the output's size and style
  *   err = bead_graph_draw(&graph, &look, cr, width, height, &msg);           or into a picture of one's own
  *
  * * Plain data, borrowed: nothing is kept after the call. Numbers are SI; the axes choose prefixes. Texts are plain text with
@@ -80,9 +80,9 @@ struct bead_graph {
 /* Draw into 0..width, 0..height px of `cr`, on the look's background. Errors: SCENE (too small for that many panels), MEMORY. */
 BEAD_CHECK enum bead_error bead_graph_draw(const struct bead_graph *graph, const struct bead_look *look, cairo_t *cr, double width,
                                            double height, struct bead_message *msg);
-/* To a .png, .pdf or .svg with the output's size, dpi, style and theme, below the scene's title if `titled`, above the output's
- * caption; the graph's own title and caption are not used. Errors: those of draw (with the output's place), IO. */
-BEAD_CHECK enum bead_error bead_graph_write(const struct bead_graph *graph, bool titled, const struct bead_output *output,
+/* To a .png, .pdf or .svg with the output's size, dpi, style and theme, below the scene's title where pages have it, above the
+ * output's caption; the graph's own title and caption are not used. Errors: those of draw (with the output's place), IO. */
+BEAD_CHECK enum bead_error bead_graph_write(const struct bead_graph *graph, const struct bead_output *output,
                                             const struct bead_scene *scene, const char *path, uint64_t *bytes,
                                             struct bead_message *msg);
 

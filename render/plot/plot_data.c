@@ -139,18 +139,14 @@ const struct bead_panel *bead_plot_data_panels(const struct bead_plot_data *data
     return data->panels;
 }
 
-enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct bead_outcome *outcomes, const struct bead_page *page,
-                                     const char *path, uint64_t *bytes, struct bead_message *msg)
+enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct bead_outcome *outcomes, const char *path,
+                                     uint64_t *bytes, struct bead_message *msg)
 {
     const struct plot_kind *kind = plot_kind_of(data);
-    bool titled = kind->headed ? data->output->paper.style != BEAD_STYLE_PAPER : bead_page_titled(page);
     enum bead_error err = bead_plot_data_finish(data, outcomes, msg);
     if (err)
         return err;
-    struct bead_graph graph = {.panels = data->panels,
-                               .panel_count = data->count,
-                               .letters = kind->headed || page->paper,
-                               .share_x = kind->share_x,
-                               .share_y = true};
-    return bead_graph_write(&graph, titled, data->output, data->context.scene, path, bytes, msg);
+    struct bead_graph graph = {
+        .panels = data->panels, .panel_count = data->count, .letters = true, .share_x = kind->share_x, .share_y = true};
+    return bead_graph_write(&graph, data->output, data->context.scene, path, bytes, msg);
 }

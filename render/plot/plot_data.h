@@ -5,7 +5,6 @@
 #define BEADREEL_RENDER_PLOT_PLOT_DATA_H
 
 #include "beadreel/sink.h"
-#include "render/draw/page.h"
 #include "render/plot/graph.h"
 
 struct bead_plot_data;
@@ -22,9 +21,8 @@ BEAD_CHECK enum bead_error bead_plot_data_finish(struct bead_plot_data *data, co
 /* The panels; owned by the data. Before finish they have axes and titles, but no series. */
 const struct bead_panel *bead_plot_data_panels(const struct bead_plot_data *data, size_t *count);
 /* Finish, and write the panels as a plot of their own. Errors: those of finish and of bead_graph_write. */
-BEAD_CHECK enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct bead_outcome *outcomes,
-                                                const struct bead_page *page, const char *path, uint64_t *bytes,
-                                                struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct bead_outcome *outcomes, const char *path,
+                                                uint64_t *bytes, struct bead_message *msg);
 void bead_plot_data_destroy(struct bead_plot_data *data);
 
 #endif

@@ -118,5 +118,5 @@ static enum bead_error plot_modes_finish(struct bead_plot_data *data, const stru
     return BEAD_OK;
 }
 
-const struct plot_kind bead_plot_modes = {BEAD_SHOW_MODES,  true, true, plot_modes_create, plot_modes_needs, plot_modes_feed,
+const struct plot_kind bead_plot_modes = {BEAD_SHOW_MODES,  true, plot_modes_create, plot_modes_needs, plot_modes_feed,
                                           plot_modes_finish};

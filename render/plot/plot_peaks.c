@@ -139,5 +139,5 @@ static enum bead_error plot_peaks_finish(struct bead_plot_data *data, const stru
     return BEAD_OK;
 }
 
-const struct plot_kind bead_plot_peaks = {BEAD_SHOW_PEAKS,  true, false, plot_peaks_create, plot_peaks_needs, plot_peaks_feed,
+const struct plot_kind bead_plot_peaks = {BEAD_SHOW_PEAKS,  true, plot_peaks_create, plot_peaks_needs, plot_peaks_feed,
                                           plot_peaks_finish};

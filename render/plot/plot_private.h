@@ -35,7 +35,6 @@ struct bead_plot_data {
 struct plot_kind {
     enum bead_show show;
     bool share_x; /* one range along x for all panels */
-    bool headed;  /* always with letters, and with a title unless the style is paper; else as the page has room */
     enum bead_error (*create)(struct bead_plot_data *data, struct bead_message *msg);
     void (*needs)(const struct bead_plot_data *data, struct bead_needs *needs);
     enum bead_error (*feed)(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg);

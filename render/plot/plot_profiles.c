@@ -100,4 +100,4 @@ static enum bead_error plot_profiles_finish(struct bead_plot_data *data, const s
 }
 
 const struct plot_kind bead_plot_profiles = {
-    BEAD_SHOW_PROFILES, false, true, plot_profiles_create, plot_profiles_needs, plot_profiles_feed, plot_profiles_finish};
+    BEAD_SHOW_PROFILES, false, plot_profiles_create, plot_profiles_needs, plot_profiles_feed, plot_profiles_finish};

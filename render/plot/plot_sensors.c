@@ -259,5 +259,5 @@ static enum bead_error plot_sensors_finish(struct bead_plot_data *data, const st
     return err;
 }
 
-const struct plot_kind bead_plot_sensors = {
-    BEAD_SHOW_SENSORS, true, false, plot_sensors_create, plot_sensors_needs, plot_sensors_feed, plot_sensors_finish};
+const struct plot_kind bead_plot_sensors = {BEAD_SHOW_SENSORS,  true, plot_sensors_create, plot_sensors_needs, plot_sensors_feed,
+                                            plot_sensors_finish};

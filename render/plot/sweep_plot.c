@@ -384,8 +384,8 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
     }
     const struct bead_graph graph = {
         .panels = plot.shown, .panel_count = plot.count, .letters = true, .share_x = !decay, .share_y = !decay};
-    if (!err) /* on paper the text explains it */
-        err = bead_graph_write(&graph, output->paper.style != BEAD_STYLE_PAPER, output, bead_sweep_scene(sweep), path, bytes, msg);
+    if (!err)
+        err = bead_graph_write(&graph, output, bead_sweep_scene(sweep), path, bytes, msg);
     free_plot(&plot);
     return err;
 }

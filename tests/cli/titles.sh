@@ -1,0 +1,31 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Plots of every kind have the scene's title on a screen and none on paper, where captions are; their panels have letters.
+source "$(dirname "$0")/../shell.bash"
+cd "$T" || exit 1
+chain='{striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel, count: 4}, {bead: small-steel, sensor: S}]}'
+string='{equation: fput, points: 8, alpha: 0.25, start: {mode: 1, amplitude: 1}}'
+two() { echo "chains: [$(sed "s/^{/{name: one, /" <<<"$1"), $(sed "s/^{/{name: two, /" <<<"$1")]"; }
+cat >sweep.yaml <<<'sweeps: [{name: one, cells: 4, configurations: 2}, {name: two, cells: 5, configurations: 2}]'
+{ two "$chain"; echo 'simulate: {until: 0.2 ms}'; } >chains.yaml
+{ two "$string"; echo 'simulate: {until: 20}'; } >strings.yaml
+has() { grep -qF -- ">$2</tspan>" "$1"; }
+has_not() { ! has "$@"; }
+# plot SCENE KEYS : on a screen and on paper
+plot() {
+    ok "$1: ${2:-sweep}" exits 0 "$beadreel" "$1.yaml" -o . --set title=Headline \
+        --set "outputs=[{plot: px.svg, $2 size: [800, 600]}, {plot: mm.svg, $2 size: [178 mm, 120 mm]}]"
+    ok "... the title on a screen" has px.svg Headline
+    ok "... none on paper" has_not mm.svg Headline
+}
+plot chains "show: peaks,"
+plot chains "show: sensors,"
+ok "... letters on a screen" has px.svg "(b)"
+ok "... and on paper" has mm.svg "(b)"
+plot strings "show: modes,"
+ok "... letters on a screen" has px.svg "(b)"
+plot strings "show: profiles, at: [0, 10],"
+ok "... letters on a screen" has px.svg "(b)"
+plot sweep ""
+ok "... letters on a screen" has px.svg "(b)"
+finish
