@@ -216,8 +216,9 @@ $(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT)
 vpath test_%.c $(TEST_ROOMS)
 # Tests whose allocations fail have an allocator of their own.
 with_test_allocations = tests/torture/fail_alloc.c -fno-builtin
-# This one looks at the layouts of all figures.
+# These look at the layouts of all figures.
 with_test_grey = -Wl,--wrap=graph_layout_make
+with_test_legend_room = $(with_test_grey)
 $(TESTS): $(BUILD)/tests/%: %.c $(TEST_SUPPORT) $(STATIC) | $(WAIT)
 	@mkdir -p $(@D)
 	$(call say,TEST,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(with_$(@F)) $(TEST_SUPPORT) $(STATIC) $(render_libs) $(sim_libs) $(movie_libs) $(test_libs)

@@ -9,11 +9,7 @@
 #include "render/plot/graph_private.h"
 
 /* In units of the label's font size. */
-static const double title_gap = 0.7, caption_gap = 0.5, legend_gap = 0.7, head_gap = 0.35, between_columns = 1.0,
-                    between_rows = 0.8;
-/* Pages wider than this ratio have legends beside the panels, at most this part of the width; others only if it is worth it. */
-static const double most_below = 0.4; /* of the height: less than is left for the plots */
-static const double usual_legend = 0.3, widest_legend = 0.5, wide_page = 1.5;
+static const double title_gap = 0.7, caption_gap = 0.5, head_gap = 0.35, between_columns = 1.0, between_rows = 0.8;
 /* Preferred ratio of a panel's width to its height. */
 static const double wanted_shape = 1.45;
 static const int smallest_plot = 24; /* px */
@@ -141,88 +137,35 @@ static double wrapped_height(const struct bead_look *look, const char *markup, d
     return height;
 }
 
-/* ---- legends ---- */
+/* ---- room ---- */
 
-static bool same_entry(const struct graph_entry *a, const struct graph_entry *b)
+static void measure_lines(struct graph_layout *l)
 {
-    if (!a->series != !b->series || strcmp(a->markup, b->markup) != 0)
-        return false;
-    return !a->series || graph_look_alike(a->series, b->series);
+    double width = l->width - 2 * l->frame.margin;
+    l->title_height = l->title ? wrapped_height(l->look, l->title, graph_title_size(l->look), true, width) : 0;
+    l->caption_height = l->caption ? wrapped_height(l->look, l->caption, l->look->label, false, width) : 0;
 }
 
-static void add_entry(struct graph_legend *legend, struct graph_entry entry)
+double graph_above_panels(const struct graph_layout *l)
 {
-    for (size_t i = 0; i < legend->count; i++) {
-        if (same_entry(&legend->entries[i], &entry))
-            return;
-    }
-    legend->entries[legend->count++] = entry;
+    return l->title ? ceil(l->title_height + title_gap * l->look->label) : 0;
 }
 
-static bool in_earlier(const struct graph_layout *l, size_t cell, const struct graph_entry *entry)
+double graph_below_panels(const struct graph_layout *l)
 {
-    for (size_t p = 0; p < cell; p++) {
-        for (size_t i = 0; i < l->cells[p].legend.count; i++) {
-            if (same_entry(&l->cells[p].legend.entries[i], entry))
-                return true;
-        }
-    }
-    return false;
+    return l->caption ? ceil(l->caption_height + caption_gap * l->look->label) : 0;
 }
 
-/* Every entry appears once: in the first panel that has it, or in the outer legend. */
-static void gather_legends(struct graph_layout *l)
+void graph_room_of_plots(const struct graph_layout *l, double *width, double *height)
 {
-    l->legend.count = 0;
-    for (size_t p = 0; p < l->graph->panel_count; p++) {
-        struct graph_cell *cell = &l->cells[p];
-        cell->legend.count = 0;
-        for (size_t i = 0; i < cell->panel->series_count + cell->panel->ruler_count; i++) {
-            struct graph_entry entry = {0};
-            size_t r = i - cell->panel->series_count;
-            if (i < cell->panel->series_count && l->frame.explained)
-                continue;
-            if (i < cell->panel->series_count) {
-                entry.series = &cell->panel->series[i];
-                entry.cell = cell;
-                entry.markup = cell->labels[i];
-            } else if (cell->words[r].state == GRAPH_WORD_IN_LEGEND) {
-                entry.ruler = &cell->panel->rulers[r];
-                entry.markup = cell->words[r].markup;
-            }
-            if (entry.markup && !in_earlier(l, p, &entry))
-                add_entry(&cell->legend, entry);
-        }
-        for (size_t i = 0; cell->legend_outside && i < cell->legend.count; i++)
-            add_entry(&l->legend, cell->legend.entries[i]);
-    }
-}
-
-/* Tries one column beside the panels. False: too wide or too high. */
-static bool fits_beside(struct graph_layout *l, double part, double height)
-{
-    graph_legend_measure(&l->legend, l->look, part * (l->width - 2 * l->frame.margin), 1);
-    return l->legend.wrap == 0 && l->legend.box.height < height;
-}
-
-/* Beside the panels on wide pages, else below them, or wherever more room is left for plots. */
-static void measure_outside(struct graph_layout *l)
-{
-    double em = l->look->label, width = l->width - 2 * l->frame.margin, height = l->height - 2 * l->frame.margin - 4 * em;
-    l->legend_right = false;
-    l->legend.shrunk = 0;
-    l->legend.cut = false;
-    l->legend.box = (struct graph_box){0};
-    if (l->legend.count == 0)
-        return;
-    graph_legend_measure(&l->legend, l->look, width, 0);
-    double below = l->legend.box.height;
-    if (l->width > wide_page * l->height && l->legend.count > 2 && fits_beside(l, usual_legend, height))
-        l->legend_right = true;
-    else if (fits_beside(l, widest_legend, height))
-        l->legend_right = (width - l->legend.box.width) * height > width * (height - below);
-    if (!l->legend_right)
-        graph_legend_fit(&l->legend, l->look, width, most_below * height);
+    double em = l->look->label;
+    *width = l->width - 2 * l->frame.margin - (double)(l->columns - 1) * between_columns * em;
+    *height =
+        l->height - 2 * l->frame.margin - graph_above_panels(l) - graph_below_panels(l) - (double)(l->rows - 1) * between_rows * em;
+    for (size_t c = 0; c < l->columns; c++)
+        *width -= ceil(l->left[c]) + ceil(l->right[c]);
+    for (size_t r = 0; r < l->rows; r++)
+        *height -= ceil(l->top[r]) + ceil(l->bottom[r]);
 }
 
 /* ---- plots ---- */
@@ -299,43 +242,37 @@ static void graph_measure(struct graph_layout *l)
     l->bottom[l->rows - 1] = fmax(l->bottom[l->rows - 1], least->bottom);
 }
 
-struct frame_room {
-    double x, y, width, height; /* of all panels with their axes */
-};
-
-static struct frame_room graph_room_of(const struct graph_layout *l)
+static enum bead_error no_room(const struct graph_layout *l, struct bead_message *msg)
 {
-    double em = l->look->label, margin = l->frame.margin;
-    struct frame_room room = {margin, margin, l->width - 2 * margin, l->height - 2 * margin};
-    double above = l->title ? ceil(l->title_height + title_gap * em) : 0;
-    room.y += above;
-    room.height -= above + (l->caption ? ceil(l->caption_height + caption_gap * em) : 0);
-    if (l->legend.count > 0 && l->legend_right)
-        room.width -= ceil(l->legend.box.width + legend_gap * em);
-    else if (l->legend.count > 0)
-        room.height -= ceil(l->legend.box.height + legend_gap * em);
-    return room;
+    return bead_fail(msg, BEAD_ERROR_SCENE, "size: %s leave%s no room for %zu plot%s and their labels",
+                     l->graph->size ? l->graph->size : "this", l->graph->size ? "" : "s", l->graph->panel_count,
+                     l->graph->panel_count == 1 ? "" : "s");
+}
+
+/* An outer legend that has more room than all plots is no picture of them. */
+static enum bead_error check_legend(const struct graph_layout *l, struct bead_message *msg)
+{
+    double plots = 0;
+    for (size_t p = 0; p < l->graph->panel_count; p++)
+        plots += (double)l->cells[p].plot.width * (double)l->cells[p].plot.height;
+    return l->legend.count > 0 && l->legend.box.width * l->legend.box.height > plots ? no_room(l, msg) : BEAD_OK;
 }
 
 static enum bead_error graph_divide(struct graph_layout *l, struct bead_message *msg)
 {
-    double em = l->look->label;
-    struct frame_room room = graph_room_of(l);
-    double width = room.width - (double)(l->columns - 1) * between_columns * em;
-    double height = room.height - (double)(l->rows - 1) * between_rows * em;
-    for (size_t c = 0; c < l->columns; c++)
-        width -= ceil(l->left[c]) + ceil(l->right[c]);
-    for (size_t r = 0; r < l->rows; r++)
-        height -= ceil(l->top[r]) + ceil(l->bottom[r]);
+    double em = l->look->label, width, height;
+    graph_room_of_plots(l, &width, &height);
+    if (l->legend.count > 0 && l->legend_right)
+        width -= ceil(l->legend.box.width + graph_legend_gap * em);
+    else if (l->legend.count > 0)
+        height -= ceil(l->legend.box.height + graph_legend_gap * em);
     width = floor(width / (double)l->columns);
     height = floor(height / (double)l->rows);
     if (!(width >= smallest_plot) || !(height >= smallest_plot))
-        return bead_fail(msg, BEAD_ERROR_SCENE, "size: %s leave%s no room for %zu plot%s and their labels",
-                         l->graph->size ? l->graph->size : "this", l->graph->size ? "" : "s", l->graph->panel_count,
-                         l->graph->panel_count == 1 ? "" : "s");
+        return no_room(l, msg);
     for (size_t p = 0; p < l->graph->panel_count; p++) {
         struct graph_cell *cell = &l->cells[p];
-        double x = room.x + ceil(l->left[0]), y = room.y + ceil(l->top[0]);
+        double x = l->frame.margin + ceil(l->left[0]), y = l->frame.margin + graph_above_panels(l) + ceil(l->top[0]);
         for (size_t c = 1; c <= cell->column; c++)
             x += width + ceil(l->right[c - 1]) + between_columns * em + ceil(l->left[c]);
         for (size_t r = 1; r <= cell->row; r++)
@@ -347,14 +284,14 @@ static enum bead_error graph_divide(struct graph_layout *l, struct bead_message 
 
 static void put_outer_legend(struct graph_layout *l)
 {
-    double em = l->look->label, margin = l->frame.margin;
+    double margin = l->frame.margin;
     const struct graph_cell *first = &l->cells[0];
     if (l->legend_right) {
         l->legend.box.x = l->width - margin - l->legend.box.width;
         l->legend.box.y = first->plot.y;
         return;
     }
-    double bottom = l->height - margin - (l->caption ? ceil(l->caption_height + caption_gap * em) : 0);
+    double bottom = l->height - margin - graph_below_panels(l);
     double free = l->width - margin - first->plot.x - l->legend.box.width; /* from the plots' left border if it fits */
     l->legend.box.x = first->plot.x + fmin(0, free);
     l->legend.box.y = bottom - l->legend.box.height;
@@ -375,9 +312,7 @@ static double reaches(const struct graph_layout *l)
 static enum bead_error graph_arrange(struct graph_layout *l, struct bead_message *msg)
 {
     enum { FREELY = 3 };
-    double em = l->look->label, width = l->width - 2 * l->frame.margin, before = -1;
-    l->title_height = l->title ? wrapped_height(l->look, l->title, graph_title_size(l->look), true, width) : 0;
-    l->caption_height = l->caption ? wrapped_height(l->look, l->caption, l->look->label, false, width) : 0;
+    double em = l->look->label, before = -1;
     for (size_t c = 0; c < l->columns; c++)
         l->left[c] = 4 * em;
     for (size_t r = 0; r < l->rows; r++)
@@ -483,14 +418,18 @@ enum bead_error graph_layout_make(const struct bead_graph *graph, const struct b
     enum bead_error err = graph_prepare(layout, msg);
     if (!err)
         err = graph_find_ranges(layout, msg);
+    if (!err)
+        measure_lines(layout);
     for (bool moved = true; !err && moved;) { /* ends, because every word and legend moves at most once */
         moved = false;
-        gather_legends(layout);
-        measure_outside(layout);
+        graph_gather_legends(layout);
+        graph_measure_outside(layout);
         err = graph_arrange(layout, msg);
         for (size_t p = 0; !err && p < graph->panel_count; p++)
             err = furnish(layout, &layout->cells[p], &moved, msg);
     }
+    if (!err)
+        err = check_legend(layout, msg);
     if (err)
         graph_layout_free(layout);
     return err;

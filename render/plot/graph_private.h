@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of a graph share: graph.c (entry, files), graph_range.c (axes), graph_layout.c (where things go), graph_words.c
- * (words at rulers), graph_legend.c, graph_draw.c (the page), graph_curve.c (curves and points). Lengths in px. */
+ * (words at rulers), graph_legend.c, graph_outer.c (legends), graph_draw.c (the page), graph_curve.c (curves and points). Lengths
+ * in px. */
 #ifndef BEADREEL_RENDER_PLOT_GRAPH_PRIVATE_H
 #define BEADREEL_RENDER_PLOT_GRAPH_PRIVATE_H
 
@@ -90,6 +91,20 @@ BEAD_CHECK enum bead_error graph_layout_make(const struct bead_graph *graph, con
                                              double height, const struct graph_frame *frame, struct graph_layout *layout,
                                              struct bead_message *msg); /* frame NULL: a whole page */
 void graph_layout_free(struct graph_layout *layout);
+
+/* Between the panels and a legend outside of them, in units of the label's font size. */
+static const double graph_legend_gap = 0.7;
+/* Heights of title and caption with their gaps. */
+double graph_above_panels(const struct graph_layout *layout);
+double graph_below_panels(const struct graph_layout *layout);
+/* Both sides of all plots together, as axes and words leave them, without the outer legend; before the first arrangement, those of
+ * the page. */
+void graph_room_of_plots(const struct graph_layout *layout, double *width, double *height);
+
+/* Every entry appears once: in the first panel that has it, or in the outer legend. */
+void graph_gather_legends(struct graph_layout *layout);
+/* Sizes the outer legend: beside the panels on wide pages, else below them, or wherever more room is left for plots. */
+void graph_measure_outside(struct graph_layout *layout);
 
 /* Ranges of all cells' axes. Errors: SCENE (a range that makes no sense). */
 BEAD_CHECK enum bead_error graph_find_ranges(struct graph_layout *layout, struct bead_message *msg);

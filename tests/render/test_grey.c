@@ -3,9 +3,8 @@
  * layouts of all figures pass through here (the Makefile wraps graph_layout_make). */
 #include "graphs.h"
 
-#include "beadreel/session.h"
+#include "ready_figures.h"
 #include "render/plot/plot_private.h"
-#include "sessions.h"
 
 enum { LONG = 480, HIGH = 48, SAMPLES = 400 };
 
@@ -122,45 +121,15 @@ enum bead_error __wrap_graph_layout_make(const struct bead_graph *graph, const s
     return __real_graph_layout_make(graph, look, width, height, frame, layout, msg);
 }
 
-/* The plots of the ready scenes, with fewer configurations where many are run. */
-static const struct ready {
-    const char *scene, *only[3], *settings[6];
-    size_t least_pairs;
-} figures[] = {
-    {"sensors", {"sensors.png"}, {NULL}, 4},
-    {"panels", {"panels.pdf"}, {NULL}, 1},
-    {"fput", {"modes.png", "profiles.png"}, {NULL}, 12},
-    {"fput-kdv", {"profiles.png"}, {NULL}, 12},
-    {"kdv", {"profiles.png"}, {NULL}, 10},
-    {"shock", {"profiles.png"}, {NULL}, 10},
-    {"zabusky-kruskal", {"profiles.png", "modes.png"}, {NULL}, 9},
-    {"thesis/fig1", {"fig1.png"}, {NULL}, 10},
-    {"thesis/fig5", {"fig5.png"}, {NULL}, 3},
-    {"thesis/fig6", {"fig6.png"}, {NULL}, 4},
-    {"thesis/fig8", {"fig8.png"}, {NULL}, 10},
-    {"thesis/defect", {"defect.png"}, {NULL}, 15},
-    {"sweep", {"force.png"}, {"sweep.cells=8"}, 2},
-    {"thesis/fig7",
-     {"fig7.png"},
-     {"sweeps.0.cells=8", "sweeps.1.cells=8", "sweeps.2.cells=8", "sweeps.3.cells=50", "sweeps.3.configurations=6"},
-     4},
-    {"thesis/decay", {"decay.png"}, {"sweep.cells=128", "sweep.configurations=4"}, 30},
-};
-
 static void test_ready_figures_are_told_apart_in_grey(void **state)
 {
     (void)state;
     char directory[256];
     in_directory("", directory, sizeof directory);
-    for (size_t i = 0; i < sizeof figures / sizeof *figures; i++) {
-        const struct ready *figure = &figures[i];
+    for (size_t i = 0; i < READY_FIGURES; i++) {
+        const struct ready_figure *figure = &ready_figures[i];
         memset(&seen, 0, sizeof seen);
-        struct bead_job job = {.input = figure->scene, .output = directory, .only = figure->only, .settings = figure->settings};
-        while (figure->only[job.only_count])
-            job.only_count++;
-        while (figure->settings[job.setting_count])
-            job.setting_count++;
-        play_counts(job);
+        play_figure(figure, directory);
         if (seen.alike > 0)
             fail_msg("%s: %zu of %zu pairs of curves look alike in grey, such as %s", figure->scene, seen.alike, seen.pairs,
                      seen.why);

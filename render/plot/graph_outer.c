@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Which legend has which entries, and the room of the one outside of all panels. */
+#include <math.h>
+#include <string.h>
+
+#include "render/plot/graph_private.h"
+
+/* Pages wider than this ratio have legends beside the panels, at most this part of the width; others only if it is worth it. */
+static const double most_below = 0.4; /* of the height: less than is left for the plots */
+static const double usual_legend = 0.3, widest_legend = 0.5, wide_page = 1.5;
+
+static bool same_entry(const struct graph_entry *a, const struct graph_entry *b)
+{
+    if (!a->series != !b->series || strcmp(a->markup, b->markup) != 0)
+        return false;
+    return !a->series || graph_look_alike(a->series, b->series);
+}
+
+static void add_entry(struct graph_legend *legend, struct graph_entry entry)
+{
+    for (size_t i = 0; i < legend->count; i++) {
+        if (same_entry(&legend->entries[i], &entry))
+            return;
+    }
+    legend->entries[legend->count++] = entry;
+}
+
+static bool in_earlier(const struct graph_layout *l, size_t cell, const struct graph_entry *entry)
+{
+    for (size_t p = 0; p < cell; p++) {
+        for (size_t i = 0; i < l->cells[p].legend.count; i++) {
+            if (same_entry(&l->cells[p].legend.entries[i], entry))
+                return true;
+        }
+    }
+    return false;
+}
+
+void graph_gather_legends(struct graph_layout *l)
+{
+    l->legend.count = 0;
+    for (size_t p = 0; p < l->graph->panel_count; p++) {
+        struct graph_cell *cell = &l->cells[p];
+        cell->legend.count = 0;
+        for (size_t i = 0; i < cell->panel->series_count + cell->panel->ruler_count; i++) {
+            struct graph_entry entry = {0};
+            size_t r = i - cell->panel->series_count;
+            if (i < cell->panel->series_count && l->frame.explained)
+                continue;
+            if (i < cell->panel->series_count) {
+                entry.series = &cell->panel->series[i];
+                entry.cell = cell;
+                entry.markup = cell->labels[i];
+            } else if (cell->words[r].state == GRAPH_WORD_IN_LEGEND) {
+                entry.ruler = &cell->panel->rulers[r];
+                entry.markup = cell->words[r].markup;
+            }
+            if (entry.markup && !in_earlier(l, p, &entry))
+                add_entry(&cell->legend, entry);
+        }
+        for (size_t i = 0; cell->legend_outside && i < cell->legend.count; i++)
+            add_entry(&l->legend, cell->legend.entries[i]);
+    }
+}
+
+/* One column beside the panels. False: too wide or too high. */
+static bool fits_beside(struct graph_layout *l, double part, double height)
+{
+    graph_legend_measure(&l->legend, l->look, part * (l->width - 2 * l->frame.margin), 1);
+    return l->legend.wrap == 0 && l->legend.box.height < height;
+}
+
+static void full_size(struct graph_legend *legend)
+{
+    legend->shrunk = 0;
+    legend->cut = false;
+}
+
+void graph_measure_outside(struct graph_layout *l)
+{
+    struct graph_legend *legend = &l->legend;
+    double width, height, page = l->width - 2 * l->frame.margin;
+    l->legend_right = false;
+    legend->box = (struct graph_box){0};
+    if (legend->count == 0)
+        return;
+    graph_room_of_plots(l, &width, &height);
+    height = fmax(0, height - ceil(graph_legend_gap * l->look->label));
+    const double most = height * fmin(most_below, width / (width + page)); /* at most half of the area that they share */
+    graph_legend_fit(legend, l->look, page, most);
+    double below = legend->box.height;
+    full_size(legend);
+    if (l->width > wide_page * l->height && legend->count > 2 && fits_beside(l, usual_legend, height))
+        l->legend_right = true;
+    else if (fits_beside(l, widest_legend, height))
+        l->legend_right = (width - legend->box.width) * height > width * (height - below);
+    if (!l->legend_right)
+        graph_legend_fit(legend, l->look, page, most);
+}
