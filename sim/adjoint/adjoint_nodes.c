@@ -10,10 +10,10 @@
 
 /* Branch points this far outside of a step are looked for, in steps, of those that may spoil a velocity by this part of the
  * striker's: not what the wave just reaches. */
-static const double reach = 0.3, least = 1e-11;
-/* What is left of the error goes with the square of the contact's weight. Of a heavy one this part of the step on either side of a
+static const double reach = 0.3, least = 1e-9;
+/* Contacts of less weight do not feel what their own stiffness does twice. Of a heavy one this part of the step on either side of a
  * branch point is gone back over for itself. */
-static const double around = 0.05;
+static const double slight = 5e-4, around = 0.05;
 /* Of the polynomials that take a stiffness's place. Their product with what they move is to be within the order of the method:
  * with higher degrees, as with lower ones, errors are larger. */
 enum { DEGREE = 3 };
@@ -124,11 +124,44 @@ static void legendre(double z, double p[DEGREE + 1])
         p[m + 1] = ((2 * m + 1) * x * p[m] - m * p[m - 1]) / (m + 1);
 }
 
+/* Integrals of a stiffness with itself, z from 0 to 1 over a part of the step. */
+struct twice {
+    double once[3];   /* I_i, of z^i K up to here */
+    double second[3]; /* of K (z I_0 - I_1), K (z I_1 - I_2) and (1 - z) K (z I_1 - I_2) */
+};
+
+/* On over nodes z of Gauss's, with their dz. */
+static void go_on(struct twice *t, const double z[BEAD_GAUSS_NODES], const double dz[BEAD_GAUSS_NODES],
+                  const double stiffness[BEAD_GAUSS_NODES])
+{
+    double up_to[3][BEAD_GAUSS_NODES];
+    for (size_t i = 0; i < BEAD_GAUSS_NODES; i++) {
+        for (int q = 0; q < 3; q++)
+            up_to[q][i] = t->once[q];
+    }
+    for (size_t j = 0; j < BEAD_GAUSS_NODES; j++) {
+        const double k = dz[j] * stiffness[j], moment[3] = {k, k * z[j], k * (z[j] * z[j])};
+        for (int q = 0; q < 3; q++) {
+            t->once[q] += bead_gauss_weight[j] * moment[q];
+            for (size_t i = 0; i < BEAD_GAUSS_NODES; i++)
+                up_to[q][i] += bead_gauss_once[j][i] * moment[q];
+        }
+    }
+    for (size_t i = 0; i < BEAD_GAUSS_NODES; i++) {
+        const double k = bead_gauss_weight[i] * dz[i] * stiffness[i], late = z[i] * up_to[1][i] - up_to[2][i];
+        t->second[0] += k * (z[i] * up_to[0][i] - up_to[1][i]);
+        t->second[1] += k * late;
+        t->second[2] += k * ((1 - z[i]) * late);
+    }
+}
+
 /* Moments of the stiffness [0] and the force [1] of a contact over a part of the step next to a branch point at tau. */
 struct moments {
     struct bead_adjoint_curve curve;
     double low, length; /* over low <= x <= low + length */
     double sum[2][DEGREE + 1];
+    bool twice; /* those of its stiffness with itself are wanted, too */
+    struct twice stiffness;
 };
 
 /* Nodes where x = tau +- z^m. */
@@ -137,19 +170,23 @@ static void integrate(const struct bead_adjoint_nodes *n, struct moments *m, dou
     const struct bead_stepper *s = n->stepper;
     const double a = s->table.stiffness[m->curve.contact];
     struct bead_patch_nodes nodes;
+    double z[BEAD_GAUSS_NODES], dz[BEAD_GAUSS_NODES], stiffness[BEAD_GAUSS_NODES];
     bead_patch_place_nodes(n->branches.rule.power, tau, (const double[2]){from, to}, &nodes);
     for (size_t i = 0; i < BEAD_GAUSS_NODES; i++) {
         double d[2], p[DEGREE + 1];
         bead_adjoint_compression(n, &m->curve, nodes.s[i], d);
-        legendre((nodes.s[i] - m->low) / m->length, p);
-        const double weight = bead_gauss_weight[i] * nodes.rate[i] / m->length,
-                     stiffness = s->chain->law->stiffness(a, s->table.law, d[0]);
-        const double force = s->chain->law->force(a, s->table.law, d[0]);
+        z[i] = (nodes.s[i] - m->low) / m->length;
+        dz[i] = nodes.rate[i] / m->length;
+        stiffness[i] = s->chain->law->stiffness(a, s->table.law, d[0]);
+        legendre(z[i], p);
+        const double weight = bead_gauss_weight[i] * dz[i], force = s->chain->law->force(a, s->table.law, d[0]);
         for (int q = 0; q <= DEGREE; q++) {
-            m->sum[0][q] += weight * stiffness * p[q];
+            m->sum[0][q] += weight * stiffness[i] * p[q];
             m->sum[1][q] += weight * force * p[q];
         }
     }
+    if (m->twice)
+        go_on(&m->stiffness, z, dz, stiffness);
 }
 
 /* From one branch point to the next, or the end of the step. Between two of them each half has its own. */
@@ -169,12 +206,45 @@ static void integrate_between(const struct bead_adjoint_nodes *n, struct moments
     integrate(n, m, middle, to, after);
 }
 
+/* The value at z of the polynomial that has these moments. */
+static double value_of(const double sum[DEGREE + 1], double z)
+{
+    double p[DEGREE + 1], value = 0;
+    legendre(z, p);
+    for (int q = 0; q <= DEGREE; q++)
+        value += (2 * q + 1) * sum[q] * p[q];
+    return value;
+}
+
+/* A polynomial with the moments of K moves what the contact presses, e'' = - c K e, as K does, but for what K does twice: e(1) and
+ * e'(1) owe c^2 times the integrals of (1 - t) K(t) and K(t) times that of (t - s) K(s) e(s), s < t, to it. For e = 1 and e = s; the
+ * moments of z^0, z^1 and z^2 are moved so that the polynomial brings the same. */
+static void move_moments(const struct bead_adjoint_nodes *n, struct moments *m)
+{
+    static const double even[BEAD_GAUSS_NODES] = {1, 1, 1, 1, 1, 1, 1, 1};
+    const size_t k = m->curve.contact;
+    const double h = n->stepper->h * m->length, right = k + 1 < n->stepper->beads ? n->inverse_mass[k + 1] : 0,
+                 c = h * h * (n->inverse_mass[k] + right);
+    struct twice smooth = {{0}, {0}};
+    double stiffness[BEAD_GAUSS_NODES];
+    for (size_t i = 0; i < BEAD_GAUSS_NODES; i++)
+        stiffness[i] = value_of(m->sum[0], bead_gauss_node[i]);
+    go_on(&smooth, bead_gauss_node, even, stiffness);
+    const double *from = smooth.second, *to = m->stiffness.second;
+    const double by0 = c * (from[0] - to[0]), by1 = c * (from[1] - to[1]), by2 = by1 - c * (from[2] - to[2]);
+    m->sum[0][0] += by0;
+    m->sum[0][1] += 2 * by1 - by0;
+    m->sum[0][2] += 6 * by2 - 6 * by1 + by0;
+}
+
 /* Nodes of the contact of branch points first..last - 1, which ascend, from the moments. */
 static void smooth_contact(struct bead_adjoint_nodes *n, double from, double back, size_t first, size_t last)
 {
     const size_t k = n->branches.point[first].contact;
     struct moments m = {.curve = bead_adjoint_curve(n, k), .low = back, .length = from - back};
     double at = back, before = -INFINITY;
+    for (size_t i = first; i < last; i++)
+        m.twice = m.twice || n->branches.point[i].weight > slight;
     for (size_t i = first; i < last; i++) {
         const double tau = n->branches.point[i].at, to = fmin(fmax(tau, at), from);
         integrate_between(n, &m, at, to, before, tau);
@@ -182,15 +252,11 @@ static void smooth_contact(struct bead_adjoint_nodes *n, double from, double bac
         at = to;
     }
     integrate_between(n, &m, at, from, before, INFINITY);
+    if (m.twice)
+        move_moments(n, &m);
     for (size_t i = 0; i < BEAD_NODES; i++) {
-        double p[DEGREE + 1], stiffness = 0, force = 0;
-        legendre(1 - n->method->c[i], p);
-        for (int q = 0; q <= DEGREE; q++) {
-            stiffness += (2 * q + 1) * m.sum[0][q] * p[q];
-            force += (2 * q + 1) * m.sum[1][q] * p[q];
-        }
-        n->stiffness[i][k] = stiffness;
-        n->force[i][k] = force - n->stepper->table.static_force[k];
+        n->stiffness[i][k] = value_of(m.sum[0], 1 - n->method->c[i]);
+        n->force[i][k] = value_of(m.sum[1], 1 - n->method->c[i]) - n->stepper->table.static_force[k];
     }
 }
 
