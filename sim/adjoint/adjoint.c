@@ -8,8 +8,10 @@
 
 #include "sim/adjoint/adjoint_nodes.h"
 
-/* Beads on either side that one step reaches. */
-enum { REACH = 8, VECTOR = 8, MARGIN = 3 * REACH };
+/* Beads on either side that one step reaches; and those that it reaches with more than a trifle of what an end has that is below
+ * this part of the largest r. */
+enum { REACH = 8, REACH_OF_FADED = 2, VECTOR = 8, MARGIN = 2 * REACH };
+static const double faded = 1e-9;
 /* Steps between looks at the largest r. */
 enum { LOOK_EVERY = 16 };
 /* As h^2 K/m: none. */
@@ -229,12 +231,22 @@ static void trim(const struct sweep *w, struct traveller *t, double h)
     }
 }
 
+static size_t reach_of(const struct sweep *w, const struct traveller *t, size_t bead)
+{
+    return fabs(t->r[bead]) + w->nodes.stepper->h * fabs(t->rate[bead]) <= faded * t->most ? REACH_OF_FADED : REACH;
+}
+
+static struct bead_part whole_vectors(size_t from, size_t to)
+{
+    return (struct bead_part){from, from + (to - from + VECTOR - 1) / VECTOR * VECTOR};
+}
+
 /* Beads that a step moves, in whole vectors. */
 static struct bead_part reached(const struct sweep *w, const struct traveller *t)
 {
-    const size_t from = t->low > REACH ? (t->low - REACH) / VECTOR * VECTOR : 0;
-    const size_t to = (t->high + REACH + VECTOR - 1) / VECTOR * VECTOR, span = w->nodes.stepper->span;
-    return (struct bead_part){from, to < span ? to : span};
+    const size_t left = reach_of(w, t, t->low), from = t->low > left ? t->low - left : 0;
+    const size_t to = t->high + reach_of(w, t, t->high - 1), span = w->nodes.stepper->span;
+    return whole_vectors(from, to < span ? to : span > from ? span : from);
 }
 
 /* Back by `h`, over the nodes as they are filled. */
@@ -279,7 +291,7 @@ static struct bead_part reached_by_all(const struct sweep *w, size_t index)
         all.from = part.from < all.from ? part.from : all.from;
         all.to = part.to > all.to ? part.to : all.to;
     }
-    return all;
+    return all.to > all.from ? whole_vectors(all.from, all.to) : all;
 }
 
 /* Beads that some force may meet in step `index`, more or less: parts of a step reach further than a whole one. */
@@ -306,10 +318,8 @@ static void go_back(struct sweep *w, size_t index, double from, struct traveller
         const struct bead_part part = alone ? reached(w, alone) : reached_by_all(w, index);
         if (part.to <= part.from)
             return;
-        /* A vector more: the first bead of a part does not know the force before it. */
-        const struct bead_part filled = {part.from > VECTOR ? part.from - VECTOR : 0, part.to};
         back = bead_adjoint_nodes_part(&w->nodes, from, w->care->heavy, part);
-        bead_adjoint_nodes_fill(&w->nodes, from, back, filled);
+        bead_adjoint_nodes_fill(&w->nodes, from, back, part);
         for (size_t i = 0; !alone && i < w->count; i++) {
             if (w->traveller[i].step > index)
                 step(w, &w->traveller[i], (from - back) * h);

@@ -289,8 +289,8 @@ static void find_displacements(struct bead_adjoint_nodes *n, double x, const str
     const struct bead_stepper *s = n->stepper;
     const struct bead_part moving = {part->from, part->to + 1 < s->active ? part->to + 1 : s->active};
     bead_dense_displacement(&n->dense, s, x, moving, n->u);
-    if (moving.to == s->active)
-        memset(n->u + s->active, 0, (s->span + 8 - s->active) * sizeof *n->u);
+    if (part->to >= s->active)
+        memset(n->u + s->active, 0, (part->to + 1 - s->active) * sizeof *n->u);
     bead_branch_points_correct(&n->branches, s, x, *part, n->u, NULL);
 }
 

@@ -39,8 +39,8 @@ BEAD_CHECK enum bead_error bead_adjoint_nodes_create(const struct bead_chain *ch
 void bead_adjoint_nodes_destroy(struct bead_adjoint_nodes *nodes);
 /* Set to a step of the record, and find what opens or closes in a part of the chain. */
 void bead_adjoint_nodes_load(struct bead_adjoint_nodes *nodes, size_t step, struct bead_part part);
-/* Fill the arrays of the nodes from x = `from` of the step down to `back`, for a part of the beads: whole vectors, within the span
- * of the stepper. */
+/* Fill the arrays of the nodes from x = `from` of the step down to `back`, for a part of the beads, whole vectors. The
+ * acceleration of its first bead is without the force before it. */
 void bead_adjoint_nodes_fill(struct bead_adjoint_nodes *nodes, double from, double back, struct bead_part part);
 /* Where to go back to from x = `from`: the start of the step, 0, or a place before it such that the branch point of a contact of
  * more weight than `heavy` lies in a short part of its own. */
