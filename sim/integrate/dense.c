@@ -15,11 +15,12 @@ enum bead_error bead_dense_create(const struct bead_stepper *s, struct bead_dens
     *dense = (struct bead_dense){.septic = !bead_stepper_damped(s)};
     if (!dense->septic)
         return BEAD_OK;
-    dense->memory = calloc(2 * (s->beads + padding), sizeof *dense->memory);
+    dense->memory = calloc(3 * (s->beads + padding), sizeof *dense->memory);
     if (!dense->memory)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the samples of %zu beads", s->beads);
     dense->jerk[0] = dense->memory;
     dense->jerk[1] = dense->memory + s->beads + padding;
+    dense->rate = dense->memory + 2 * (s->beads + padding); /* 0 stands before it */
     return bead_branch_points_create(s->chain, &dense->points, msg);
 }
 
@@ -31,14 +32,18 @@ void bead_dense_destroy(struct bead_dense *dense)
 }
 
 /* d/dt of the accelerations: those of the forces' rates. */
-static void find_jerks(const struct bead_stepper *s, const struct bead_state *state, double *jerk)
+static void find_jerks(const struct bead_dense *dense, const struct bead_stepper *s, const struct bead_state *state, double *jerk)
 {
-    double before = 0;
-    for (size_t j = 0; j < s->active; j++) {
-        double here = bead_dense_force_rate(s, state, j);
-        jerk[j] = (before - here) * s->chain->inverse_mass[j];
-        before = here;
+    const size_t n = s->active;
+    double *rate = dense->rate;
+    if (s->chain->law->hertz) {
+        s->kernels->hertz_stiffness(n, &s->table, state->u, state->u, 0, jerk);
+        s->kernels->springs(n, jerk, state->v, rate);
+    } else {
+        for (size_t k = 0; k < n; k++)
+            rate[k] = bead_dense_force_rate(s, state, k);
     }
+    s->kernels->accelerations(n, rate, s->chain->inverse_mass, jerk);
 }
 
 static void update_jerks(struct bead_dense *dense, const struct bead_stepper *s)
@@ -50,9 +55,9 @@ static void update_jerks(struct bead_dense *dense, const struct bead_stepper *s)
     dense->jerk[1] = spare;
     const bool back = dense->step == s->steps + 1; /* over stored steps: their start was that of the one behind */
     if (dense->step + 1 != s->steps || s->steps == 1)
-        find_jerks(s, &s->start, dense->jerk[0]);
+        find_jerks(dense, s, &s->start, dense->jerk[0]);
     if (!back)
-        find_jerks(s, &s->end, dense->jerk[1]);
+        find_jerks(dense, s, &s->end, dense->jerk[1]);
     dense->step = s->steps;
 }
 

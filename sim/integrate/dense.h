@@ -13,6 +13,7 @@
  * asked for, and kept. */
 struct bead_dense {
     double *memory, *jerk[2];         /* [beads] m/s^3, at start and end of step `step` */
+    double *rate;                     /* work */
     uint64_t step;                    /* 0: none */
     struct bead_branch_points points; /* of step `points_step` */
     uint64_t points_step;
