@@ -10,7 +10,7 @@
 
 /* Beads on either side that one step reaches; and those that it reaches with more than a trifle of what an end has that is below
  * this part of the largest r. */
-enum { REACH = 8, REACH_OF_FADED = 2, VECTOR = 8, MARGIN = 2 * REACH };
+enum { REACH = 8, REACH_OF_FADED = 2, VECTOR = 8 };
 static const double faded = 1e-9;
 /* Steps between looks at the largest r. */
 enum { LOOK_EVERY = 16 };
@@ -33,13 +33,13 @@ struct sweep {
     const struct bead_chain *chain;
     struct bead_adjoint_nodes nodes;
     const struct bead_adjoint_care *care;
-    double *y, *force, *spare, *slope[BEAD_NODES]; /* work; slope: r'' at the nodes */
+    double *y, *spare, *slope[BEAD_NODES]; /* work; slope: h^2 r'' at the nodes */
     struct traveller *traveller;
     size_t count;
     double *memory;
 };
 
-enum { OWN_ARRAYS = 3 + BEAD_NODES, ARRAYS = 5 };
+enum { OWN_ARRAYS = 2 + BEAD_NODES, ARRAYS = 5 };
 
 static enum bead_error allocate(struct sweep *w, struct bead_adjoint *adjoints, size_t count, struct bead_message *msg)
 {
@@ -49,7 +49,7 @@ static enum bead_error allocate(struct sweep *w, struct bead_adjoint *adjoints, 
     w->memory = calloc(padded * (OWN_ARRAYS + ARRAYS * count), sizeof *w->memory);
     if (!w->traveller || !w->memory)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the sensitivities of %zu beads", w->chain->beads);
-    double *at = w->memory + BEAD_ADJOINT_MARGIN, **const own[] = {&w->y, &w->force, &w->spare};
+    double *at = w->memory + BEAD_ADJOINT_MARGIN, **const own[] = {&w->y, &w->spare};
     for (size_t i = 0; i < sizeof own / sizeof *own; i++, at += padded)
         *own[i] = at;
     for (size_t i = 0; i < BEAD_NODES; i++, at += padded)
@@ -164,36 +164,6 @@ static void start(struct sweep *w, struct traveller *t)
 
 /* ---- steps ---- */
 
-/* y = base + scale v + sum of row[j] slope_j, in a part. */
-static void combine(const struct sweep *w, struct bead_part part, double *y, const double *base, double scale, const double *v,
-                    size_t count, const double *row, double factor)
-{
-    double coefficient[BEAD_NODES];
-    const double *term[BEAD_NODES];
-    size_t terms = 0;
-    for (size_t j = 0; j < count; j++) {
-        if (row[j] == 0)
-            continue;
-        coefficient[terms] = factor * row[j];
-        term[terms++] = w->slope[j] + part.from;
-    }
-    w->nodes.stepper->kernels->combine(part.to - part.from, y + part.from, base + part.from, scale, v + part.from, terms,
-                                       coefficient, term);
-}
-
-/* The integrals' share of a node. */
-static void collect(struct sweep *w, struct traveller *t, struct bead_part part, size_t node, double weight)
-{
-    const struct bead_kernels *kernels = w->nodes.stepper->kernels;
-    const size_t n = part.to - part.from, at = part.from;
-    const double *y = w->y + at;
-    kernels->add_springs(n, -weight, w->nodes.by_stiffness[node] + at, y, t->by_stiffness + at);
-    if (w->nodes.has_static)
-        kernels->add_springs(n, -weight, w->nodes.by_static[node] + at, y, t->by_static + at);
-    kernels->add_products(n, -weight, y, w->nodes.acceleration[node] + at, t->by_mass + at);
-    t->striker += at == 0 ? weight * y[0] : 0;
-}
-
 /* Ahead of the front contacts have no stiffness, and had none before: what beads there do is of no consequence. */
 static void leave_front(const struct sweep *w, struct traveller *t, double h)
 {
@@ -249,6 +219,25 @@ static struct bead_part reached(const struct sweep *w, const struct traveller *t
     return whole_vectors(from, to < span ? to : span > from ? span : from);
 }
 
+/* r'' at a node from r there, y, and the node's share in the integrals. */
+static void pass_node(struct sweep *w, struct traveller *t, struct bead_part part, size_t node, double h)
+{
+    const struct bead_adjoint_nodes *nodes = &w->nodes;
+    const size_t n = part.to - part.from, at = part.from;
+    const double weight = -h * nodes->method->bp[node], *y = w->y + at;
+    const struct bead_springs springs = {nodes->stiffness[node] + at,
+                                         nodes->inverse_mass + at,
+                                         nodes->by_stiffness[node] + at,
+                                         nodes->acceleration[node] + at,
+                                         weight,
+                                         t->by_stiffness + at,
+                                         t->by_mass + at};
+    nodes->stepper->kernels->move_springs(n, h * h, y, &springs, w->slope[node] + at);
+    if (nodes->has_static)
+        nodes->stepper->kernels->add_springs(n, weight, nodes->by_static[node] + at, y, t->by_static + at);
+    t->striker -= at == 0 ? weight * y[0] : 0;
+}
+
 /* Back by `h`, over the nodes as they are filled. */
 static void step(struct sweep *w, struct traveller *t, double h)
 {
@@ -256,24 +245,22 @@ static void step(struct sweep *w, struct traveller *t, double h)
     const struct bead_kernels *kernels = w->nodes.stepper->kernels;
     const struct bead_part part = reached(w, t);
     const size_t n = part.to - part.from, at = part.from;
+    double *y = w->y + at, *r = t->r + at, *rate = t->rate + at, *spare = w->spare + at, later[BEAD_NODES];
+    const double *slope[BEAD_NODES];
     if (part.to <= part.from)
         return;
-    w->y[part.to] = 0;
+    y[n] = 0;
     for (size_t i = 0; i < BEAD_NODES; i++) {
-        combine(w, part, w->y, t->r, m->c[i] * h, t->rate, i, m->a + i * m->stages, h * h);
-        kernels->springs(n, w->nodes.stiffness[i] + at, w->y + at, w->force + at);
-        w->force[(ptrdiff_t)at - 1] = 0;
-        kernels->accelerations(n, w->force + at, w->nodes.inverse_mass + at, w->slope[i] + at);
-        if (m->bp[i] != 0)
-            collect(w, t, part, i, h * m->bp[i]);
+        slope[i] = w->slope[i] + at;
+        later[i] = m->bp[i] / h;
+        kernels->combine(n, y, r, m->c[i] * h, rate, i, m->a + i * m->stages, slope);
+        pass_node(w, t, part, i, h);
     }
-    combine(w, part, w->spare, t->r, h, t->rate, BEAD_NODES, m->b, h * h);
-    memcpy(t->r + at, w->spare + at, n * sizeof *t->r);
-    double later[BEAD_NODES]; /* rates have no drift of their own: the first term stands in for it */
-    memcpy(later, m->bp, sizeof later);
-    later[0] = 0;
-    combine(w, part, w->spare, t->rate, h * m->bp[0], w->slope[0], BEAD_NODES, later, h);
-    memcpy(t->rate + at, w->spare + at, n * sizeof *t->rate);
+    kernels->combine(n, spare, r, h, rate, BEAD_NODES, m->b, slope);
+    memcpy(r, spare, n * sizeof *r);
+    /* Rates have no drift of their own: the first slope stands in for it. */
+    kernels->combine(n, spare, rate, later[0], slope[0], BEAD_NODES - 1, later + 1, slope + 1);
+    memcpy(rate, spare, n * sizeof *rate);
     t->low = part.from;
     t->high = part.to < w->chain->beads ? part.to : w->chain->beads;
     trim(w, t, h);
@@ -294,20 +281,19 @@ static struct bead_part reached_by_all(const struct sweep *w, size_t index)
     return all.to > all.from ? whole_vectors(all.from, all.to) : all;
 }
 
-/* Beads that some force may meet in step `index`, more or less: parts of a step reach further than a whole one. */
+/* Beads that some force may meet in step `index`. */
 static struct bead_part touched_by_all(const struct sweep *w, size_t index)
 {
-    struct bead_part all = {SIZE_MAX, 0};
+    struct bead_part all = reached_by_all(w, index);
     for (size_t i = 0; i < w->count; i++) {
-        const struct traveller *t = &w->traveller[i];
-        const struct bead_part near = beads_near(t);
-        if (t->step < index)
+        const struct bead_part near = beads_near(&w->traveller[i]);
+        if (w->traveller[i].step != index)
             continue;
-        const size_t low = t->step > index ? t->low : near.from, high = t->step > index ? t->high : near.to;
-        all.from = low < all.from ? low : all.from;
-        all.to = high > all.to ? high : all.to;
+        const size_t from = near.from > REACH ? near.from - REACH : 0, to = near.to + REACH;
+        all.from = from < all.from ? from : all.from;
+        all.to = to > all.to ? to : all.to;
     }
-    return (struct bead_part){all.from > MARGIN ? all.from - MARGIN : 0, all.to > 0 ? all.to + MARGIN : 0};
+    return all;
 }
 
 /* From x = `from` of the step at hand to its start: one traveller, or all that came from later steps (NULL). */

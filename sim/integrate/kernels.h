@@ -41,6 +41,13 @@ struct bead_step_ends {
 /* a_j of contact forces f and inverse masses (or masses: bead_accelerations_printed). */
 typedef void (*bead_acceleration_kernel)(size_t n, const double *f, const double *inverse_mass, double *a);
 
+/* Springs k between beads, and two sums over what they do: stretch_sum_j += weight by_stretch_j (r_j - r_{j+1}) and bead_sum_j +=
+ * weight by_bead_j r_j; a weight of 0 leaves them alone. */
+struct bead_springs {
+    const double *k, *inverse_mass, *by_stretch, *by_bead;
+    double weight, *stretch_sum, *bead_sum;
+};
+
 enum { BEAD_COMBINE_MAX = 18 };
 
 struct bead_kernels {
@@ -67,8 +74,9 @@ struct bead_kernels {
     void (*springs)(size_t n, const double *k, const double *r, double *f);
     /* sum_j += scale k_j (r_j - r_{j+1}) */
     void (*add_springs)(size_t n, double scale, const double *k, const double *r, double *sum);
-    /* sum_j += scale x_j y_j */
-    void (*add_products)(size_t n, double scale, const double *x, const double *y, double *sum);
+    /* a_j = scale w_j (k_{j-1} (r_{j-1} - r_j) - k_j (r_j - r_{j+1})), where nothing pushes bead 0; and the sums go on. Whole vectors
+     * are read, and written. */
+    void (*move_springs)(size_t n, double scale, const double *r, const struct bead_springs *springs, double *a);
     /* mark[k] = 1 where the compression u_k - u_{k+1} may have a maximum of more than least_k (NULL: of any height) within the
      * step: where its rate was > 0 at the start and is <= 0 at the end, or has one sign at both ends and may have the other in
      * between. Returns whether any. Whole vectors are read, and written. */

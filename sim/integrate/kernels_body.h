@@ -221,12 +221,24 @@ static void add_springs(size_t n, double scale, const double *k, const double *r
         out[j] += scale * (stiffness[j] * (left[j] - right[j]));
 }
 
-static void add_products(size_t n, double scale, const double *x, const double *y, double *sum)
+static inline void go_on(double *sum, double weight, lanes x)
 {
-    const double *restrict a = x, *restrict b = y;
-    double *restrict out = sum;
-    for (size_t j = 0; j < n; j++)
-        out[j] += scale * (a[j] * b[j]);
+    store_lanes(sum, load_lanes(sum) + weight * x);
+}
+
+static void move_springs(size_t n, double scale, const double *r, const struct bead_springs *springs, double *a)
+{
+    const struct bead_springs s = *springs;
+    lanes before = {0};
+    for (size_t j = 0; j < n; j += LANES) {
+        const lanes here = load_lanes(r + j), stretch = here - load_lanes(r + j + 1), force = load_lanes(s.k + j) * stretch;
+        store_lanes(a + j, scale * (follow_lanes(before, force) - force) * load_lanes(s.inverse_mass + j));
+        before = force;
+        if (s.weight == 0)
+            continue;
+        go_on(s.stretch_sum + j, s.weight, load_lanes(s.by_stretch + j) * stretch);
+        go_on(s.bead_sum + j, s.weight, load_lanes(s.by_bead + j) * here);
+    }
 }
 
 /* Between its ends a rate r bends away from them by at most h |r'| / 2 of either; a compression outgrows both of its ends by less
@@ -272,5 +284,5 @@ static bool turns(size_t n, const struct bead_step_ends *ends, const double *lea
 
 const struct bead_kernels KERNELS_TABLE = {KERNELS_NAME,  KERNELS_DESCRIPTION, hertz,   hertz_static, hertz_move,   hertz_stiffness,
                                            circles,       accelerations,       rk4_sum, combine,      largest,      springs,
-                                           add_springs,   add_products,        turns,   flag_events,  weigh_speeds, load_patch,
+                                           add_springs,   move_springs,        turns,   flag_events,  weigh_speeds, load_patch,
                                            correct_kinks, integrate_piece};
