@@ -217,8 +217,8 @@ static double value_of(const double sum[DEGREE + 1], double z)
 }
 
 /* A polynomial with the moments of K moves what the contact presses, e'' = - c K e, as K does, but for what K does twice: e(1) and
- * e'(1) owe c^2 times the integrals of (1 - t) K(t) and K(t) times that of (t - s) K(s) e(s), s < t, to it. For e = 1 and e = s; the
- * moments of z^0, z^1 and z^2 are moved so that the polynomial brings the same. */
+ * e'(1) owe c^2 times the integrals of (1 - t) K(t) and K(t) times that of (t - s) K(s) e(s), s < t, to it. For e = 1 and e = s;
+ * the moments of z^0, z^1 and z^2 are moved so that the polynomial brings the same. */
 static void move_moments(const struct bead_adjoint_nodes *n, struct moments *m)
 {
     static const double even[BEAD_GAUSS_NODES] = {1, 1, 1, 1, 1, 1, 1, 1};
@@ -315,6 +315,23 @@ static void find_stiffnesses(struct bead_adjoint_nodes *n, double *stiffness, co
             law->stiffness(s->table.stiffness[k], s->table.law, s->table.static_compression[k] + (n->u[k] - n->u[k + 1]));
 }
 
+/* Forces, accelerations and stiffnesses of the displacements. */
+static void evaluate(struct bead_adjoint_nodes *n, size_t node, const struct bead_part *part)
+{
+    const struct bead_stepper *s = n->stepper;
+    const size_t at = part->from;
+    double *force = n->force[node], *stiffness = n->stiffness[node], *acceleration = n->acceleration[node];
+    if (s->force == s->kernels->hertz) {
+        struct bead_contact_table table = s->table;
+        table.stiffness += at;
+        s->kernels->hertz_all(part->to - at, &table, n->u + at, n->inverse_mass + at, force + at, stiffness + at,
+                              acceleration + at);
+        return;
+    }
+    bead_stepper_evaluate_part(s, n->u, NULL, force, acceleration, *part);
+    find_stiffnesses(n, stiffness, part);
+}
+
 /* df/dA and df/dF of f = A (d0 + u_k - u_{k+1})^p - F, where A d0^p = F. */
 static void find_parts(struct bead_adjoint_nodes *n, size_t node, const struct bead_part *part)
 {
@@ -332,9 +349,7 @@ void bead_adjoint_nodes_fill(struct bead_adjoint_nodes *n, double from, double b
 {
     for (size_t i = 0; i < BEAD_NODES; i++) {
         find_displacements(n, from - (from - back) * n->method->c[i], &part);
-        if (n->method->bp[i] != 0) /* else nobody asks for its forces */
-            bead_stepper_evaluate_part(n->stepper, n->u, NULL, n->force[i], n->acceleration[i], part);
-        find_stiffnesses(n, n->stiffness[i], &part);
+        evaluate(n, i, &part);
     }
     smooth_all(n, from, back, &part);
     for (size_t i = 0; n->has_static && i < BEAD_NODES; i++)

@@ -57,6 +57,9 @@ struct bead_kernels {
     /* Forces without static part and accelerations at once; f[-1] is read, and n goes up to whole vectors. */
     void (*hertz_move)(size_t n, const struct bead_contact_table *table, const double *u, const double *inverse_mass, double *f,
                        double *a);
+    /* The same with the stiffnesses 3/2 A d^{1/2}. */
+    void (*hertz_all)(size_t n, const struct bead_contact_table *table, const double *u, const double *inverse_mass, double *f,
+                      double *stiffness, double *a);
     /* dA d^{3/2}/dd = 3/2 A d^{1/2} of the compressions now, or of those that the velocities lead to within `ahead` seconds. */
     void (*hertz_stiffness)(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double ahead,
                             double *stiffness);
@@ -74,8 +77,8 @@ struct bead_kernels {
     void (*springs)(size_t n, const double *k, const double *r, double *f);
     /* sum_j += scale k_j (r_j - r_{j+1}) */
     void (*add_springs)(size_t n, double scale, const double *k, const double *r, double *sum);
-    /* a_j = scale w_j (k_{j-1} (r_{j-1} - r_j) - k_j (r_j - r_{j+1})), where nothing pushes bead 0; and the sums go on. Whole vectors
-     * are read, and written. */
+    /* a_j = scale w_j (k_{j-1} (r_{j-1} - r_j) - k_j (r_j - r_{j+1})), where nothing pushes bead 0; and the sums go on. Whole
+     * vectors are read, and written. */
     void (*move_springs)(size_t n, double scale, const double *r, const struct bead_springs *springs, double *a);
     /* mark[k] = 1 where the compression u_k - u_{k+1} may have a maximum of more than least_k (NULL: of any height) within the
      * step: where its rate was > 0 at the start and is <= 0 at the end, or has one sign at both ends and may have the other in

@@ -43,14 +43,16 @@ static void hertz_static(size_t n, const struct bead_contact_table *table, const
     }
 }
 
-/* Forces of a vector of contacts, and the accelerations of the beads before them; returns the forces. `before`: of the vector
- * before this one. */
-static inline __attribute__((always_inline)) lanes move(const double *a, const double *w, const double *u, double *f, double *out,
-                                                        size_t k, lanes before, bool instruction)
+/* Forces of a vector of contacts, their stiffnesses (NULL: not asked for) and the accelerations of the beads before them; returns
+ * the forces. `before`: of the vector before this one. */
+static inline __attribute__((always_inline)) lanes move(const double *a, const double *w, const double *u, double *f,
+                                                        double *stiffness, double *out, size_t k, lanes before, bool instruction)
 {
-    const lanes d = positive_part(load_lanes(u + k) - load_lanes(u + k + 1));
-    const lanes now = load_lanes(a + k) * (d * (instruction ? ROOT_OF(d) : root_of(d)));
+    const lanes d = positive_part(load_lanes(u + k) - load_lanes(u + k + 1)), root = instruction ? ROOT_OF(d) : root_of(d);
+    const lanes now = load_lanes(a + k) * (d * root);
     store_lanes(f + k, now);
+    if (stiffness)
+        store_lanes(stiffness + k, 1.5 * load_lanes(a + k) * root);
     store_lanes(out + k, (follow_lanes(before, now) - now) * load_lanes(w + k));
     return now;
 }
@@ -63,12 +65,21 @@ static void hertz_move(size_t n, const struct bead_contact_table *table, const d
     lanes now = {0};
     now[LANES - 1] = f[-1];
     for (; k + ROOTS * LANES <= n; k += ROOTS * LANES) {
-        now = move(a, w, u, f, out, k, now, true);
+        now = move(a, w, u, f, NULL, out, k, now, true);
         for (size_t i = 1; i < ROOTS; i++)
-            now = move(a, w, u, f, out, k + i * LANES, now, false);
+            now = move(a, w, u, f, NULL, out, k + i * LANES, now, false);
     }
     for (; k < n; k += LANES)
-        now = move(a, w, u, f, out, k, now, true);
+        now = move(a, w, u, f, NULL, out, k, now, true);
+}
+
+static void hertz_all(size_t n, const struct bead_contact_table *table, const double *u, const double *w, double *f,
+                      double *stiffness, double *out)
+{
+    lanes now = {0};
+    now[LANES - 1] = f[-1];
+    for (size_t k = 0; k < n; k += LANES)
+        now = move(table->stiffness, w, u, f, stiffness, out, k, now, false);
 }
 
 static inline lanes expected_stiffness(const struct bead_contact_table *table, const double *u, const double *v, double ahead,
@@ -282,7 +293,14 @@ static bool turns(size_t n, const struct bead_step_ends *ends, const double *lea
 #include "sim/integrate/events_kinks_body.h"
 #endif
 
-const struct bead_kernels KERNELS_TABLE = {KERNELS_NAME,  KERNELS_DESCRIPTION, hertz,   hertz_static, hertz_move,   hertz_stiffness,
-                                           circles,       accelerations,       rk4_sum, combine,      largest,      springs,
-                                           add_springs,   move_springs,        turns,   flag_events,  weigh_speeds, load_patch,
-                                           correct_kinks, integrate_piece};
+const struct bead_kernels KERNELS_TABLE = {KERNELS_NAME,    KERNELS_DESCRIPTION,
+                                           hertz,           hertz_static,
+                                           hertz_move,      hertz_all,
+                                           hertz_stiffness, circles,
+                                           accelerations,   rk4_sum,
+                                           combine,         largest,
+                                           springs,         add_springs,
+                                           move_springs,    turns,
+                                           flag_events,     weigh_speeds,
+                                           load_patch,      correct_kinks,
+                                           integrate_piece};
