@@ -53,13 +53,14 @@ ARM64_DEPS = debootstrap gcc-aarch64-linux-gnu qemu-user-static
 once              = $(eval $(1) := $(2))$($(1))
 # Plain `hdf5` may be a build for MPI, where one is installed beside the serial one.
 hdf5              = $(call once,hdf5,$(shell pkg-config --exists hdf5-serial 2>/dev/null && echo hdf5-serial || echo hdf5))
-SIM_PACKAGES      = $(hdf5) yaml-0.1 udunits
+SIM_PACKAGES      = yaml-0.1 udunits
 # Opened at run time where they are (beadreel --list libraries), linked by nothing; only their headers are needed.
-OPENED_PACKAGES   = egl libavformat libavcodec libavutil
+OPENED_PACKAGES   = $(hdf5) egl libavformat libavcodec libavutil
 RENDER_PACKAGES   = libpng cairo pangocairo fontconfig
-sim_cflags        = $(call once,sim_cflags,$(shell pkg-config --cflags $(SIM_PACKAGES)))
-# The loader looks names up in this order: HDF5 and what hangs on it need most, and all need the C library.
-sim_libs          = $(call once,sim_libs,$(shell pkg-config --libs $(hdf5)) -lc $(shell pkg-config --libs $(SIM_PACKAGES)) -lhdf5_hl -lm -ldl -pthread)
+sim_cflags        = $(call once,sim_cflags,$(shell pkg-config --cflags $(hdf5) $(SIM_PACKAGES)))
+sim_libs          = $(call once,sim_libs,$(shell pkg-config --libs $(SIM_PACKAGES)) -lm -ldl -pthread)
+# Tests look into trajectories.
+hdf5_libs         = $(call once,hdf5_libs,$(shell pkg-config --libs $(hdf5)) -lhdf5_hl)
 render_cflags     = $(call once,render_cflags,$(shell pkg-config --cflags $(RENDER_PACKAGES) $(OPENED_PACKAGES)))
 render_libs       = $(call once,render_libs,$(shell pkg-config --libs $(RENDER_PACKAGES)) -ldl)
 # Tests and benches read movies.
@@ -172,6 +173,14 @@ extra_pixel_kernels_sse2     = $(if $(x86),-O3 -msse2)
 extra_pixel_kernels_avx2     = $(if $(x86),-O3 -mavx2)
 extra_pixel_kernels_avx512   = $(if $(x86),-O3 -mavx512f -mavx512bw -mavx512dq -mavx512vl -mprefer-vector-width=512)
 
+# The names that the loader knows HDF5's two libraries by are those that a program linked to them would need.
+hdf5_files = $(call once,hdf5_files,$(shell mkdir -p $(BUILD) && $(CC) -shared -x c /dev/null -o $(BUILD)/.hdf5.so $(LDFLAGS) -Wl,--no-as-needed $(hdf5_libs) && \
+               readelf -d $(BUILD)/.hdf5.so | sed -n 's/.*NEEDED.*\[\(libhdf5.*\)\]/\1/p'))
+hdf5_hl    = $(firstword $(foreach f,$(hdf5_files),$(if $(findstring _hl,$f),$f)))
+hdf5_core  = $(firstword $(filter-out $(hdf5_hl),$(hdf5_files)))
+hdf5_packages = $(call once,hdf5_packages,$(shell dpkg-query -S $(hdf5_files:%=*/%) 2>/dev/null | sed 's/:.*//' | sort -u | paste -sd, | sed 's/,/ and /'))
+extra_h5_library = -DBEAD_HDF5_LIBRARY='"$(hdf5_core)"' -DBEAD_HDF5_HL_LIBRARY='"$(hdf5_hl)"' -DBEAD_HDF5_PACKAGES='"$(or $(hdf5_packages),HDF5)"'
+
 # The only place that knows where things get installed; compiled again when that changes.
 extra_assets = -DBEAD_DATADIR='"$(PREFIX)/share/beadreel"'
 $(BUILD)/sim/base/assets.o: $(BUILD)/.prefix
@@ -221,7 +230,7 @@ with_test_grey = -Wl,--wrap=graph_layout_make
 with_test_legend_room = $(with_test_grey)
 $(TESTS): $(BUILD)/tests/%: %.c $(TEST_SUPPORT) $(STATIC) | $(WAIT)
 	@mkdir -p $(@D)
-	$(call say,TEST,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(with_$(@F)) $(TEST_SUPPORT) $(STATIC) $(render_libs) $(sim_libs) $(movie_libs) $(test_libs)
+	$(call say,TEST,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(with_$(@F)) $(TEST_SUPPORT) $(STATIC) $(render_libs) $(sim_libs) $(hdf5_libs) $(movie_libs) $(test_libs)
 # As a user's program: public headers and shared libraries only.
 $(EXAMPLES): $(BUILD)/tests/examples/%: tests/examples/%.c $(LIBRARIES)
 	@mkdir -p $(@D)
@@ -288,7 +297,7 @@ torture: all $(FAIL_ALLOC) ## kills, full disks, signals, failing allocations; K
 # the project's code. Comparisons of numbers are not traced, which would halve the speed; those of texts are.
 $(FUZZERS): $(BUILD)/fuzz/%: tests/fuzz/%.c $(FUZZ_SUPPORT) tests/fuzz/fuzz.h $(STATIC)
 	@mkdir -p $(@D)
-	$(call say,FUZZ,$<) $(run) $(filter-out -MMD -MP,$(compile_test)) -fsanitize=fuzzer -o $@ $< $(FUZZ_SUPPORT) $(STATIC) $(render_libs) $(sim_libs)
+	$(call say,FUZZ,$<) $(run) $(filter-out -MMD -MP,$(compile_test)) -fsanitize=fuzzer -o $@ $< $(FUZZ_SUPPORT) $(STATIC) $(render_libs) $(sim_libs) $(hdf5_libs)
 fuzzers: $(BUILD)/beadsim $(FUZZERS)
 fuzz: ## random scenes, settings and files, FUZZ_SECONDS each; ends with `N passed, M failed`
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)-fuzz CC=$(if $(findstring clang,$(CC)),"$(CC)",clang) \
@@ -314,7 +323,8 @@ peers: $(BUILD)/beadsim ## beside exact results, SciPy and LAMMPS, where they ar
 lint: ## formatting, static analysis
 	@echo "clang-format" && clang-format --dry-run -Werror $(FORMATTED)
 	@echo "cppcheck" && cppcheck --quiet --std=c11 --language=c --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
-	    --suppressions-list=tests/cppcheck.txt -j $$(nproc) -i tests/bench/precision_boost.cc -Iinclude -I. -D__linux__ -D__x86_64__ -DBEAD_DATADIR='""' sim render tests
+	    --suppressions-list=tests/cppcheck.txt -j $$(nproc) -i tests/bench/precision_boost.cc -Iinclude -I. -D__linux__ -D__x86_64__ -DBEAD_DATADIR='""' \
+	    -DBEAD_HDF5_LIBRARY='""' -DBEAD_HDF5_HL_LIBRARY='""' -DBEAD_HDF5_PACKAGES='""' sim render tests
 	@echo "shellcheck" && shellcheck -S warning -e SC2034,SC2154 $(wildcard .ci/run .github/*.sh assets/*/*.sh assets/completions/*.bash tests/*.sh tests/*/*.sh tests/*.bash)
 
 MANUALS = $(wildcard assets/man/*.[15])
@@ -342,7 +352,7 @@ staged:
 	done
 	printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: beadsim' \
 	    'Description: Waves in chains of beads: simulation' 'Version: $(VERSION)' 'Requires.private: $(SIM_PACKAGES)' \
-	    'Libs: -L$${libdir} -lbeadsim' 'Libs.private: -lhdf5_hl -lm -ldl -pthread' 'Cflags: -I$${includedir}' \
+	    'Libs: -L$${libdir} -lbeadsim' 'Libs.private: -lm -ldl -pthread' 'Cflags: -I$${includedir}' \
 	    > $(DESTDIR)$(LIBDIR)/pkgconfig/beadsim.pc
 	printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: beadreel' \
 	    'Description: Waves in chains of beads: pictures and movies' 'Version: $(VERSION)' 'Requires: beadsim cairo' \

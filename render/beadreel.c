@@ -36,11 +36,10 @@ static enum bead_error list_views(FILE *out, struct bead_message *msg)
 
 static enum bead_error list_libraries(FILE *out, struct bead_message *msg)
 {
-    (void)msg;
     const struct bead_library_info *library;
     for (size_t i = 0; (library = bead_library_info(i)); i++)
-        fprintf(out, "%-18s  %s\n", library->files[0], library->purpose);
-    return BEAD_OK;
+        command_list_library(out, library);
+    return command_list_libraries(out, msg);
 }
 
 static const struct command_list lists[] = {

@@ -60,7 +60,7 @@ of_scene() {
     rm -rf "$dir"
 }
 
-echo "# $(readelf -d "$build/beadsim" | grep -o -m 1 'libhdf5_*[a-z]*[.]so[.][0-9]*' | head -n 1)"
+echo "# $("${emulator[@]}" "$build/beadsim" --list libraries | grep -o -m 1 '^libhdf5[^ ]*')"
 if [ $# -eq 0 ]; then
     mapfile -t scenes < <(cd "$BEADREEL_ASSETS/scenes" && find . -name '*.yaml' | sed 's,^\./,,; s,\.yaml$,,' | LC_ALL=C sort)
     set -- "${scenes[@]}"

@@ -21,6 +21,7 @@ as_listed() {
     awk '/^ / {sub("@Base", "", $1); print $1}' "$top/tests/reference/$1.symbols" | sort | diff - "$T/have"
 }
 no_graphics() { ! readelf -d "$1" | grep NEEDED | grep -iE 'osmesa|libgl|png|avcodec|avformat|avutil|swscale|cairo|pango|libx11'; }
+no_hdf5() { ! readelf -d "$1" | grep NEEDED | grep hdf5; }
 soname() { readelf -d "$1" | grep SONAME | grep -qF "[$2]"; }
 no_direct_exit() { ! nm "$1" | grep -E ' U (exit|abort|_exit|printf|puts|putchar|perror)$'; }
 
@@ -36,6 +37,7 @@ ok "libbeadsim.so exports what is listed" as_listed libbeadsim
 ok "libbeadreel.so exports what is listed" as_listed libbeadreel
 ok "libbeadsim.so needs no graphics" no_graphics "$BUILD/libbeadsim.so"
 ok "beadsim needs no graphics" no_graphics "$BUILD/beadsim"
+for part in beadsim beadreel libbeadsim.so libbeadreel.so; do ok "$part starts without HDF5" no_hdf5 "$BUILD/$part"; done
 ok "soname of libbeadsim" soname "$BUILD/libbeadsim.so" libbeadsim.so.0
 ok "soname of libbeadreel" soname "$BUILD/libbeadreel.so" libbeadreel.so.0
 ok "libbeadsim neither exits nor prints" no_direct_exit "$BUILD/libbeadsim.a"

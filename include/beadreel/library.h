@@ -9,8 +9,14 @@
 
 BEAD_BEGIN
 
-/* Fill functions[i] with the address of names[i], from the first of `files` (NULL-terminated) that can be opened. The library stays
- * open for the life of the process: the drivers that it loads must not be unloaded. Errors: GRAPHICS (with the loader's words). */
+struct bead_library_info {
+    const char *files[4]; /* names for the loader, the first that can be opened is taken; NULL-terminated */
+    const char *purpose;  /* one line, with what happens without it */
+};
+
+/* Fill functions[i] with the address of names[i], a function or a variable, from the first of `files` (NULL-terminated) that can be
+ * opened. The library stays open for the life of the process: the drivers that it loads must not be unloaded. Errors: GRAPHICS
+ * (with the loader's words). */
 BEAD_API BEAD_CHECK enum bead_error bead_library_load(const char *const *files, const char *const *names, size_t count,
                                                       void (**functions)(void), struct bead_message *msg);
 

@@ -16,11 +16,6 @@ enum bead_opened_library {
     BEAD_LIBRARIES
 };
 
-struct bead_library_info {
-    const char *files[4]; /* names for the loader, the first that can be opened is taken; NULL-terminated */
-    const char *purpose;  /* one line, with what happens without it */
-};
-
 /* NULL where `index` is not below BEAD_LIBRARIES. */
 const struct bead_library_info *bead_library_info(size_t index);
 

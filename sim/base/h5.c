@@ -5,7 +5,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <hdf5_hl.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -65,10 +64,22 @@ static bool take_file(struct bead_h5 *h5)
     return !h5->error;
 }
 
+/* Returns false where HDF5 is missing. */
+static bool load(struct bead_h5 *h5)
+{
+    struct bead_message why;
+    enum bead_error error = bead_h5_load(&why);
+    if (error)
+        h5->error = bead_fail(h5->msg, error, "%s: %s", h5->path, why.text);
+    return !error;
+}
+
 void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *msg)
 {
-    BEAD_H5_QUIET;
     *h5 = (struct bead_h5){.file = -1, .path = path, .code = BEAD_ERROR_IO, .msg = msg, .disk = {.file = -1}};
+    if (!load(h5))
+        return;
+    BEAD_H5_QUIET;
     BEAD_H5_AUTO access_list = H5Pcreate(H5P_FILE_ACCESS);
     if (take_file(h5)) {
         if (access_list >= 0 && bead_h5_disk_use(access_list, &h5->disk) >= 0)
@@ -109,7 +120,6 @@ hid_t bead_h5_access(hid_t class)
 
 void bead_h5_open(struct bead_h5 *h5, const char *path, struct bead_message *msg)
 {
-    BEAD_H5_QUIET;
     *h5 = (struct bead_h5){.file = -1, .path = path, .code = BEAD_ERROR_FORMAT, .msg = msg};
     if (access(path, R_OK) != 0) {
         h5->code = BEAD_ERROR_IO;
@@ -121,13 +131,16 @@ void bead_h5_open(struct bead_h5 *h5, const char *path, struct bead_message *msg
         bead_h5_fail(h5, false, "not an HDF5 file");
         return;
     }
+    if (!load(h5))
+        return;
+    BEAD_H5_QUIET;
     BEAD_H5_AUTO access_list = H5Pcreate(H5P_FILE_ACCESS);
     /* Closing the file closes all that is open in it. A run still writing holds a lock; what it flushed may be read. */
     if (access_list < 0 || H5Pset_fclose_degree(access_list, H5F_CLOSE_STRONG) < 0) {
         bead_h5_fail(h5, true, "cannot be opened");
         return;
     }
-#if H5_VERSION_GE(1, 10, 7) && !(H5_VERS_MAJOR == 1 && H5_VERS_MINOR == 12 && H5_VERS_RELEASE == 0)
+#ifdef BEAD_H5_HAS_LOCKING
     H5Pset_file_locking(access_list, 0, 1);
 #endif
     h5->file = H5Fopen(path, H5F_ACC_RDONLY, access_list);
@@ -156,8 +169,10 @@ bool bead_h5_is(const char *path)
 
 void bead_h5_shut(struct bead_h5 *h5)
 {
+    if (h5->file < 0)
+        return;
     BEAD_H5_QUIET;
-    if (h5->file >= 0 && H5Fclose(h5->file) < 0)
+    if (H5Fclose(h5->file) < 0)
         bead_h5_fail(h5, true, "cannot be closed properly");
     h5->file = -1;
     bead_h5_disk_leave(&h5->disk);
@@ -166,16 +181,20 @@ void bead_h5_shut(struct bead_h5 *h5)
 
 void bead_h5_flush(struct bead_h5 *h5)
 {
+    if (h5->error)
+        return;
     BEAD_H5_QUIET;
-    if (!h5->error && H5Fflush(h5->file, H5F_SCOPE_GLOBAL) < 0)
+    if (H5Fflush(h5->file, H5F_SCOPE_GLOBAL) < 0)
         bead_h5_fail(h5, true, "cannot be flushed");
     check_disk(h5);
 }
 
 void bead_h5_close(struct bead_h5 *h5, hid_t *object)
 {
+    if (*object < 0)
+        return;
     BEAD_H5_QUIET;
-    if (*object >= 0 && H5Idec_ref(*object) < 0)
+    if (H5Idec_ref(*object) < 0)
         bead_h5_fail(h5, true, "cannot be written");
     *object = -1;
 }
@@ -222,8 +241,6 @@ static hid_t vector_space(size_t count)
 
 static void put(struct bead_h5 *h5, hid_t object, const char *name, hid_t type, hid_t memory, size_t count, const void *values)
 {
-    if (h5->error)
-        return;
     BEAD_H5_QUIET;
     BEAD_H5_AUTO space = vector_space(count);
     BEAD_H5_AUTO attribute = space < 0 ? -1 : H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
@@ -233,6 +250,8 @@ static void put(struct bead_h5 *h5, hid_t object, const char *name, hid_t type, 
 
 void bead_h5_put_text(struct bead_h5 *h5, hid_t object, const char *name, const char *text)
 {
+    if (h5->error)
+        return;
     size_t size = strlen(text) + 1;
     BEAD_H5_AUTO type = type_of_texts(text, size, size);
     put(h5, object, name, type, type, 0, text);
@@ -246,7 +265,7 @@ static char *pack_texts(struct bead_h5 *h5, const char *const *texts, size_t cou
         if (strlen(texts[i]) + 1 > *width)
             *width = strlen(texts[i]) + 1;
     char *block = calloc(count ? count : 1, *width);
-    if (!block && !h5->error)
+    if (!block)
         h5->error = bead_fail(h5->msg, BEAD_ERROR_MEMORY, "%s: no memory for %zu names", h5->path, count);
     for (size_t i = 0; block && i < count; i++)
         memcpy(block + i * *width, texts[i], strlen(texts[i]));
@@ -255,20 +274,27 @@ static char *pack_texts(struct bead_h5 *h5, const char *const *texts, size_t cou
 
 void bead_h5_put_texts(struct bead_h5 *h5, hid_t object, const char *name, const char *const *texts, size_t count)
 {
+    if (h5->error)
+        return;
     size_t width;
     char *block = pack_texts(h5, texts, count, &width);
-    BEAD_H5_AUTO type = type_of_texts(block, block ? count * width : 0, width);
-    put(h5, object, name, type, type, count, block);
+    BEAD_H5_AUTO type = block ? type_of_texts(block, count * width, width) : -1;
+    if (block)
+        put(h5, object, name, type, type, count, block);
     free(block);
 }
 
 void bead_h5_put_double(struct bead_h5 *h5, hid_t object, const char *name, double value)
 {
+    if (h5->error)
+        return;
     put(h5, object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 0, &value);
 }
 
 void bead_h5_put_ints(struct bead_h5 *h5, hid_t object, const char *name, const int64_t *values, size_t count)
 {
+    if (h5->error)
+        return;
     put(h5, object, name, H5T_STD_I64LE, H5T_NATIVE_INT64, count, values);
 }
 
@@ -291,6 +317,19 @@ void bead_h5_make_scale(struct bead_h5 *h5, hid_t dataset, const char *name)
         bead_h5_fail(h5, true, "cannot make a scale of %s", name);
 }
 
+hid_t bead_h5_open_scale(struct bead_h5 *h5, hid_t parent, const char *path, const char *name)
+{
+    if (h5->error)
+        return -1;
+    BEAD_H5_QUIET;
+    hid_t scale = H5Dopen2(parent, path, H5P_DEFAULT);
+    if (scale >= 0)
+        bead_h5_make_scale(h5, scale, name);
+    else
+        bead_h5_fail(h5, true, "cannot make a scale of %s", path);
+    return scale;
+}
+
 void bead_h5_attach(struct bead_h5 *h5, hid_t dataset, unsigned axis, hid_t scale)
 {
     if (h5->error)
@@ -303,8 +342,6 @@ void bead_h5_attach(struct bead_h5 *h5, hid_t dataset, unsigned axis, hid_t scal
 static void write_once(struct bead_h5 *h5, hid_t parent, const char *name, const char *units, hid_t scale, hid_t type, hid_t memory,
                        size_t count, const void *values)
 {
-    if (h5->error)
-        return;
     BEAD_H5_QUIET;
     BEAD_H5_AUTO space = vector_space(count);
     BEAD_H5_AUTO links = H5Pcreate(H5P_LINK_CREATE);
@@ -327,25 +364,34 @@ static void write_once(struct bead_h5 *h5, hid_t parent, const char *name, const
 void bead_h5_write_doubles(struct bead_h5 *h5, hid_t parent, const char *name, const char *units, hid_t scale, const double *values,
                            size_t count)
 {
+    if (h5->error)
+        return;
     write_once(h5, parent, name, units, scale, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, count, values);
 }
 
 void bead_h5_write_ints(struct bead_h5 *h5, hid_t parent, const char *name, hid_t scale, const int64_t *values, size_t count)
 {
+    if (h5->error)
+        return;
     write_once(h5, parent, name, NULL, scale, H5T_STD_I64LE, H5T_NATIVE_INT64, count, values);
 }
 
 void bead_h5_write_texts(struct bead_h5 *h5, hid_t parent, const char *name, hid_t scale, const char *const *texts, size_t count)
 {
+    if (h5->error)
+        return;
     size_t width;
     char *block = pack_texts(h5, texts, count, &width);
-    BEAD_H5_AUTO type = type_of_texts(block, block ? count * width : 0, width);
-    write_once(h5, parent, name, NULL, scale, type, type, count, block);
+    BEAD_H5_AUTO type = block ? type_of_texts(block, count * width, width) : -1;
+    if (block)
+        write_once(h5, parent, name, NULL, scale, type, type, count, block);
     free(block);
 }
 
 void bead_h5_write_text(struct bead_h5 *h5, hid_t parent, const char *name, const char *text)
 {
+    if (h5->error)
+        return;
     size_t size = strlen(text) + 1;
     BEAD_H5_AUTO type = type_of_texts(text, size, size);
     write_once(h5, parent, name, NULL, -1, type, type, 0, text);

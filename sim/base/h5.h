@@ -13,6 +13,7 @@
 #include <stdint.h>
 
 #include "beadreel/error.h"
+#include "beadreel/library.h"
 #include "sim/base/h5_disk.h"
 
 struct bead_h5 {
@@ -27,6 +28,15 @@ struct bead_h5 {
 
 /* Keep the first failure and its message: "path: ..." and what HDF5 says about it where `cause`. Returns the error. */
 enum bead_error bead_h5_fail(struct bead_h5 *h5, bool cause, const char *format, ...) BEAD_PRINTF(3, 4);
+
+/* Open HDF5's libraries, for a caller who will need them later; making and opening a file does so, too. Any number of threads may
+ * call it. Errors: UNSUPPORTED (missing, with the package to install). */
+BEAD_CHECK enum bead_error bead_h5_load(struct bead_message *msg);
+/* The row of a library for lists of what is opened at run time; NULL past the last. */
+const struct bead_library_info *bead_h5_library_info(size_t index);
+/* For programs, before anything else: when HDF5 is loaded it is told not to clean up at exit. It may keep objects of a damaged file
+ * open, and would complain of them on stderr. */
+void bead_h5_no_exit_handler(void);
 
 /* Make a new file, or open one for reading. `path` must outlive the bead_h5, which must stay where it is while the file is open. */
 void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *msg);
@@ -57,9 +67,11 @@ void bead_h5_write_text(struct bead_h5 *h5, hid_t parent, const char *name, cons
 /* Overwrite a scalar integer attribute. */
 void bead_h5_set_int(struct bead_h5 *h5, hid_t object, const char *name, int64_t value);
 
-/* Tables [rows][columns] written and read whole: doubles, 64-bit integers, or bytes. rows > 0, columns > 0; `units` may be NULL;
- * scales of both axes, -1: none. */
+/* Kinds of numbers in files and memory: doubles, 64-bit integers, or bytes. */
 enum bead_h5_type { BEAD_H5_DOUBLE, BEAD_H5_INT, BEAD_H5_BYTE };
+
+/* Tables [rows][columns] written and read whole. rows > 0, columns > 0; `units` may be NULL;
+ * scales of both axes, -1: none. */
 void bead_h5_write_table(struct bead_h5 *h5, hid_t parent, const char *name, const char *units, enum bead_h5_type type, size_t rows,
                          size_t columns, const hid_t scales[2], const void *values);
 void bead_h5_read_table(struct bead_h5 *h5, const char *name, enum bead_h5_type type, size_t rows, size_t columns, void *values);
@@ -70,11 +82,13 @@ void bead_h5_read_table(struct bead_h5 *h5, const char *name, enum bead_h5_type 
 hid_t bead_h5_make_series(struct bead_h5 *h5, hid_t parent, const char *name, const char *units, bool integer, size_t chunk_rows,
                           size_t columns, size_t components);
 /* Write rows first..first+rows-1 of one component; the dataset grows to hold them. `values` is [rows][columns]. */
-void bead_h5_write_rows(struct bead_h5 *h5, hid_t series, hid_t memory_type, size_t first, size_t rows, size_t columns,
+void bead_h5_write_rows(struct bead_h5 *h5, hid_t series, enum bead_h5_type type, size_t first, size_t rows, size_t columns,
                         size_t component, const void *values);
 
-/* Dimension scales: make a dataset the scale `name`; make it the scale of an axis. */
+/* Dimension scales: make a dataset the scale `name`; the same with the dataset at `path`, which is returned open; make it the scale
+ * of an axis. */
 void bead_h5_make_scale(struct bead_h5 *h5, hid_t dataset, const char *name);
+hid_t bead_h5_open_scale(struct bead_h5 *h5, hid_t parent, const char *path, const char *name);
 void bead_h5_attach(struct bead_h5 *h5, hid_t dataset, unsigned axis, hid_t scale);
 /* A second name for an object. */
 void bead_h5_link(struct bead_h5 *h5, hid_t object, hid_t parent, const char *name);

@@ -9,9 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#if H5_VERSION_GE(1, 13, 0)
-#include <H5FDdevelop.h>
-#endif
+#include "sim/base/h5_private.h"
 
 /* Bytes that are not in the file yet. */
 struct kept {

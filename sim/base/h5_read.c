@@ -29,14 +29,14 @@ bool bead_h5_has(struct bead_h5 *h5, const char *name)
 
 bool bead_h5_has_attribute(struct bead_h5 *h5, const char *name)
 {
+    if (h5->error)
+        return false;
     BEAD_H5_QUIET;
-    return !h5->error && H5Aexists(h5->file, name) > 0;
+    return H5Aexists(h5->file, name) > 0;
 }
 
 static hid_t open_object(struct bead_h5 *h5, const char *name, H5I_type_t kind)
 {
-    if (h5->error)
-        return -1;
     if (!bead_h5_has(h5, name)) {
         bead_h5_fail(h5, false, "not a %s of this program: it has no %s", h5->kind ? h5->kind : "trajectory", name);
         return -1;
@@ -53,6 +53,8 @@ static hid_t open_object(struct bead_h5 *h5, const char *name, H5I_type_t kind)
 
 hid_t bead_h5_open_group(struct bead_h5 *h5, const char *name)
 {
+    if (h5->error)
+        return -1;
     BEAD_H5_QUIET;
     return open_object(h5, name, H5I_GROUP);
 }
@@ -60,6 +62,8 @@ hid_t bead_h5_open_group(struct bead_h5 *h5, const char *name)
 /* Data in external files are not read: an untrusted file must not refer to others. */
 hid_t bead_h5_open_dataset(struct bead_h5 *h5, const char *name)
 {
+    if (h5->error)
+        return -1;
     BEAD_H5_QUIET;
     hid_t dataset = open_object(h5, name, H5I_DATASET);
     if (dataset < 0)
@@ -114,6 +118,8 @@ void bead_h5_get_text(struct bead_h5 *h5, hid_t object, const char *name, char *
 
 double bead_h5_get_double(struct bead_h5 *h5, hid_t object, const char *name)
 {
+    if (h5->error)
+        return 0;
     double value = 0;
     get(h5, object, name, H5T_FLOAT, H5T_NATIVE_DOUBLE, 0, &value);
     return value;
@@ -121,6 +127,8 @@ double bead_h5_get_double(struct bead_h5 *h5, hid_t object, const char *name)
 
 int64_t bead_h5_get_int(struct bead_h5 *h5, hid_t object, const char *name, int64_t low, int64_t high)
 {
+    if (h5->error)
+        return low;
     int64_t value = low;
     get(h5, object, name, H5T_INTEGER, H5T_NATIVE_INT64, 0, &value);
     if (!h5->error && (value < low || value > high))
@@ -133,6 +141,8 @@ int64_t bead_h5_get_int(struct bead_h5 *h5, hid_t object, const char *name, int6
 static void read_vector(struct bead_h5 *h5, const char *name, H5T_class_t class, hid_t memory, size_t size, void *values,
                         size_t count)
 {
+    if (h5->error)
+        return;
     BEAD_H5_QUIET;
     BEAD_H5_AUTO dataset = bead_h5_open_dataset(h5, name);
     if (h5->error)
@@ -149,11 +159,15 @@ static void read_vector(struct bead_h5 *h5, const char *name, H5T_class_t class,
 
 void bead_h5_read_doubles(struct bead_h5 *h5, const char *name, double *values, size_t count)
 {
+    if (h5->error)
+        return;
     read_vector(h5, name, H5T_FLOAT, H5T_NATIVE_DOUBLE, 0, values, count);
 }
 
 void bead_h5_read_ints(struct bead_h5 *h5, const char *name, int64_t *values, size_t count)
 {
+    if (h5->error)
+        return;
     read_vector(h5, name, H5T_INTEGER, H5T_NATIVE_INT64, 0, values, count);
 }
 
@@ -166,6 +180,8 @@ void bead_h5_read_texts(struct bead_h5 *h5, const char *name, struct bead_h5_tex
 
 char *bead_h5_read_text(struct bead_h5 *h5, const char *name, size_t limit)
 {
+    if (h5->error)
+        return NULL;
     BEAD_H5_QUIET;
     BEAD_H5_AUTO dataset = bead_h5_open_dataset(h5, name);
     if (h5->error)
@@ -209,6 +225,8 @@ static hid_t without_cache(struct bead_h5 *h5, const char *name, hid_t dataset)
 
 hid_t bead_h5_open_series(struct bead_h5 *h5, const char *name, size_t columns, size_t components, size_t *rows)
 {
+    if (h5->error)
+        return -1;
     BEAD_H5_QUIET;
     hid_t series = without_cache(h5, name, bead_h5_open_dataset(h5, name));
     if (series < 0)

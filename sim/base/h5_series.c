@@ -5,6 +5,16 @@
 /* Wide rows are cut into chunks of this many columns, so that no chunk nears HDF5's limit of 4 GB. */
 static const hsize_t widest_chunk = 1 << 20;
 
+static hid_t stored_type(enum bead_h5_type type)
+{
+    return type == BEAD_H5_DOUBLE ? H5T_IEEE_F64LE : type == BEAD_H5_INT ? H5T_STD_I64LE : H5T_STD_U8LE;
+}
+
+static hid_t memory_type(enum bead_h5_type type)
+{
+    return type == BEAD_H5_DOUBLE ? H5T_NATIVE_DOUBLE : type == BEAD_H5_INT ? H5T_NATIVE_INT64 : H5T_NATIVE_UINT8;
+}
+
 /* Give components that are never written a place, too: jsfive has nothing to read where a chunk is missing. Chunks come at the
  * end of the file, which grows by them without a write: these are zeros that take no room on most disks. */
 static herr_t reserve_chunks(hid_t layout)
@@ -61,7 +71,7 @@ static herr_t grow(hid_t series, size_t rows)
     return H5Dset_extent(series, size);
 }
 
-void bead_h5_write_rows(struct bead_h5 *h5, hid_t series, hid_t memory_type, size_t first, size_t rows, size_t columns,
+void bead_h5_write_rows(struct bead_h5 *h5, hid_t series, enum bead_h5_type type, size_t first, size_t rows, size_t columns,
                         size_t component, const void *values)
 {
     if (h5->error)
@@ -72,7 +82,7 @@ void bead_h5_write_rows(struct bead_h5 *h5, hid_t series, hid_t memory_type, siz
     BEAD_H5_AUTO file_space = ok < 0 ? -1 : H5Dget_space(series);
     BEAD_H5_AUTO memory_space = H5Screate_simple(columns ? 2 : 1, count, NULL);
     if (file_space < 0 || memory_space < 0 || H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, NULL, count, NULL) < 0 ||
-        H5Dwrite(series, memory_type, memory_space, file_space, H5P_DEFAULT, values) < 0)
+        H5Dwrite(series, memory_type(type), memory_space, file_space, H5P_DEFAULT, values) < 0)
         bead_h5_fail(h5, true, "cannot write samples");
 }
 
@@ -86,16 +96,6 @@ void bead_h5_link(struct bead_h5 *h5, hid_t object, hid_t parent, const char *na
 }
 
 /* ---- tables, written and read whole ---- */
-
-static hid_t stored_type(enum bead_h5_type type)
-{
-    return type == BEAD_H5_DOUBLE ? H5T_IEEE_F64LE : type == BEAD_H5_INT ? H5T_STD_I64LE : H5T_STD_U8LE;
-}
-
-static hid_t memory_type(enum bead_h5_type type)
-{
-    return type == BEAD_H5_DOUBLE ? H5T_NATIVE_DOUBLE : type == BEAD_H5_INT ? H5T_NATIVE_INT64 : H5T_NATIVE_UINT8;
-}
 
 void bead_h5_write_table(struct bead_h5 *h5, hid_t parent, const char *name, const char *units, enum bead_h5_type type, size_t rows,
                          size_t columns, const hid_t scales[2], const void *values)

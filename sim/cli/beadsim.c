@@ -4,11 +4,17 @@
 #include "sim/cli/command_line.h"
 
 static const struct command_list lists[] = {
-    {"scenes", command_list_scenes},         {"materials", command_list_materials},
-    {"methods", command_list_methods},       {"laws", command_list_laws},
-    {"equations", command_list_equations},   {"measures", command_list_measures},
-    {"thresholds", command_list_thresholds}, {"keys", command_list_keys},
-    {"schema", command_list_schema},         {NULL, NULL},
+    {"scenes", command_list_scenes},
+    {"materials", command_list_materials},
+    {"methods", command_list_methods},
+    {"laws", command_list_laws},
+    {"equations", command_list_equations},
+    {"measures", command_list_measures},
+    {"thresholds", command_list_thresholds},
+    {"libraries", command_list_libraries},
+    {"keys", command_list_keys},
+    {"schema", command_list_schema},
+    {NULL, NULL},
 };
 
 int main(int argc, char **argv)

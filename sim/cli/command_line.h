@@ -10,6 +10,7 @@
 #include <stdio.h>
 
 #include "beadreel/error.h"
+#include "beadreel/library.h"
 #include "beadreel/session.h"
 #include "beadreel/sink.h"
 #include "beadreel/sweep.h"
@@ -96,6 +97,8 @@ enum bead_error command_list_laws(FILE *out, struct bead_message *msg);
 enum bead_error command_list_equations(FILE *out, struct bead_message *msg); /* that a chain may be instead of beads */
 enum bead_error command_list_measures(FILE *out, struct bead_message *msg);
 enum bead_error command_list_thresholds(FILE *out, struct bead_message *msg);
+enum bead_error command_list_libraries(FILE *out, struct bead_message *msg); /* that are opened at run time */
+void command_list_library(FILE *out, const struct bead_library_info *library);
 enum bead_error command_list_keys(FILE *out, struct bead_message *msg);   /* of scenes: unit, range, default */
 enum bead_error command_list_schema(FILE *out, struct bead_message *msg); /* of the same: a JSON Schema, for editors */
 

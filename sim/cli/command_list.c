@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Lists that need no graphics: ready scenes, materials, methods, laws, keys of scenes. */
+/* Lists that need no graphics: ready scenes, materials, methods, laws, libraries, keys of scenes. */
 #include "sim/cli/command_line.h"
 
 #include <math.h>
@@ -9,6 +9,7 @@
 #include "beadreel/methods.h"
 #include "beadreel/scene.h"
 #include "beadreel/statistics.h"
+#include "sim/base/h5.h"
 #include "sim/equation/equation.h"
 
 enum bead_error command_list_scenes(FILE *out, struct bead_message *msg)
@@ -60,6 +61,20 @@ enum bead_error command_list_equations(FILE *out, struct bead_message *msg)
     const struct bead_equation *equation;
     for (size_t i = 0; (equation = bead_equation_info(i)); i++)
         fprintf(out, "%-10s  %s\n", equation->system.name, equation->system.help);
+    return BEAD_OK;
+}
+
+void command_list_library(FILE *out, const struct bead_library_info *library)
+{
+    fprintf(out, "%-24s  %s\n", library->files[0], library->purpose);
+}
+
+enum bead_error command_list_libraries(FILE *out, struct bead_message *msg)
+{
+    (void)msg;
+    const struct bead_library_info *library;
+    for (size_t i = 0; (library = bead_h5_library_info(i)); i++)
+        command_list_library(out, library);
     return BEAD_OK;
 }
 

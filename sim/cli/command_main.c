@@ -3,11 +3,11 @@
 #include "sim/cli/command_line.h"
 
 #include <errno.h>
-#include <hdf5.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "beadreel/scene.h"
+#include "sim/base/h5.h"
 #include "sim/base/stop.h"
 
 /* Set by the handler, read by sessions. */
@@ -96,9 +96,7 @@ int command_main(const struct command_program *program, int argc, char **argv)
     struct bead_message msg = {""};
     struct command command = {.program = program};
     enum bead_error err = BEAD_OK;
-    /* All files are closed before the end. HDF5 may keep objects of a damaged file open, and must not complain of them on stderr at
-     * exit. */
-    H5dont_atexit();
+    bead_h5_no_exit_handler(); /* all files are closed before the end */
     command.settings = calloc((size_t)argc + 1, sizeof *command.settings);
     command.only = calloc((size_t)argc + 1, sizeof *command.only);
     command.parts = calloc((size_t)argc + 1, sizeof *command.parts);

@@ -142,9 +142,7 @@ static void write_labels(struct bead_sink *sink, const char *name, label_functio
 static hid_t make_axis(struct bead_sink *sink, const char *path, const char *name, bool of_contacts)
 {
     write_labels(sink, path, number_of, of_contacts);
-    hid_t axis = bead_h5_open_dataset(&sink->h5, path);
-    bead_h5_make_scale(&sink->h5, axis, name);
-    return axis;
+    return bead_h5_open_scale(&sink->h5, sink->h5.file, path, name);
 }
 
 static void lay_out_axes(struct bead_sink *sink)
@@ -157,8 +155,7 @@ static void lay_out_axes(struct bead_sink *sink)
     sink->bead_scale = make_axis(sink, "/particles/chain/bead", "bead", false);
     static const char *const axes[] = {"x", "y", "z"};
     bead_h5_write_texts(h5, h5->file, "/particles/chain/spatial", -1, axes, 3);
-    sink->spatial_scale = bead_h5_open_dataset(h5, "/particles/chain/spatial");
-    bead_h5_make_scale(h5, sink->spatial_scale, "spatial");
+    sink->spatial_scale = bead_h5_open_scale(h5, h5->file, "/particles/chain/spatial", "spatial");
     if (bead_trajectory_wants(sink, BEAD_SERIES_CONTACT_FORCE))
         sink->contact_scale = make_axis(sink, "/contacts/contact", "contact", true);
 }

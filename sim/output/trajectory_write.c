@@ -275,13 +275,13 @@ static void write_pending(struct bead_sink *sink)
         if (!series->buffer || h5->error)
             continue;
         check_finite(sink, id);
-        bead_h5_write_rows(h5, series->value, H5T_NATIVE_DOUBLE, first, rows, series->columns, 0,
+        bead_h5_write_rows(h5, series->value, BEAD_H5_DOUBLE, first, rows, series->columns, 0,
                            series->buffer + sink->written * series->columns);
         if (id == BEAD_SERIES_POSITION && sink->shift)
-            bead_h5_write_rows(h5, series->value, H5T_NATIVE_DOUBLE, first, rows, series->columns, 1, sink->shift);
+            bead_h5_write_rows(h5, series->value, BEAD_H5_DOUBLE, first, rows, series->columns, 1, sink->shift);
     }
-    bead_h5_write_rows(h5, sink->step, H5T_NATIVE_INT64, first, rows, 0, 0, sink->steps + sink->written);
-    bead_h5_write_rows(h5, sink->time, H5T_NATIVE_DOUBLE, first, rows, 0, 0, sink->times + sink->written);
+    bead_h5_write_rows(h5, sink->step, BEAD_H5_INT, first, rows, 0, 0, sink->steps + sink->written);
+    bead_h5_write_rows(h5, sink->time, BEAD_H5_DOUBLE, first, rows, 0, 0, sink->times + sink->written);
     bead_h5_flush(h5);
     sink->written = sink->filled;
     if (sink->filled == sink->chunk_rows) {

@@ -8,6 +8,7 @@
 
 #include "beadreel/file.h"
 #include "beadreel/sweep.h"
+#include "sim/base/h5.h"
 #include "sim/integrate/stepper.h"
 #include "sim/run/run.h"
 #include "sim/scene/output_kinds.h"
@@ -179,6 +180,8 @@ static enum bead_error open_configurations(const struct bead_session *s, struct 
     char path[4096];
     if (bead_sweep_is(s->job.input))
         return bead_sweep_open(s->job.input, NULL, 0, sweep, msg);
+    if (bead_trajectory_is(s->job.input) && bead_h5_load(msg))
+        return BEAD_ERROR_UNSUPPORTED;
     if (bead_trajectory_is(s->job.input))
         return bead_fail(msg, BEAD_ERROR_USAGE, "--configuration: %s is the trajectory of a single run", s->job.input);
     enum bead_error err = bead_scene_find(s->job.input, path, sizeof path, msg);
@@ -313,6 +316,8 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
     enum bead_error err = s->sweep_read ? BEAD_OK : bead_file_make_directory(s->job.output, msg);
     if (!err)
         err = bead_session_claim(s, msg);
+    if (!err && results)
+        err = bead_h5_load(msg); /* which a run of hours must not find missing at its end */
     if (!err && results)
         err = bead_file_part_name(results, &journal, msg);
     if (!err && !s->sweep_read && needs_results(s))

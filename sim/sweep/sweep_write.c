@@ -40,16 +40,6 @@ static enum bead_error list_rows(struct writer *w, struct bead_message *msg)
     return BEAD_OK;
 }
 
-static hid_t make_scale(struct writer *w, const char *name)
-{
-    hid_t scale = w->h5->error ? -1 : H5Dopen2(w->group, name, H5P_DEFAULT);
-    if (scale >= 0)
-        bead_h5_make_scale(w->h5, scale, name);
-    else if (!w->h5->error)
-        bead_h5_fail(w->h5, true, "cannot make the scale %s", name);
-    return scale;
-}
-
 static void write_scales(struct writer *w, int64_t *numbers)
 {
     const struct bead_sweep_panel *shown = &w->panel->shown;
@@ -62,20 +52,20 @@ static void write_scales(struct writer *w, int64_t *numbers)
         places[i] = bead_sweep_place(w->sweep, (size_t)(w->panel - w->sweep->panels), i);
     if (shown->places) {
         bead_h5_write_texts(w->h5, w->group, "place", -1, places, shown->places);
-        w->place = make_scale(w, "place");
+        w->place = bead_h5_open_scale(w->h5, w->group, "place", "place");
     }
     free(places);
     if (w->panel->profiles) {
         for (size_t i = 0; i < shown->beads; i++)
             numbers[i] = (int64_t)i;
         bead_h5_write_ints(w->h5, w->group, "bead", -1, numbers, shown->beads);
-        w->bead = make_scale(w, "bead");
+        w->bead = bead_h5_open_scale(w->h5, w->group, "bead", "bead");
     }
     for (size_t i = 0; i < w->rows.count; i++)
         numbers[i] = (int64_t)(w->rows.row[i] - 1);
     if (w->rows.count) {
         bead_h5_write_ints(w->h5, w->group, "configuration", -1, numbers, w->rows.count);
-        w->configuration = make_scale(w, "configuration");
+        w->configuration = bead_h5_open_scale(w->h5, w->group, "configuration", "configuration");
     }
 }
 
