@@ -29,6 +29,7 @@ SH
 # Of packages that may be wanting, this release has OSMesa.
 printf '#!/bin/sh\n[ "$*" != "madison libosmesa6" ] || echo found\n' >"$T/bin/apt-cache"
 printf '#!/bin/sh\nexec "$@"\n' >"$T/bin/sudo"
+printf '#!/bin/sh\necho "$@" >>"%s"\n' "$T/npm" >"$T/bin/npm"
 chmod +x "$T"/bin/*
 bare() { PATH="$T/bin:$PATH" quiet "$@"; }
 bare_fails() { ! PATH="$T/bin:$PATH" make --no-print-directory "$@" >"$T/out" 2>"$T/err" && grep -q 'make deps' "$T/err"; }
@@ -52,6 +53,7 @@ ok "make deps where all is there" bare make deps
 ok "... installs nothing" test ! -e "$T/apt"
 rm -f "$T/installed"
 ok "make deps deps-ci: one apt-get at a time" bare make -j4 deps deps-ci
+ok "... and from npm, readers and H5Web, without scripts of theirs" [ "$(grep -c -e '--ignore-scripts' "$T/npm")" -eq 2 ]
 printf '#!/bin/sh\n' >"$T/bin/apt-cache"
 rm -f "$T/installed" "$T/apt"
 without_osmesa() { bare make deps && grep -q 'install .*libhdf5-dev' "$T/apt" && ! grep -q osmesa "$T/apt"; }
