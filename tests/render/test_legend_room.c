@@ -54,11 +54,6 @@ static void measure_on_pages(const struct bead_graph *graph)
         double width = round(pages[i][0] * DPI / 25.4), height = round(pages[i][1] * DPI / 25.4);
         if (__real_graph_layout_make(graph, &look, width, height, NULL, &layout, NULL) == BEAD_OK) {
             measure(&layout);
-            if (getenv("DBG"))
-                fprintf(stderr, "%g x %g: %g right %d plot %d x %d legend %g x %g cut %d shr %g cols %zu\n", pages[i][0],
-                        pages[i][1], seen.largest, layout.legend_right, layout.cells[0].plot.width, layout.cells[0].plot.height,
-                        layout.legend.box.width, layout.legend.box.height, layout.legend.cut, layout.legend.shrunk,
-                        layout.legend.columns);
             graph_layout_free(&layout);
         }
     }
