@@ -13,7 +13,7 @@
  *
  * At a maximum dJ/dT = 0, so a peak has these derivatives too. The force of a contact that opens or closes has no jump in its first
  * derivative, so nothing is to be done there for Hertz's law but to integrate well: sqrt(d) has a branch point. Over a step with
- * one K_k and f_k are replaced by polynomials with the same moments (adjoint_nodes.c).
+ * one K_k and f_k are replaced by polynomials with the same moments, those of K_k moved by what it does twice (adjoint_nodes.c).
  *
  * Several forces go back together: what they share, the states and stiffnesses at the nodes of each step, is found once. */
 #ifndef BEADREEL_SIM_ADJOINT_ADJOINT_H

@@ -57,6 +57,7 @@ static const struct kind kinds[] = {
     {"echo of a rigid wall", "wall: rigid, ", 20, 12, 0.5e-3, flipped, 5e-7, true},
     {"precompressed on a tilt", "wall: brass, precompression: 10 N, tilt: 3.5 deg, ", 20, 12, 0.6e-3, steel, 2e-8, true},
     {"steep", "wall: brass, tilt: 30 deg, ", 20, 12, 0.4e-3, steel, 1e-7, true},
+    {"steep to a rigid wall", "wall: rigid, tilt: 45 deg, ", 30, 25, 0.6e-3, steel, 3e-8, true},
     {"unlike", "", 16, 10, 1e-3, unlike, 1e-7, true},
     {"as printed", "law: thesis-appendix, ", 12, 8, 0.2e-3, flipped, 1e-7, true},
     {"springs", "law: {fpu-alpha: 100, stiffness: 1 MN/m}, ", 12, 8, 1.5e-3, steel, 3e-8, false},
