@@ -222,15 +222,19 @@ compile_test = $(CC) $(FLAGS) -Wno-write-strings -Itests $(sim_cflags) $(render_
 $(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT)
 	@mkdir -p $(@D)
 	$(call say,CC,$<) $(run) $(compile_test) -c $< -o $@
-vpath test_%.c $(TEST_ROOMS)
 # Tests whose allocations fail have an allocator of their own.
 with_test_allocations = tests/torture/fail_alloc.c -fno-builtin
 # These look at the layouts of all figures.
 with_test_grey = -Wl,--wrap=graph_layout_make
 with_test_legend_room = $(with_test_grey)
-$(TESTS): $(BUILD)/tests/%: %.c $(TEST_SUPPORT) $(STATIC) | $(WAIT)
-	@mkdir -p $(@D)
-	$(call say,TEST,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(with_$(@F)) $(TEST_SUPPORT) $(STATIC) $(render_libs) $(sim_libs) $(hdf5_libs) $(movie_libs) $(test_libs)
+# By room: make would look a name up where an old build knew it.
+define test_room
+$(patsubst $(1)/%.c,$(BUILD)/tests/%,$(wildcard $(1)/test_*.c)): $(BUILD)/tests/%: $(1)/%.c $(TEST_SUPPORT) $(STATIC) | $(WAIT)
+	@mkdir -p $$(@D)
+	$$(call say,TEST,$$<) $$(run) $$(compile_test) -MF $$@.d -MT $$@ -o $$@ $$< $$(with_$$(@F)) $$(TEST_SUPPORT) $$(STATIC) $$(render_libs) \
+	    $$(sim_libs) $$(hdf5_libs) $$(movie_libs) $$(test_libs)
+endef
+$(foreach room,$(TEST_ROOMS),$(eval $(call test_room,$(room))))
 # As a user's program: public headers and shared libraries only.
 $(EXAMPLES): $(BUILD)/tests/examples/%: tests/examples/%.c $(LIBRARIES)
 	@mkdir -p $(@D)

@@ -48,7 +48,11 @@ moved() { # ROOM: dependencies of the build name a source that has left it
 for room in sim/chain render/draw tests tests/sim tests/film; do
     ok "an old build is brought up to date after a source has left $room" moved "$room"
 done
-rm -f "$T/apt"
+mkdir -p "$T/b/tests"
+printf 'tests/sim/test_stack.c:\n' >"$T/b/tests/test_stack.d"
+in_its_room() { make -n BUILD="$T/b" "$T/b/tests/test_stack" >"$T/out" 2>"$T/err" && grep -q ' tests/render/test_stack\.c ' "$T/out"; }
+ok "... and after a test has changed rooms" in_its_room
+rm -rf "$T/apt" "$T/b/tests"
 ok "make deps where all is there" bare make deps
 ok "... installs nothing" test ! -e "$T/apt"
 rm -f "$T/installed"
