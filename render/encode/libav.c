@@ -26,6 +26,14 @@ static const struct {
     {BEAD_LIBRARY_AVFORMAT, AVUTIL + AVCODEC, AVFORMAT},
 };
 
+/* Debian names the packages of libraries after their files; that of libavformat brings the others. */
+static enum bead_error not_there(const char *why, struct bead_message *msg)
+{
+    const char *file = bead_library_info(BEAD_LIBRARY_AVFORMAT)->files[0], *ending = strstr(file, ".so.");
+    return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "movies need FFmpeg's libraries (install %.*s%s): %s", (int)(ending - file), file,
+                     ending + strlen(".so."), why);
+}
+
 enum bead_error bead_av_open(struct bead_av *av, struct bead_message *msg)
 {
     void (*loaded[FUNCTIONS])(void);
@@ -35,7 +43,7 @@ enum bead_error bead_av_open(struct bead_av *av, struct bead_message *msg)
         size_t first = libraries[i].first;
         if (bead_library_load(bead_library_info(libraries[i].library)->files, names + first, libraries[i].count, loaded + first,
                               &why))
-            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "movies need FFmpeg's libraries: %s", why.text);
+            return not_there(why.text, msg);
     }
     memcpy(av, loaded, sizeof *av);
     return BEAD_OK;

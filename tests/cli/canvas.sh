@@ -67,4 +67,14 @@ ok "an unknown canvas is refused" fails 2 "$BUILD/beadreel" "$T/scene.yaml" --ca
 ok "beadsim draws nothing" fails 2 "$BUILD/beadsim" "$T/scene.yaml" --canvas egl
 ok "no contact sheet either" fails 2 "$BUILD/beadsim" "$T/scene.yaml" --sheet -o "$T/sheet.png"
 ok "and its help offers neither" eval '! "$BUILD/beadsim" --help | grep -e --canvas -e --sheet'
+
+# Encoders are opened as canvases are; Debian names packages of libraries after these.
+library=$("$BUILD/beadreel" --list libraries | grep -o '^libavformat[^ ]*')
+mkdir "$T/no-movies" && cp "$T/none/libOSMesa.so.8" "$T/no-movies/$library"
+no_movie() {
+    fails 1 env LD_LIBRARY_PATH="$T/no-movies" "$BUILD/beadreel" "$T/scene.yaml" -o "$T/films" --only beads.mp4 &&
+        says "movies need FFmpeg's libraries (install ${library/.so./})" && says "$library" && empty "$T/films"
+}
+ok "a movie says which library it lacks, and what to install" no_movie
+ok "pictures need none" env LD_LIBRARY_PATH="$T/no-movies" "$BUILD/beadreel" "$T/scene.yaml" -o "$T/stills" --only beads.png
 finish
