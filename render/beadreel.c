@@ -71,8 +71,7 @@ int main(int argc, char **argv)
         .purpose = "compute and film waves in chains of elastic beads",
         .usage = "Usage:\n"
                  "  beadreel [OPTION]... SCENE.yaml           make all outputs of a scene\n"
-                 "  beadreel [OPTION]... RUN.h5 -o out.png    draw a trajectory (png, pdf, svg, mp4, ...)\n"
-                 "  beadreel [OPTION]... SWEEP.h5 -o out.png  draw the results of a sweep (png, pdf, svg, csv)\n"
+                 "  beadreel [OPTION]... RUN.h5 -o out.png    draw a trajectory, or a sweep's results (png, pdf, mp4, ...)\n"
                  "A name without a path is a ready scene (--list scenes).\n",
         .examples = "Examples:\n"
                     "  beadreel clean-vs-delocalised -o demo\n"
