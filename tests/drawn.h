@@ -149,7 +149,7 @@ static inline struct kept drawn_ask(const struct drawn *d, double accuracy)
     double *u = calloc(got.count, sizeof *u), *answer = calloc(got.count, sizeof *answer);
     if (!u || !answer)
         GIVE_UP("out of memory");
-    const struct bead_uncertainty_of of = {accuracy, factor, d->damped};
+    const struct bead_uncertainty_of of = {accuracy, factor, d->damped, fmin(got.end, comparison.end)};
     const struct bead_uncertain_peaks kinds[2] = {
         {got.peak, comparison.peak, got.contacts, u},
         {got.peak + got.contacts, comparison.peak + got.contacts, got.count - got.contacts, u + got.contacts}};

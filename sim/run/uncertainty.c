@@ -16,9 +16,11 @@ static const double chaotic = 5e-3, chaotic_times = 100, chaos = 10;
 /* Rounding leaves this part of a peak. */
 static const double rounding = 1e-14;
 
-/* Difference of the two runs, relative to the peak. */
-static double difference(const struct bead_peak *a, const struct bead_peak *b)
+/* Difference of the two runs, relative to the peak; none behind the end of either. */
+static double difference(const struct bead_uncertainty_of *of, const struct bead_peak *a, const struct bead_peak *b)
 {
+    if (of->end > 0 && (a->time > of->end || b->time > of->end))
+        return 0;
     const double largest = fmax(fabs(a->value), fabs(b->value));
     return largest > 0 ? fabs(a->value - b->value) / fabs(a->value > 0 ? a->value : largest) : 0;
 }
@@ -28,7 +30,7 @@ static void find_strong(const struct bead_uncertainty_of *of, const struct bead_
 {
     const double limit = fmax(chaotic, chaotic_times * of->accuracy);
     for (size_t i = 0; i < p->count; i++) {
-        const double d = difference(&p->peaks[i], &p->comparison[i]);
+        const double d = difference(of, &p->peaks[i], &p->comparison[i]);
         p->uncertainty[i] = of->damped || !(d > allowed) ? 0 : d > limit ? chaos * d : strong * d;
     }
 }
@@ -60,7 +62,7 @@ void bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct be
         if (a > 0)
             spread(p->uncertainty, p->count);
         for (size_t i = 0; i < p->count; i++) {
-            const double d = difference(&p->peaks[i], &p->comparison[i]), part = allowed > 0 ? d / allowed : 0;
+            const double d = difference(of, &p->peaks[i], &p->comparison[i]), part = allowed > 0 ? d / allowed : 0;
             const double own = a > 0 ? a * fmax(1, of->damped ? damped * part : fmin(usual * part, usual)) : fmax(d, rounding);
             const double near = a > 0 ? fmin(p->uncertainty[i], fmax(1, d)) : 0;
             p->uncertainty[i] = fmax(own, near) * fabs(p->peaks[i].value);

@@ -18,6 +18,7 @@ struct bead_uncertainty_of {
     double accuracy;         /* that the run was made for; 0: steps were given */
     double tolerance_factor; /* the comparison run's accuracy in units of it, or its step in those of the step */
     bool damped;
+    double end; /* s: of the run that ended first; what either has later was not compared. 0: both ended together */
 };
 
 /* The peaks of contacts, or of beads, in order. */

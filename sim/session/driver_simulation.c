@@ -266,10 +266,10 @@ static enum bead_error compare_peaks(struct pass *pass, size_t chain, struct bea
     struct bead_outcome *outcome = &passed->outcomes[chain], other;
     double **u = passed->uncertainty + 2 * chain;
     comparison->kind->finish(comparison->run, outcome->end, &other);
-    const double refinement = p->refinement > 0 ? p->refinement : 1;
-    const struct bead_uncertainty_of of = {p->simulate->step > 0 ? 0 : p->simulate->accuracy * refinement,
-                                           comparison_factor(p) / refinement,
-                                           bead_chain_spec(p->chains[chain])->damping_coefficient > 0};
+    const double refinement = p->refinement > 0 ? p->refinement : 1, over = comparison->kind->over(comparison->run);
+    const struct bead_uncertainty_of of = {
+        p->simulate->step > 0 ? 0 : p->simulate->accuracy * refinement, comparison_factor(p) / refinement,
+        bead_chain_spec(p->chains[chain])->damping_coefficient > 0, isnan(over) ? 0 : fmin(over, outcome->end)};
     struct bead_uncertain_peaks kinds[2] = {
         {outcome->contact_peaks, other.contact_peaks, other.contact_peaks ? bead_chain_contacts(p->chains[chain]) : 0, NULL},
         {outcome->bead_peaks, other.bead_peaks, other.bead_peaks ? bead_chain_beads(p->chains[chain]) : 0, NULL}};
