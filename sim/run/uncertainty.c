@@ -4,9 +4,9 @@
 
 #include <math.h>
 
-/* Of a peak that is as it should be: this much of what was asked where the difference is all that the comparison run may be off by;
- * and with damping, where errors follow the tolerance. */
-static const double usual = 8, damped = 3;
+/* Of a peak that is as it should be: so many times its part of the difference that the comparison run may make, in units of what
+ * was asked, as the two runs may agree better by chance; and at most so much. With damping errors follow the tolerance. */
+static const double usual = 16, usual_most = 8, damped = 3;
 /* Peaks that answer too strongly are uncertain by so many times their difference, this part of it from one neighbour to the next.
  */
 static const double strong = 5, next = 0.75;
@@ -63,7 +63,7 @@ void bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct be
             spread(p->uncertainty, p->count);
         for (size_t i = 0; i < p->count; i++) {
             const double d = difference(of, &p->peaks[i], &p->comparison[i]), part = allowed > 0 ? d / allowed : 0;
-            const double own = a > 0 ? a * fmax(1, of->damped ? damped * part : fmin(usual * part, usual)) : fmax(d, rounding);
+            const double own = a > 0 ? a * fmax(1, of->damped ? damped * part : fmin(usual * part, usual_most)) : fmax(d, rounding);
             const double near = a > 0 ? fmin(p->uncertainty[i], fmax(1, d)) : 0;
             p->uncertainty[i] = fmax(own, near) * fabs(p->peaks[i].value);
         }

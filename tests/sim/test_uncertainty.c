@@ -34,11 +34,13 @@ static void strong_answers_spread(void **state)
         peaks[i] = (struct bead_peak){10, 1e-3, false};
         comparison[i] = (struct bead_peak){i == 0 ? 10 * (1 + 1e-3) : 10 * (1 + 1e-6), 1e-3, false};
     }
+    comparison[30].value = 10 * (1 + 3e-6); /* a tenth of what the comparison run may be off by */
     const struct bead_uncertainty_of of = {1e-6, 30, false, 0}, damped = {1e-6, 30, true, 0}, step = {0, 2, false, 0};
     const struct bead_uncertain_peaks kinds[2] = {{peaks, comparison, 41, u}, {NULL, NULL, 0, NULL}};
     bead_uncertainty_find(&of, kinds);
     assert_near(u[0], 0.05, 1e-6);
     assert_near(u[1], 0.75 * 0.05, 1e-6);
+    assert_near(u[30], 1.6e-5, 1e-10);
     assert_near(u[40], 1e-5, 1e-12);
     bead_uncertainty_find(&damped, kinds);
     assert_near(u[0], 1e-3, 1e-6);
