@@ -10,6 +10,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 build=$(realpath "$1")
 shift
+export XDG_CONFIG_HOME=/nowhere XDG_CONFIG_DIRS=/nowhere # the settings of nobody
 export BEADREEL_ASSETS=assets # trajectories hold the path of their scene
 read -ra emulator <<<"${EMULATOR:-}"
 work=$(mktemp -d "${TMPDIR:-/tmp}/beadreel-bits.XXXXXX") || exit 1

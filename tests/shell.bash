@@ -8,6 +8,7 @@ beadreel=$BUILD/beadreel
 beadsim=$BUILD/beadsim
 T=$(mktemp -d "${TMPDIR:-/tmp}/beadreel.XXXXXX") || exit 1
 trap 'rm -rf "$T"' EXIT
+export XDG_CONFIG_HOME=$T/.config XDG_CONFIG_DIRS=/nowhere # not the settings of who runs the tests
 tests=0 failures=0
 
 # ok DESCRIPTION COMMAND... : passes where the command does.

@@ -20,7 +20,8 @@ struct bead_colormap_info {
     const char *name, *description;
 };
 BEAD_API const struct bead_colormap_info *bead_colormap_list(void);
-/* From assets/colormaps/NAME.txt. Errors: SCENE (no such map; says which there are), IO, FORMAT, MEMORY. */
+/* From assets/colormaps/NAME.txt, or of colours: "#000000 #ff8000 #ffffff", equally far apart. Errors: SCENE (no such map; says
+ * which there are), IO, FORMAT, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_colormap_load(const char *name, struct bead_colormap *map, struct bead_message *msg);
 
 /* A scale of colours: values low..high to indices 0..255 of a map; outside, clamped. */

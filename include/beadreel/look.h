@@ -36,6 +36,8 @@ BEAD_API void bead_look_screen(struct bead_look *look, int width, int height, bo
 BEAD_API void bead_look_film(struct bead_look *look, int width, int height, bool dark, bool large);
 /* Screen look for a projector: larger type, thicker lines. */
 BEAD_API void bead_look_slide(struct bead_look *look, int width, int height, bool dark);
+/* Another family for all letters; NULL, "auto": as it is. */
+BEAD_API void bead_look_font(struct bead_look *look, const char *family);
 
 /* Paint all of the page, or a rectangle of a panel, in the look's colours; nothing where it is clear. */
 BEAD_API void bead_look_paint(const struct bead_look *look, cairo_t *cr);

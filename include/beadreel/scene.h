@@ -252,6 +252,7 @@ struct bead_paper {
     enum bead_theme theme;
     enum bead_background background; /* what is painted behind it all */
     bool outlines;                   /* letters of SVG are outlines, not text */
+    char *font;                      /* family of all letters; "auto": that of the style */
 };
 
 /* Pictures, image and plot, of one or several panels. */
@@ -402,7 +403,8 @@ BEAD_API bool bead_scene_tolerances(const struct bead_scene *scene);
 
 /* Load a scene from a file. `settings` are `key.path=value` overrides (`simulate.step=0.1 us`,
  * `chain.striker.velocity=1 m/s`, `outputs.0.size=[640, 360]`), applied in order; messages call
- * them `--set`, or as they begin: `--colormap:outputs.0.colormap=grey`. On success
+ * them `--set`, or as they begin: `--colormap:outputs.0.colormap=grey`. `--config=FILE` stands for the user's own settings, see
+ * bead_config. On success
  * *scene belongs to the caller; on failure it is NULL and the message reads
  * `file:line:column: key: what is wrong and what is allowed`. Errors: SCENE, IO, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_scene_load(const char *path, const char *const *settings, size_t setting_count,
@@ -411,6 +413,26 @@ BEAD_API BEAD_CHECK enum bead_error bead_scene_load(const char *path, const char
 BEAD_API BEAD_CHECK enum bead_error bead_scene_parse(const char *name, const char *text, size_t length, const char *const *settings,
                                                      size_t setting_count, struct bead_scene **scene, struct bead_message *msg);
 BEAD_API void bead_scene_free(struct bead_scene *scene);
+
+/* A user's own settings, for all scenes: how pictures look, colour maps, and materials that are not ready ones. What a scene says
+ * itself goes before; what a scene takes of them becomes a part of its text, so that its files say all of it. */
+struct bead_config_colormap {
+    char *name, *file;
+};
+struct bead_config {
+    char *path;
+    char *style, *font, *canvas; /* NULL: not given */
+    char *materials;             /* a file of materials; NULL: none */
+    struct bead_place style_place, font_place, canvas_place, materials_place;
+    struct bead_config_colormap *colormaps;
+    size_t colormap_count;
+};
+/* The file: config.yaml in the folder `beadreel` of $XDG_CONFIG_HOME (else ~/.config), then of $XDG_CONFIG_DIRS (else /etc/xdg).
+ * False: there is none. */
+BEAD_API bool bead_config_find(char *path, size_t size);
+/* Names of files in it are relative to its folder. On success *config is the caller's. Errors: SCENE, IO, MEMORY. */
+BEAD_API BEAD_CHECK enum bead_error bead_config_load(const char *path, struct bead_config **config, struct bead_message *msg);
+BEAD_API void bead_config_free(struct bead_config *config);
 
 /* Find a ready scene ("clean-vs-delocalised", "thesis/fig5", or "fig5" where only one folder has it) or keep the path of a file
  * that exists: fills `path` (size bytes). A name that is neither is an error that suggests the nearest. Errors: USAGE, IO, MEMORY.

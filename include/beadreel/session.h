@@ -63,8 +63,9 @@ struct bead_job {
     void *progress_context;
     const char *const *looks; /* "KEY=VALUE" of the one output that `output` names */
     size_t look_count;
-    const char *frame; /* make nothing but this frame of a movie, as PNG: "2.1 ms" of the motion, "50%" of the film, or "peak", the
-                          moment that a poster shows; NULL: no */
+    const char *config; /* a file of the user's own settings, see bead_config in scene.h; NULL: none */
+    const char *frame;  /* make nothing but this frame of a movie, as PNG: "2.1 ms" of the motion, "50%" of the film, or "peak", the
+                           moment that a poster shows; NULL: no */
 };
 
 struct bead_session;

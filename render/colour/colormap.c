@@ -3,6 +3,7 @@
 #include "beadreel/colormap.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,7 +33,8 @@ static enum bead_error unknown(const char *name, struct bead_message *msg)
         size_t used = strlen(names);
         snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", map->name);
     }
-    return bead_fail(msg, BEAD_ERROR_SCENE, "there is no colour map `%.40s`; allowed are %s", name, names);
+    return bead_fail(msg, BEAD_ERROR_SCENE, "there is no colour map `%.40s`; allowed are %s, or a file of colours such as mine.txt",
+                     name, names);
 }
 
 static enum bead_error parse(const char *file, const char *text, struct bead_colormap *map, struct bead_message *msg)
@@ -56,8 +58,38 @@ static enum bead_error parse(const char *file, const char *text, struct bead_col
     return BEAD_OK;
 }
 
+/* The colour at `place` from 0 to 255 of `count` colours, "#rrggbb " each, at equal distances. */
+static void between(const char *colours, size_t count, int place, uint8_t rgb[3])
+{
+    const double at = (double)place * (double)(count - 1) / 255;
+    const size_t first = at >= (double)(count - 1) ? count - 2 : (size_t)at;
+    const unsigned long ends[2] = {strtoul(colours + 8 * first + 1, NULL, 16), strtoul(colours + 8 * first + 9, NULL, 16)};
+    for (int c = 0; c < 3; c++) {
+        const double low = (double)(ends[0] >> (16 - 8 * c) & 255), high = (double)(ends[1] >> (16 - 8 * c) & 255);
+        rgb[c] = (uint8_t)lround(low + (at - (double)first) * (high - low));
+    }
+}
+
+/* A map of one's own: "#000000 #ff8000 #ffffff". */
+static enum bead_error own(const char *colours, struct bead_colormap *map, struct bead_message *msg)
+{
+    const size_t length = strlen(colours), count = (length + 1) / 8;
+    bool good = count >= 2 && length == 8 * count - 1;
+    for (size_t i = 0; i < count && good; i++)
+        good = colours[8 * i] == '#' && strspn(colours + 8 * i + 1, "0123456789abcdefABCDEF") == 6 &&
+               (colours[8 * i + 7] == ' ' || i + 1 == count);
+    if (!good)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "colours of one's own must be two or more such as #ff8000, a space between each");
+    snprintf(map->name, sizeof map->name, "own");
+    for (int i = 0; i < 256; i++)
+        between(colours, count, i, map->rgb[i]);
+    return BEAD_OK;
+}
+
 enum bead_error bead_colormap_load(const char *name, struct bead_colormap *map, struct bead_message *msg)
 {
+    if (*name == '#')
+        return own(name, map, msg);
     const struct bead_colormap_info *info = maps;
     while (info->name && strcmp(info->name, name) != 0)
         info++;

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #define WHITE   \
     {           \
@@ -94,6 +95,12 @@ void bead_look_slide(struct bead_look *look, int width, int height, bool dark)
     look->line = whole(1.5 * look->line);
     look->gap *= larger;
     look->margin = round(screen_margin * look->label);
+}
+
+void bead_look_font(struct bead_look *look, const char *family)
+{
+    if (family && strcmp(family, "auto") != 0)
+        snprintf(look->family, sizeof look->family, "%s", family);
 }
 
 void bead_look_paint(const struct bead_look *look, cairo_t *cr)

@@ -86,6 +86,7 @@ static void set_look(const struct bead_page *page, const struct bead_paper *aske
 void bead_page_look(const struct bead_page *page, const struct bead_paper *asked, struct bead_look *look)
 {
     set_look(page, asked, look);
+    bead_look_font(look, asked->font);
     look->clear = page->clear;
 }
 

@@ -116,6 +116,7 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
     const struct bead_output *output = c->setup.output;
     bead_look_film(&c->look, c->setup.width, c->setup.height, output->paper.theme != BEAD_THEME_LIGHT,
                    output->movie.type == BEAD_TYPE_LARGE);
+    bead_look_font(&c->look, output->paper.font);
     c->look.clear = output->paper.background == BEAD_BACKGROUND_NONE;
     enum bead_error err = bead_colour_range_map(output, c->setup.chains[0], true, &c->map, msg);
     if (err)

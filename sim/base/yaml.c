@@ -150,23 +150,6 @@ static enum bead_error remember(struct builder *b, const yaml_char_t *anchor, co
     return BEAD_OK;
 }
 
-/* A deep copy; the depth of what is copied is bounded. NULL: no memory or too many nodes. */
-static struct bead_node *copy(struct bead_yaml *yaml, const struct bead_node *node, struct bead_place place)
-{
-    struct bead_node *made = bead_yaml_node(yaml, node->kind, place);
-    if (!made)
-        return NULL;
-    made->plain = node->plain;
-    made->flow = node->flow;
-    made->text = node->text;
-    for (size_t i = 0; i < node->count; i++) {
-        struct bead_node *item = copy(yaml, node->items[i], node->items[i]->place);
-        if (!item || !bead_yaml_append(yaml, made, item))
-            return NULL;
-    }
-    return made;
-}
-
 static enum bead_error take_alias(struct builder *b, const yaml_event_t *event)
 {
     const struct bead_node *target = NULL;
@@ -180,7 +163,7 @@ static enum bead_error take_alias(struct builder *b, const yaml_event_t *event)
     }
     if (b->depth + bead_yaml_height(target) > BEAD_YAML_DEPTH)
         return wrong(b, event->start_mark, "nested too deeply: at most 32 levels are allowed");
-    struct bead_node *node = copy(b->yaml, target, place_of(b, event->start_mark));
+    struct bead_node *node = bead_yaml_copy(b->yaml, target, place_of(b, event->start_mark), NULL);
     return node ? place_node(b, node, event->start_mark) : no_node(b, event->start_mark);
 }
 

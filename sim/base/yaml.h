@@ -68,6 +68,9 @@ const char *bead_text_show(const char *text, char *shown, size_t size);
 /* Make parts of trees; NULL where memory or the allowed number of nodes is used up. */
 struct bead_node *bead_yaml_node(struct bead_yaml *yaml, enum bead_node_kind kind, struct bead_place place);
 const char *bead_yaml_text(struct bead_yaml *yaml, const char *text, size_t length);
+/* A deep copy of a node, which may be another document's; its depth is bounded. `origin`: of the nodes made, the document's own;
+ * NULL: as of all that are made now. */
+struct bead_node *bead_yaml_copy(struct bead_yaml *yaml, const struct bead_node *node, struct bead_place place, const char *origin);
 BEAD_CHECK bool bead_yaml_append(struct bead_yaml *yaml, struct bead_node *parent, struct bead_node *item);
 
 #endif

@@ -135,3 +135,19 @@ size_t bead_yaml_height(const struct bead_node *node)
     }
     return most + 1;
 }
+
+struct bead_node *bead_yaml_copy(struct bead_yaml *yaml, const struct bead_node *node, struct bead_place place, const char *origin)
+{
+    struct bead_node *made = bead_yaml_node(yaml, node->kind, place);
+    if (!made || (node->text && !(made->text = bead_yaml_text(yaml, node->text, strlen(node->text)))))
+        return NULL;
+    made->plain = node->plain;
+    made->flow = node->flow;
+    made->origin = origin ? origin : made->origin;
+    for (size_t i = 0; i < node->count; i++) {
+        struct bead_node *item = bead_yaml_copy(yaml, node->items[i], node->items[i]->place, origin);
+        if (!item || !bead_yaml_append(yaml, made, item))
+            return NULL;
+    }
+    return made;
+}

@@ -89,7 +89,15 @@ static void end(struct json *json)
     fputc('\n', json->out);
 }
 
-static enum bead_error write_scene(FILE *out, const struct bead_scene *scene, struct bead_message *msg)
+/* With the user's own settings, where there are some. */
+static void end_with(struct json *json, const struct bead_config *config)
+{
+    command_write_config(json, config);
+    end(json);
+}
+
+static enum bead_error write_scene(FILE *out, const struct bead_scene *scene, const struct bead_config *config,
+                                   struct bead_message *msg)
 {
     struct json json = {.out = out};
     enum bead_error err = BEAD_OK;
@@ -103,18 +111,19 @@ static enum bead_error write_scene(FILE *out, const struct bead_scene *scene, st
         bead_chain_destroy(chain);
     }
     json_close(&json, ']');
-    end(&json);
+    end_with(&json, config);
     return err;
 }
 
 /* All of it, or nothing. */
-enum bead_error command_describe_scene(FILE *out, const struct bead_scene *scene, struct bead_message *msg)
+enum bead_error command_describe_scene(FILE *out, const struct bead_scene *scene, const struct bead_config *config,
+                                       struct bead_message *msg)
 {
     char *text = NULL;
     size_t size = 0;
     FILE *memory = open_memstream(&text, &size);
     enum bead_error err =
-        memory ? write_scene(memory, scene, msg) : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a description");
+        memory ? write_scene(memory, scene, config, msg) : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a description");
     if (memory && fclose(memory) != 0 && !err)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a description");
     if (!err)
@@ -135,7 +144,7 @@ void command_describe_journal(FILE *out, const char *file, const struct bead_swe
 }
 
 enum bead_error command_describe_trajectory(FILE *out, const char *file, struct bead_trajectory *trajectory,
-                                            struct bead_message *msg)
+                                            const struct bead_config *config, struct bead_message *msg)
 {
     struct json json = {.out = out};
     size_t count = 0, samples = bead_grid_count(bead_trajectory_grid(trajectory));
@@ -165,13 +174,13 @@ enum bead_error command_describe_trajectory(FILE *out, const char *file, struct 
         json_close(&json, ']');
         json_close(&json, '}');
         command_write_runs(&json, chains, outcomes, count);
-        end(&json);
+        end_with(&json, config);
     }
     free(outcomes);
     return err;
 }
 
-void command_describe_sweep(FILE *out, const char *file, const struct bead_sweep *sweep)
+void command_describe_sweep(FILE *out, const char *file, const struct bead_sweep *sweep, const struct bead_config *config)
 {
     struct json json = {.out = out};
     size_t known = 0, all = bead_sweep_count(sweep, &known), part = 0, parts = 0;
@@ -182,7 +191,7 @@ void command_describe_sweep(FILE *out, const char *file, const struct bead_sweep
     json_number(&json, "part", (double)part);
     json_number(&json, "parts", (double)parts);
     json_text(&json, "version", bead_sweep_version(sweep));
-    end(&json);
+    end_with(&json, config);
 }
 
 /* The lines of the plan, which are for people, as they are. */

@@ -99,7 +99,7 @@ static enum bead_error scene_info(const struct command *command, FILE *out, stru
     if (err)
         return err;
     if (command->json) {
-        err = command_describe_scene(out, scene, msg);
+        err = command_describe_scene(out, scene, command->config, msg);
         bead_scene_free(scene);
         return err;
     }
@@ -185,7 +185,7 @@ static enum bead_error trajectory_info(const struct command *command, FILE *out,
     if (err)
         return err;
     if (command->json) {
-        err = command_describe_trajectory(out, command->input, trajectory, msg);
+        err = command_describe_trajectory(out, command->input, trajectory, command->config, msg);
         bead_trajectory_close(trajectory);
         return err;
     }
@@ -238,7 +238,7 @@ static enum bead_error sweep_info(const struct command *command, FILE *out, stru
         return err;
     size_t part = 0, parts = 0, known = 0, all = bead_sweep_count(sweep, &known);
     if (command->json) {
-        command_describe_sweep(out, command->input, sweep);
+        command_describe_sweep(out, command->input, sweep, command->config);
         bead_sweep_close(sweep);
         return BEAD_OK;
     }
@@ -262,6 +262,13 @@ static void print_journal(FILE *out, const char *path, const struct bead_sweep_p
     fprintf(out, "; the command that began it goes on from here\n");
 }
 
+static enum bead_error file_info(const struct command *command, FILE *out, struct bead_message *msg)
+{
+    if (bead_sweep_is(command->input))
+        return sweep_info(command, out, msg);
+    return bead_trajectory_is(command->input) ? trajectory_info(command, out, msg) : scene_info(command, out, msg);
+}
+
 enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg)
 {
     struct bead_sweep_progress progress;
@@ -269,7 +276,8 @@ enum bead_error command_info(const struct command *command, FILE *out, struct be
         (command->json ? command_describe_journal : print_journal)(out, command->input, &progress);
         return BEAD_OK;
     }
-    if (bead_sweep_is(command->input))
-        return sweep_info(command, out, msg);
-    return bead_trajectory_is(command->input) ? trajectory_info(command, out, msg) : scene_info(command, out, msg);
+    enum bead_error err = file_info(command, out, msg);
+    if (!err && !command->json)
+        command_print_config(out, command->config);
+    return err;
 }

@@ -87,6 +87,13 @@ static enum bead_error set_watch(struct command *command, const char *value, str
     return BEAD_OK;
 }
 
+static enum bead_error set_no_config(struct command *command, const char *value, struct bead_message *msg)
+{
+    (void)value, (void)msg;
+    command->no_config = true;
+    return BEAD_OK;
+}
+
 static enum bead_error set_quiet(struct command *command, const char *value, struct bead_message *msg)
 {
     (void)value, (void)msg;
@@ -225,7 +232,7 @@ static const struct command_option rows[] = {
     {"set", 0, "KEY=VALUE", "change the scene, as in --set chain.striker.velocity='1 m/s' (repeatable)", NULL, set_setting, NULL},
     {"only", 0, "NAME", "make only this output, named by its file (repeatable)", NULL, set_only, NULL},
     {"field", 0, "NAME", "of the file -o: what it shows, such as velocity", NULL, NULL, ""},
-    {"colormap", 0, "NAME", "of the file -o: its colours, one of --list colormaps", NULL, NULL, ""},
+    {"colormap", 0, "NAME", "of the file -o: its colours, one of --list colormaps, or a text file of them", NULL, NULL, ""},
     {"range", 0, "LOW:HIGH", "of the file -o: values at the ends of the colours", NULL, NULL, ":,"},
     {"time", 0, "FROM:TO", "of the file -o: span of time, such as 0.2ms:1ms", NULL, NULL, ":,"},
     {"beads", 0, "FIRST:LAST", "of the file -o: which beads", NULL, NULL, ":,-"},
@@ -248,6 +255,7 @@ static const struct command_option rows[] = {
     {"shard", 0, "K/N", "compute part K of N of a sweep into a file of its own: sweep.h5 becomes sweep.KofN.h5", NULL, set_shard,
      NULL},
     {"merge", 0, NULL, "merge the given parts of a sweep, in any order, into the file -o", NULL, set_merge, NULL},
+    {"no-config", 0, NULL, "without your own settings, beadreel/config.yaml in ~/.config", NULL, set_no_config, NULL},
     {"threads", 0, "N", "use N threads (default 0: all cores); the results do not depend on N", NULL, set_threads, NULL},
     {"instructions", 0, "SET", "portable, or on x86-64 sse2, avx2 or avx512 (default: the best there is); the results are the same",
      instruction_words, set_instructions, NULL},

@@ -56,7 +56,9 @@ struct command {
     const char *input, *output, *instructions, *canvas, *configuration, *frame;
     bool allow_outside;
     bool sheet;
-    bool json, watch;
+    bool json, watch, no_config;
+    struct bead_config *config;             /* the user's own settings, owned; NULL: none */
+    char *config_setting;                   /* the same as a setting of scenes, for --info; owned */
     const char *kind;                       /* of a new scene */
     const char **settings, **only, **parts; /* owned arrays; parts: files to merge */
     char **looks;                           /* owned, and their texts */
@@ -71,6 +73,11 @@ int command_main(const struct command_program *program, int argc, char **argv);
 
 /* Options and the input of a command line into `command`, whose arrays have room for argc strings. Errors: USAGE. */
 enum bead_error command_parse(struct command *command, int argc, char **argv, struct bead_message *msg);
+/* The user's own settings, and what --info says of them. Errors: those of bead_config_load; SCENE (no such canvas). */
+enum bead_error command_load_config(struct command *command, struct bead_message *msg);
+void command_print_config(FILE *out, const struct bead_config *config);
+struct json;
+void command_write_config(struct json *json, const struct bead_config *config);
 /* "0.2ms:1ms" as a scene has it: "[0.2ms, 1ms]"; "30:" is "[30, auto]". What is written as in a scene stays so; lists of words,
  * with a single separator, may have one alone. To be freed; NULL: out of memory. */
 char *command_listed(const char *value, const char *separators);
@@ -113,14 +120,14 @@ bool command_is_json(const struct command *command);
 /* That of a run: one line on stdout. `session` is NULL where it could not be opened. */
 void command_print_result(const struct bead_session *session, enum bead_error err, int status, double seconds,
                           const struct bead_message *msg);
-struct json;
 /* --plan and --info as JSON. Errors: those of what is described. */
 enum bead_error command_describe_plan(FILE *out, const struct bead_session *session, struct bead_message *msg);
-enum bead_error command_describe_scene(FILE *out, const struct bead_scene *scene, struct bead_message *msg);
+enum bead_error command_describe_scene(FILE *out, const struct bead_scene *scene, const struct bead_config *config,
+                                       struct bead_message *msg);
 enum bead_error command_describe_trajectory(FILE *out, const char *file, struct bead_trajectory *trajectory,
-                                            struct bead_message *msg);
+                                            const struct bead_config *config, struct bead_message *msg);
 void command_describe_journal(FILE *out, const char *file, const struct bead_sweep_progress *progress);
-void command_describe_sweep(FILE *out, const char *file, const struct bead_sweep *sweep);
+void command_describe_sweep(FILE *out, const char *file, const struct bead_sweep *sweep, const struct bead_config *config);
 /* "runs": an object for each chain, with its outcome. */
 void command_write_runs(struct json *json, const struct bead_chain *const *chains, const struct bead_outcome *outcomes,
                         size_t count);

@@ -105,13 +105,17 @@ int command_main(const struct command_program *program, int argc, char **argv)
         err = bead_fail(&msg, BEAD_ERROR_MEMORY, "out of memory");
     if (!err)
         err = command_parse(&command, argc, argv, &msg);
-    const bool parsed = !err;
-    if (parsed)
+    if (!err)
+        err = command_load_config(&command, &msg);
+    const bool acted = !err;
+    if (acted)
         err = act(&command, &msg);
-    if (err && command_is_json(&command) && !(parsed && command.action == COMMAND_RUN)) /* which has printed it */
+    if (err && command_is_json(&command) && !(acted && command.action == COMMAND_RUN)) /* which has printed it */
         command_print_result(NULL, err, command_status(err, 0), 0, &msg);
     if ((fflush(stdout) || ferror(stdout)) && !err)
         err = bead_fail(&msg, BEAD_ERROR_IO, "cannot write to standard output: %s", strerror(errno));
+    bead_config_free(command.config);
+    free(command.config_setting);
     free(command.settings);
     free(command.only);
     free(command.parts);

@@ -22,7 +22,7 @@ static void fill_job(const struct command *command, const volatile sig_atomic_t 
     job->only_count = command->only_count;
     job->threads = command->threads;
     job->instructions = command->instructions;
-    job->canvas = command->canvas;
+    job->canvas = command->canvas ? command->canvas : command->config ? command->config->canvas : NULL;
     job->looks = (const char *const *)command->looks;
     job->look_count = command->look_count;
     job->sinks = command->program->sinks;
@@ -30,6 +30,7 @@ static void fill_job(const struct command *command, const volatile sig_atomic_t 
     job->configuration = command->configuration;
     job->sheet = command->sheet;
     job->frame = command->frame;
+    job->config = command->config ? command->config->path : NULL;
     job->allow_outside = command->allow_outside;
     job->part = command->shard;
     job->parts = command->shards;

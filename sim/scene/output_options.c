@@ -110,7 +110,13 @@ const struct bead_option bead_page_rows[4] = {
      .help = "letters of .svg are outlines, the same everywhere; otherwise they are text, which can be searched and edited, in the "
              "fonts named, STIX or Lato, where they are installed"},
 };
-const struct bead_option bead_theme_rows[2] = {
+const struct bead_option bead_theme_rows[3] = {
+    {.key = "font",
+     .type = BEAD_OPTION_TEXT,
+     .offset = BEAD_OF_OUTPUT(paper.font),
+     .initial = "auto",
+     .help = "family of all letters, one that is installed; auto: that of the style, STIX on paper, else Lato",
+     .example = "DejaVu Sans"},
     {.key = "theme",
      .type = BEAD_OPTION_CHOICE,
      .offset = BEAD_OF_OUTPUT(paper.theme),
@@ -134,9 +140,12 @@ const struct bead_option bead_caption_row[1] = {
 };
 const struct bead_option bead_colormap_row[1] = {
     {.key = "colormap",
-     .type = BEAD_OPTION_TEXT,
+     .type = BEAD_OPTION_CUSTOM,
      .offset = BEAD_OF_OUTPUT(colours.colormap),
      .initial = "auto",
+     .shape = BEAD_COLORMAP_SHAPE,
+     .like = "text",
+     .read = bead_output_read_colormap,
      .help =
          "colour map, one of --list colormaps; auto: vik for velocity and displacement, inferno for dark pictures, else viridis",
      .example = "batlow"},

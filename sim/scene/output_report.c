@@ -5,9 +5,12 @@
 static const struct bead_option report_file[] = {
     BEAD_FILE_ROW("report", "FILE.html", "report.html"),
     {.key = "colormap",
-     .type = BEAD_OPTION_TEXT,
+     .type = BEAD_OPTION_CUSTOM,
      .offset = BEAD_OF_OUTPUT(colours.colormap),
      .initial = "auto",
+     .shape = BEAD_COLORMAP_SHAPE,
+     .like = "text",
+     .read = bead_output_read_colormap,
      .help = "colour map, one of --list colormaps; auto: vik for velocity and displacement, else inferno where the reader's "
              "browser is dark, and viridis where it is light",
      .example = "batlow"},

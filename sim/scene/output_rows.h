@@ -23,7 +23,8 @@ extern const struct bead_option bead_field_row[1], bead_time_row[1], bead_beads_
 /* Of curves and their numbers; of sweeps: */
 extern const struct bead_option bead_curves_rows[3], bead_threshold_row[1];
 /* How it looks: style, dpi, size; colours of the paper; text below; and of values as colours. */
-extern const struct bead_option bead_page_rows[4], bead_theme_rows[2], bead_caption_row[1], bead_colormap_row[1],
+#define BEAD_COLORMAP_SHAPE "a name, a text file such as mine.txt, or colours such as \"#000000 #ff8000 #ffffff\""
+extern const struct bead_option bead_page_rows[4], bead_theme_rows[3], bead_caption_row[1], bead_colormap_row[1],
     bead_square_root_row[1], bead_range_row[1], bead_magnify_row[1], bead_axes_row[1], bead_orientation_row[1];
 
 #endif

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "sim/base/fingerprint.h"
+#include "sim/scene/scene_config.h"
 #include "sim/scene/scene_output.h"
 #include "sim/scene/scene_words.h"
 #include "sim/scene/sweep_yaml.h"
@@ -272,16 +273,18 @@ static enum bead_error read_all(struct bead_reader *reader, const struct bead_at
     return err;
 }
 
-static enum bead_error read_scene(struct bead_reader *reader, const char *text, size_t length, bool changed)
+static enum bead_error read_scene(struct bead_reader *reader, const char *text, size_t length, const char *config, bool changed)
 {
     const char *name = bead_yaml_name(reader->yaml, NULL);
     struct bead_at root = {NULL, "", 0, bead_yaml_root(reader->yaml)};
     reader->scene = calloc(1, sizeof *reader->scene);
     if (!reader->scene || !(reader->scene->file = strdup(name)))
         return bead_no_memory(reader);
-    enum bead_error err = keep_text(reader, text, length, changed);
+    enum bead_error err = scene_prepare(reader);
     if (!err)
-        err = scene_prepare(reader);
+        err = bead_scene_take_own(reader, config, &changed);
+    if (!err)
+        err = keep_text(reader, text, length, changed);
     if (!err)
         err = read_all(reader, &root);
     if (!err)
@@ -289,6 +292,21 @@ static enum bead_error read_scene(struct bead_reader *reader, const char *text, 
     if (!err)
         err = bead_scene_find_words(reader);
     return err || reader->scene->sweep_count == 0 ? err : find_fingerprint(reader);
+}
+
+static const char config_option[] = "--config=";
+
+/* The user's own settings are not one of the scene's, and are taken when these are known; NULL: there are none. */
+static const char *find_config(const char *const *settings, size_t *count)
+{
+    const char *config = NULL;
+    for (size_t i = 0, all = *count; i < all; i++) {
+        if (strncmp(settings[i], config_option, sizeof config_option - 1) != 0)
+            continue;
+        config = settings[i] + sizeof config_option - 1;
+        *count -= 1;
+    }
+    return config;
 }
 
 /* Elements of lists are called by their `name` or `sensor`, outputs by their file. */
@@ -301,7 +319,8 @@ static enum bead_error apply_settings(const struct bead_reader *reader, const ch
     size_t number = 0; /* of those of --set */
     for (size_t i = 0; i < count && !err; i++) {
         number += strncmp(settings[i], "--", 2) != 0;
-        err = bead_yaml_set(reader->yaml, settings[i], number, naming, reader->msg);
+        if (strncmp(settings[i], config_option, sizeof config_option - 1) != 0)
+            err = bead_yaml_set(reader->yaml, settings[i], number, naming, reader->msg);
     }
     return err;
 }
@@ -310,43 +329,19 @@ enum bead_error bead_scene_parse(const char *name, const char *text, size_t leng
                                  size_t setting_count, struct bead_scene **scene, struct bead_message *msg)
 {
     struct bead_reader reader = {.msg = msg};
+    size_t given = setting_count;
+    const char *config = find_config(settings, &given);
     *scene = NULL;
     enum bead_error err = bead_yaml_parse(name, text, length, &reader.yaml, msg);
     if (!err)
         err = apply_settings(&reader, settings, setting_count);
     if (!err)
-        err = read_scene(&reader, text, length, setting_count > 0);
+        err = read_scene(&reader, text, length, config, given > 0);
     if (err)
         bead_scene_free(reader.scene);
     else
         *scene = reader.scene;
     scene_finish(&reader);
-    return err;
-}
-
-/* The whole of a file, but no more than a scene may have: it could be a device. */
-static enum bead_error read_file(const char *path, char **text, size_t *length, struct bead_message *msg)
-{
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read: %s", path, strerror(errno));
-    size_t room = BEAD_YAML_BYTES + 1;
-    *text = malloc(room + 1);
-    enum bead_error err = *text ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", path);
-    if (!err) {
-        errno = 0;
-        *length = fread(*text, 1, room, file);
-        (*text)[*length] = 0;
-        if (ferror(file))
-            err = bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read: %s", path, strerror(errno));
-        else if (*length == room)
-            err = bead_fail(msg, BEAD_ERROR_SCENE, "%s: is too long for a scene: at most 4 MiB are allowed", path);
-    }
-    fclose(file);
-    if (err) {
-        free(*text);
-        *text = NULL;
-    }
     return err;
 }
 
@@ -356,7 +351,7 @@ enum bead_error bead_scene_load(const char *path, const char *const *settings, s
     char *text = NULL;
     size_t length = 0;
     *scene = NULL;
-    enum bead_error err = read_file(path, &text, &length, msg);
+    enum bead_error err = bead_text_read(path, &text, &length, msg);
     if (!err)
         err = bead_scene_parse(path, text, length, settings, setting_count, scene, msg);
     free(text);

@@ -16,6 +16,7 @@ BEAD_OUTPUT_READER(bead_output_read_fields);
 BEAD_OUTPUT_READER(bead_output_read_xdmf);
 BEAD_OUTPUT_READER(bead_output_read_beads);
 BEAD_OUTPUT_READER(bead_output_read_size);
+BEAD_OUTPUT_READER(bead_output_read_colormap);
 BEAD_OUTPUT_READER(bead_output_read_frame_size);
 BEAD_OUTPUT_READER(bead_output_read_colour_range);
 BEAD_OUTPUT_READER(bead_output_read_plot_range);

@@ -253,6 +253,19 @@ static const char *unit_of(const struct bead_reader *reader, enum bead_field fie
     return bead_scene_plain(reader->scene) ? "" : bead_field_info(field)->unit;
 }
 
+/* Longer than other texts: 1024 colours. Names are those of the program that draws. */
+BEAD_OUTPUT_READER(bead_output_read_colormap)
+{
+    char **map = (char **)(void *)((char *)settings + option->offset);
+    const char *text = NULL;
+    enum bead_error err = bead_read_scalar(reader, at, option->shape, &text);
+    if (err)
+        return err;
+    free(*map);
+    *map = strdup(text);
+    return *map ? BEAD_OK : bead_no_memory(reader);
+}
+
 BEAD_OUTPUT_READER(bead_output_read_colour_range)
 {
     struct bead_output *output = settings;

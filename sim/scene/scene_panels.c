@@ -17,6 +17,7 @@ void bead_output_free(struct bead_output *output)
     free(output->panel.title);
     free(output->path);
     free(output->colours.colormap);
+    free(output->paper.font);
     free(output->sweep_curves.threshold);
     free(output->sheet.magnetism);
     free(output->trajectory.xdmf);

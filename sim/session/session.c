@@ -93,9 +93,13 @@ static enum bead_error load_scene(struct bead_session *s, struct bead_message *m
         if (s->job.look_count > 0)
             return bead_fail(msg, BEAD_ERROR_USAGE, "--%.*s: of which output? name it with -o FILE, or use --set outputs.N.%s",
                              (int)strcspn(s->job.looks[0], "="), s->job.looks[0], s->job.looks[0]);
-        return bead_scene_load(path, s->job.settings, s->job.setting_count, &s->scene, msg);
+        err = bead_session_settings_make(&s->job, 0, NULL, NULL, &settings, msg);
+        if (!err)
+            err = bead_scene_load(path, settings.all, settings.count, &s->scene, msg);
+        bead_session_settings_free(&settings);
+        return err;
     }
-    err = bead_scene_load(path, NULL, 0, &plain, msg);
+    err = bead_session_load_plain(s, path, &plain, msg);
     if (!err && s->job.frame)
         err = bead_session_frame_settings(s, plain, &settings, msg);
     else if (!err)
@@ -172,6 +176,11 @@ static enum bead_error begin(struct bead_session *s, const struct bead_job *give
                          "--instructions %s: this machine has no such kernels; allowed are portable and, on x86-64, sse2, avx2, "
                          "avx512",
                          job->instructions);
+    if (job->config && asprintf(&s->config, "--config=%s", job->config) < 0) {
+        s->config = NULL;
+        return bead_session_out_of_memory(msg);
+    }
+    s->job.config = s->config;
     if (!job->input)
         return bead_fail(msg, BEAD_ERROR_USAGE, "no scene given");
     return open_input(s, msg);
@@ -206,6 +215,7 @@ void bead_session_close(struct bead_session *s)
     }
     free(s->made);
     free(s->frame_path);
+    free(s->config);
     free(s->results);
     free(s->outcomes);
     bead_session_free_sensitivities(s);

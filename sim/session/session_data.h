@@ -38,6 +38,7 @@ struct bead_session {
     const char *single;                 /* the one file to make, where -o names it; else NULL */
     size_t single_index;                /* of its output in the scene */
     bool amid;                          /* the other outputs stay known: frames keep the sample times of a trajectory */
+    char *config;                       /* the job's as a setting of scenes, own; job.config, too, from then on */
     char *frame_path;                   /* what `single` is for a frame, own */
     struct bead_trajectory *trajectory; /* NULL with a scene */
     const struct bead_scene *source;    /* either's */
@@ -122,8 +123,8 @@ struct bead_file_kind {
 /* `[{movie: "a.mp4"}]` for a file of the first kind that it ends like; to be freed. Errors: USAGE, MEMORY. */
 BEAD_CHECK enum bead_error bead_session_outputs_for(const char *file, const struct bead_file_kind *kinds, char **outputs,
                                                     struct bead_message *msg);
-/* Settings of a scene: `first` (NULL: none; borrowed), the outputs (NULL: those of the scene), what the job's options say of output
- * `index`, then the job's settings. To be freed only where there was no error. Errors: MEMORY. */
+/* Settings of a scene: the job's config, `first` (NULL: none; borrowed), the outputs (NULL: those of the scene), what the job's
+ * options say of output `index`, then the job's settings. To be freed only where there was no error. Errors: MEMORY. */
 struct bead_settings {
     const char **all;
     size_t count;
@@ -133,6 +134,9 @@ struct bead_settings {
 BEAD_CHECK enum bead_error bead_session_settings_make(const struct bead_job *job, size_t index, const char *outputs,
                                                       const char *first, struct bead_settings *settings, struct bead_message *msg);
 void bead_session_settings_free(struct bead_settings *settings);
+/* A scene as it is, but for the user's own settings. Errors: those of bead_scene_load. */
+BEAD_CHECK enum bead_error bead_session_load_plain(const struct bead_session *session, const char *path, struct bead_scene **scene,
+                                                   struct bead_message *msg);
 /* Settings that leave nothing but the output of the scene that `-o FILE` means; where it has none (or is NULL), one of `kinds`.
  * None where the command line changes nothing: session->single_index is the output then. To be freed in any case. Errors: USAGE,
  * MEMORY. */

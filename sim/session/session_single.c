@@ -120,9 +120,11 @@ static char *look_setting(const char *look, size_t index)
 enum bead_error bead_session_settings_make(const struct bead_job *job, size_t index, const char *outputs, const char *first,
                                            struct bead_settings *settings, struct bead_message *msg)
 {
-    const size_t most = job->setting_count + job->look_count + 2;
+    const size_t most = job->setting_count + job->look_count + 3;
     *settings = (struct bead_settings){.all = calloc(most, sizeof *settings->all), .own = calloc(most, sizeof *settings->own)};
     bool good = settings->all && settings->own;
+    if (good && job->config)
+        settings->all[settings->count++] = job->config;
     if (good && first)
         settings->all[settings->count++] = first;
     if (good && outputs) {
@@ -141,6 +143,12 @@ enum bead_error bead_session_settings_make(const struct bead_job *job, size_t in
         return BEAD_OK;
     bead_session_settings_free(settings);
     return bead_session_out_of_memory(msg);
+}
+
+enum bead_error bead_session_load_plain(const struct bead_session *s, const char *path, struct bead_scene **scene,
+                                        struct bead_message *msg)
+{
+    return bead_scene_load(path, &s->job.config, s->job.config != NULL, scene, msg);
 }
 
 void bead_session_settings_free(struct bead_settings *settings)
@@ -166,7 +174,7 @@ enum bead_error bead_session_single_settings(struct bead_session *s, const struc
     const bool found = scene && find(scene, &s->job, kinds, &index);
     if (found && s->job.setting_count == 0 && s->job.look_count == 0) {
         s->single_index = index; /* the scene stays as it is, as do the bytes of files that hold its text */
-        return BEAD_OK;
+        return bead_session_settings_make(&s->job, 0, NULL, NULL, settings, msg);
     }
     enum bead_error err = found ? bead_scene_single_output(scene, index, &outputs, msg)
                                 : bead_session_outputs_for(s->job.output, kinds, &outputs, msg);

@@ -94,7 +94,7 @@ enum bead_error bead_session_load_sheet(struct bead_session *s, struct bead_mess
     if (!err)
         err = bead_scene_find(s->job.input, path, sizeof path, msg);
     if (!err)
-        err = bead_scene_load(path, NULL, 0, &plain, msg);
+        err = bead_session_load_plain(s, path, &plain, msg);
     if (!err && plain->sweep_count == 0 && (plain->chain_count != 1 || plain->chains[0].equation.name))
         err = bead_fail(msg, BEAD_ERROR_USAGE, "--sheet: %s has neither a sweep nor one chain of beads", path);
     if (!err)
@@ -176,7 +176,7 @@ static enum bead_error find_configuration(const struct bead_sweep *sweep, const 
 static enum bead_error open_configurations(const struct bead_session *s, struct bead_scene **scene, struct bead_sweep **sweep,
                                            struct bead_message *msg)
 {
-    static const char *const sheet_settings[] = {OF_CHAIN, "outputs=[{sheet: sheet.png}]"};
+    const char *const sheet_settings[] = {OF_CHAIN, "outputs=[{sheet: sheet.png}]", s->job.config};
     char path[4096];
     if (bead_sweep_is(s->job.input))
         return bead_sweep_open(s->job.input, NULL, 0, sweep, msg);
@@ -186,13 +186,13 @@ static enum bead_error open_configurations(const struct bead_session *s, struct 
         return bead_fail(msg, BEAD_ERROR_USAGE, "--configuration: %s is the trajectory of a single run", s->job.input);
     enum bead_error err = bead_scene_find(s->job.input, path, sizeof path, msg);
     if (!err)
-        err = bead_scene_load(path, NULL, 0, scene, msg);
+        err = bead_session_load_plain(s, path, scene, msg);
     if (!err && (*scene)->sweep_count == 0) {
         if ((*scene)->chain_count != 1 || (*scene)->chains[0].equation.name)
             return bead_fail(msg, BEAD_ERROR_USAGE, "--configuration: %s has neither a sweep nor one chain of beads", path);
         bead_scene_free(*scene);
         *scene = NULL;
-        err = bead_scene_load(path, sheet_settings, 2, scene, msg);
+        err = bead_scene_load(path, sheet_settings, s->job.config ? 3 : 2, scene, msg);
     }
     return err ? err : bead_sweep_create(*scene, sweep, msg);
 }

@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The user's own settings: found for what runs or describes a scene, and listed by --info. */
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "beadreel/scene.h"
+#include "sim/cli/command_line.h"
+#include "sim/cli/json.h"
+
+/* A program that does not draw leaves it to the one that does. */
+static enum bead_error check_canvas(const struct command *command, struct bead_message *msg)
+{
+    const struct bead_config *c = command->config;
+    char all[160] = "";
+    for (const char *const *canvas = command->program->canvases; c->canvas && canvas && *canvas; canvas++) {
+        size_t used = strlen(all);
+        if (strcmp(*canvas, c->canvas) == 0)
+            return BEAD_OK;
+        snprintf(all + used, sizeof all - used, "%s%s", used ? ", " : "", *canvas);
+    }
+    return !*all ? BEAD_OK
+                 : bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: canvas: is `%.40s`; must be one of %s", c->path,
+                             c->canvas_place.line, c->canvas_place.column, c->canvas, all);
+}
+
+enum bead_error command_load_config(struct command *command, struct bead_message *msg)
+{
+    char path[PATH_MAX];
+    const bool asked = command->action == COMMAND_RUN || command->action == COMMAND_PLAN || command->action == COMMAND_INFO;
+    if (!asked || command->no_config || !bead_config_find(path, sizeof path))
+        return BEAD_OK;
+    enum bead_error err = bead_config_load(path, &command->config, msg);
+    if (!err)
+        err = check_canvas(command, msg);
+    if (err || command->action != COMMAND_INFO) /* sessions take it from the job */
+        return err;
+    if (asprintf(&command->config_setting, "--config=%s", path) < 0) {
+        command->config_setting = NULL;
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory");
+    }
+    command->settings[command->setting_count++] = command->config_setting;
+    return BEAD_OK;
+}
+
+/* What it says in one word or file each, in the order of the manual. */
+static const char *value_of(const struct bead_config *c, size_t index, const char **key)
+{
+    const char *const keys[] = {"style", "font", "canvas", "materials"}, *const values[] = {c->style, c->font, c->canvas,
+                                                                                            c->materials};
+    *key = index < sizeof keys / sizeof *keys ? keys[index] : NULL;
+    return *key ? values[index] : NULL;
+}
+
+void command_print_config(FILE *out, const struct bead_config *c)
+{
+    const char *key = NULL;
+    if (!c)
+        return;
+    fprintf(out, "your settings: %s\n", c->path);
+    for (size_t i = 0; value_of(c, i, &key) || key; i++) {
+        if (value_of(c, i, &key))
+            fprintf(out, "  %s: %s\n", key, value_of(c, i, &key));
+    }
+    for (size_t i = 0; i < c->colormap_count; i++)
+        fprintf(out, "  colour map %s: %s\n", c->colormaps[i].name, c->colormaps[i].file);
+}
+
+void command_write_config(struct json *json, const struct bead_config *c)
+{
+    const char *key = NULL;
+    if (!c)
+        return;
+    json_open(json, "config", '{');
+    json_text(json, "path", c->path);
+    for (size_t i = 0; value_of(c, i, &key) || key; i++)
+        json_text(json, key, value_of(c, i, &key));
+    json_open(json, "colormaps", '{');
+    for (size_t i = 0; i < c->colormap_count; i++)
+        json_text(json, c->colormaps[i].name, c->colormaps[i].file);
+    json_close(json, '}');
+    json_close(json, '}');
+}

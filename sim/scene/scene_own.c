@@ -1,0 +1,291 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a scene takes from a user's own settings and files becomes a part of its document, so that the text that goes into
+ * trajectories is whole: materials that it names, style and font of outputs that give none, the colours of files. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/scene/scene_config.h"
+#include "sim/scene/scene_output.h"
+#include "sim/scene/sweep_yaml.h"
+
+enum { MOST_COLOURS = 1024 };
+
+struct own {
+    struct bead_reader *reader;
+    const struct bead_config *config; /* NULL: none */
+    bool changed;
+};
+
+/* ---- materials ---- */
+
+/* Does any value of the tree say `name`? Bare, or behind a count: `2 carbide`. */
+static bool names(const struct bead_node *node, const char *name)
+{
+    bool any = false;
+    if (node->kind == BEAD_NODE_SCALAR) {
+        const char *text = node->text + strspn(node->text, "0123456789 ");
+        return strcmp(node->text, name) == 0 || strcmp(text, name) == 0;
+    }
+    for (size_t i = node->kind == BEAD_NODE_MAP; i < node->count && !any; i += node->kind == BEAD_NODE_MAP ? 2 : 1)
+        any = names(node->items[i], name);
+    return any;
+}
+
+static bool is_ready(const struct bead_scene *scene, const char *name)
+{
+    bool ready = false;
+    for (size_t i = 0; i < scene->material_count; i++)
+        ready = ready || strcmp(scene->materials[i].name, name) == 0;
+    return ready;
+}
+
+/* The map under `materials`, made where the scene has none; NULL: no memory. */
+static struct bead_node *own_materials(struct bead_yaml *yaml)
+{
+    struct bead_node *root = bead_yaml_root(yaml), *map = bead_node_get(root, "materials", NULL);
+    struct bead_node *key = map ? NULL : bead_yaml_node(yaml, BEAD_NODE_SCALAR, root->place);
+    if (map)
+        return map;
+    map = bead_yaml_node(yaml, BEAD_NODE_MAP, root->place);
+    if (!key || !map)
+        return NULL;
+    key->text = "materials";
+    key->plain = true;
+    return bead_yaml_append(yaml, root, key) && bead_yaml_append(yaml, root, map) ? map : NULL;
+}
+
+/* A pair of the library, where the scene names it and has none of its own. */
+static enum bead_error take_material(struct own *own, const struct bead_yaml *library, const struct bead_node *key,
+                                     const struct bead_node *value)
+{
+    struct bead_reader *reader = own->reader;
+    const char *file = bead_yaml_name(library, NULL);
+    if (is_ready(reader->scene, key->text))
+        return bead_fail(reader->msg, BEAD_ERROR_SCENE,
+                         "%s:%zu:%zu: %s: is a ready material; a library of your own must only add names", file, key->place.line,
+                         key->place.column, key->text);
+    if (!names(bead_yaml_root(reader->yaml), key->text))
+        return BEAD_OK;
+    struct bead_node *map = own_materials(reader->yaml);
+    if (map && (map->kind != BEAD_NODE_MAP || bead_node_get(map, key->text, NULL)))
+        return BEAD_OK;
+    const char *origin = bead_yaml_text(reader->yaml, file, strlen(file));
+    struct bead_node *copies[2] = {bead_yaml_copy(reader->yaml, key, key->place, origin),
+                                   bead_yaml_copy(reader->yaml, value, value->place, origin)};
+    own->changed = true;
+    if (!map || !origin || !copies[0] || !copies[1] || !bead_yaml_append(reader->yaml, map, copies[0]) ||
+        !bead_yaml_append(reader->yaml, map, copies[1]))
+        return bead_no_memory(reader);
+    return BEAD_OK;
+}
+
+static enum bead_error take_materials(struct own *own)
+{
+    const struct bead_config *config = own->config;
+    struct bead_message *msg = own->reader->msg, why = {""};
+    struct bead_yaml *library = NULL;
+    char *text = NULL;
+    size_t length = 0;
+    enum bead_error err = bead_text_read(config->materials, &text, &length, &why);
+    if (err)
+        return bead_fail(msg, err == BEAD_ERROR_IO ? BEAD_ERROR_SCENE : err, "%s:%zu:%zu: materials: %.500s", config->path,
+                         config->materials_place.line, config->materials_place.column, why.text);
+    err = bead_yaml_parse(config->materials, text, length, &library, msg);
+    const struct bead_node *root = err ? NULL : bead_yaml_root(library);
+    if (root && root->kind != BEAD_NODE_MAP)
+        err = bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: must be a map of materials, as under `materials` of scenes",
+                        config->materials, root->place.line, root->place.column);
+    for (size_t i = 0; !err && i + 1 < root->count; i += 2)
+        err = take_material(own, library, root->items[i], root->items[i + 1]);
+    bead_yaml_free(library);
+    free(text);
+    return err;
+}
+
+/* ---- style and font ---- */
+
+static const struct bead_options *options_of(const struct own *own, const struct bead_node *entry)
+{
+    const bool sweep = bead_sweep_node(bead_yaml_root(own->reader->yaml), 0) != NULL;
+    for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++) {
+        if (bead_node_get(entry, bead_output_key(kind), NULL))
+            return sweep ? bead_output_type(kind)->sweep_options : bead_output_type(kind)->options;
+    }
+    return NULL;
+}
+
+static enum bead_error take_default(struct own *own, struct bead_node *entry, const char *name, const char *text,
+                                    struct bead_place place)
+{
+    struct bead_yaml *yaml = own->reader->yaml;
+    const struct bead_options *options = text && entry->kind == BEAD_NODE_MAP ? options_of(own, entry) : NULL;
+    if (!options || !bead_options_find(options, name) || bead_node_get(entry, name, NULL))
+        return BEAD_OK;
+    struct bead_node *key = bead_yaml_node(yaml, BEAD_NODE_SCALAR, place), *value = bead_yaml_node(yaml, BEAD_NODE_SCALAR, place);
+    const char *origin = bead_yaml_text(yaml, own->config->path, strlen(own->config->path));
+    own->changed = true;
+    if (!key || !value || !origin || !(value->text = bead_yaml_text(yaml, text, strlen(text))))
+        return bead_no_memory(own->reader);
+    key->text = name;
+    key->plain = true;
+    key->origin = value->origin = origin;
+    return bead_yaml_append(yaml, entry, key) && bead_yaml_append(yaml, entry, value) ? BEAD_OK : bead_no_memory(own->reader);
+}
+
+/* ---- colours ---- */
+
+bool bead_colours_are_file(const char *value)
+{
+    return *value != '#' && strpbrk(value, "./") != NULL;
+}
+
+/* A row of three numbers, between them spaces, tabs or commas; false: it has no such. */
+static bool read_row(const char *line, double rgb[3])
+{
+    const char *at = line;
+    for (int c = 0; c < 3; c++) {
+        char *end = NULL;
+        at += strspn(at, " \t,;");
+        rgb[c] = strtod(at, &end);
+        if (end == at || !(rgb[c] >= 0 && rgb[c] <= 255))
+            return false;
+        at = end;
+    }
+    return at[strspn(at, " \t\r,;")] == '\n' || !at[strspn(at, " \t\r,;")];
+}
+
+/* "#rrggbb #rrggbb ..." of rows that go from 0 to 1 or from 0 to 255. To be freed; NULL: no memory. */
+static char *colours_text(double (*rgb)[3], size_t count)
+{
+    double most = 0;
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
+        return NULL;
+    for (size_t i = 0; i < 3 * count; i++)
+        most = fmax(most, rgb[i / 3][i % 3]);
+    const double scale = most <= 1 ? 255 : 1;
+    for (size_t i = 0; i < count; i++) {
+        fputs(i ? " #" : "#", out);
+        for (int c = 0; c < 3; c++)
+            fprintf(out, "%02lx", (unsigned long)lround(scale * rgb[i][c]));
+    }
+    if (fclose(out) == 0)
+        return text;
+    free(text);
+    return NULL;
+}
+
+/* Errors in words, without the file. */
+static char *read_colours(const char *text, char *why, size_t size)
+{
+    static const char shape[] = "must be a row of red, green and blue, all from 0 to 255 or all from 0 to 1";
+    double(*rgb)[3] = calloc(MOST_COLOURS, sizeof *rgb);
+    size_t count = 0, number = 1;
+    char *colours = NULL;
+    snprintf(why, size, "out of memory");
+    for (const char *line = text; rgb && line && *line; line = strchr(line, '\n'), line += line != NULL, number++) {
+        const char *first = line + strspn(line, " \t\r");
+        if (*first == '#' || *first == '\n' || !*first)
+            continue;
+        if (count == MOST_COLOURS || !read_row(line, rgb[count++])) {
+            snprintf(why, size, count == MOST_COLOURS ? "line %zu: has more than 1024 colours" : "line %zu: %s", number, shape);
+            free(rgb);
+            return NULL;
+        }
+    }
+    if (rgb && count < 2)
+        snprintf(why, size, "has %zu colours; must have from 2 to %d, a row each", count, MOST_COLOURS);
+    else if (rgb)
+        colours = colours_text(rgb, count);
+    free(rgb);
+    return colours;
+}
+
+/* Files that scenes name are beside them; those of options stand where the program runs. */
+static char *colours_path(const struct own *own, const struct bead_node *node)
+{
+    const char *scene = bead_yaml_name(own->reader->yaml, NULL), *slash = strrchr(scene, '/');
+    char *path = NULL;
+    for (size_t i = 0; own->config && i < own->config->colormap_count; i++) {
+        if (strcmp(own->config->colormaps[i].name, node->text) == 0)
+            return strdup(own->config->colormaps[i].file);
+    }
+    if (!bead_colours_are_file(node->text))
+        return strdup("");
+    const bool beside = !node->origin && *node->text != '/' && slash;
+    return asprintf(&path, "%.*s%s", beside ? (int)(slash - scene) + 1 : 0, scene, node->text) < 0 ? NULL : path;
+}
+
+static enum bead_error take_colours(struct own *own, const struct bead_at *at)
+{
+    struct bead_reader *reader = own->reader;
+    struct bead_message why = {""};
+    char *path = at->node->kind == BEAD_NODE_SCALAR ? colours_path(own, at->node) : strdup(""), *text = NULL, *colours = NULL,
+         wrong[160];
+    size_t length = 0;
+    if (path && !*path) {
+        free(path);
+        return BEAD_OK;
+    }
+    enum bead_error err = path ? bead_text_read(path, &text, &length, &why) : BEAD_ERROR_MEMORY;
+    if (err == BEAD_ERROR_IO || err == BEAD_ERROR_SCENE)
+        err = bead_wrong(reader, at, "%s", why.text);
+    if (!err && !(colours = read_colours(text, wrong, sizeof wrong)))
+        err = bead_wrong(reader, at, "%s: %s", path, wrong);
+    struct bead_node *node = (struct bead_node *)(uintptr_t)at->node; /* of the document that is changed here */
+    if (!err && !(node->text = bead_yaml_text(reader->yaml, colours, strlen(colours))))
+        err = bead_no_memory(reader);
+    node->plain = false;
+    own->changed = true;
+    free(colours);
+    free(text);
+    free(path);
+    return err == BEAD_ERROR_MEMORY ? bead_no_memory(reader) : err;
+}
+
+/* Every `colormap` of outputs and their panels. */
+static enum bead_error take_all_colours(struct own *own, const struct bead_at *at)
+{
+    enum bead_error err = BEAD_OK;
+    const struct bead_node *node = at->node;
+    for (size_t i = 0; !err && node->kind == BEAD_NODE_LIST && i < node->count; i++)
+        err = take_all_colours(own, &(struct bead_at){at, NULL, i, node->items[i]});
+    for (size_t i = 0; !err && node->kind == BEAD_NODE_MAP && i + 1 < node->count; i += 2) {
+        const struct bead_at value = {at, node->items[i]->text, 0, node->items[i + 1]};
+        err = strcmp(value.key, "colormap") == 0 ? take_colours(own, &value) : take_all_colours(own, &value);
+    }
+    return err;
+}
+
+/* ---- all ---- */
+
+static enum bead_error take_config(struct own *own, struct bead_node *outputs)
+{
+    const struct bead_config *c = own->config;
+    enum bead_error err = c->materials ? take_materials(own) : BEAD_OK;
+    for (size_t i = 0; !err && outputs && outputs->kind == BEAD_NODE_LIST && i < outputs->count; i++) {
+        err = take_default(own, outputs->items[i], "style", c->style, c->style_place);
+        if (!err)
+            err = take_default(own, outputs->items[i], "font", c->font, c->font_place);
+    }
+    return err;
+}
+
+enum bead_error bead_scene_take_own(struct bead_reader *reader, const char *path, bool *changed)
+{
+    struct bead_config *config = NULL;
+    const struct bead_at root = {NULL, "", 0, bead_yaml_root(reader->yaml)};
+    enum bead_error err = path ? bead_config_load(path, &config, reader->msg) : BEAD_OK;
+    struct own own = {reader, config, false};
+    struct bead_node *outputs = bead_node_get(root.node, "outputs", NULL);
+    if (!err && config && root.node->kind == BEAD_NODE_MAP)
+        err = take_config(&own, outputs);
+    if (!err && outputs)
+        err = take_all_colours(&own, &(struct bead_at){&root, "outputs", 0, outputs});
+    bead_config_free(config);
+    *changed = *changed || own.changed;
+    return err;
+}
