@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "sim/scene/scene_config.h"
 #include "sim/scene/scene_output.h"
@@ -219,6 +220,13 @@ static char *colours_path(const struct own *own, const struct bead_node *node)
     return asprintf(&path, "%.*s%s", beside ? (int)(slash - scene) + 1 : 0, scene, node->text) < 0 ? NULL : path;
 }
 
+/* A stranger's scene must not make the program wait at a pipe. */
+static bool may_be_read(const struct bead_node *node, const char *path)
+{
+    struct stat found;
+    return node->origin || stat(path, &found) != 0 || S_ISREG(found.st_mode);
+}
+
 static enum bead_error take_colours(struct own *own, const struct bead_at *at)
 {
     struct bead_reader *reader = own->reader;
@@ -230,7 +238,9 @@ static enum bead_error take_colours(struct own *own, const struct bead_at *at)
         free(path);
         return BEAD_OK;
     }
-    enum bead_error err = path ? bead_text_read(path, &text, &length, &why) : BEAD_ERROR_MEMORY;
+    enum bead_error err = !path                         ? BEAD_ERROR_MEMORY
+                          : may_be_read(at->node, path) ? bead_text_read(path, &text, &length, &why)
+                                                        : bead_fail(&why, BEAD_ERROR_IO, "%s: is no plain file", path);
     if (err == BEAD_ERROR_IO || err == BEAD_ERROR_SCENE)
         err = bead_wrong(reader, at, "%s", why.text);
     if (!err && !(colours = read_colours(text, wrong, sizeof wrong)))
