@@ -42,6 +42,19 @@ static bool make_head(struct graph_cell *cell, const char *letter)
     return good;
 }
 
+/* A ruler's word, and the same with the letter of its panel. */
+static bool make_word(struct graph_word *word, const char *label, const char *letter)
+{
+    if (!has(label))
+        return true;
+    word->markup = bead_markup_new(label);
+    if (!word->markup || asprintf(&word->lettered, "<b>%s</b>\u2002%s", letter, word->markup) <= 0) {
+        word->lettered = NULL;
+        return false;
+    }
+    return true;
+}
+
 static bool word_cell(struct graph_cell *cell, const struct bead_graph *graph, const struct graph_frame *frame, size_t index)
 {
     const struct bead_panel *panel = cell->panel;
@@ -52,11 +65,11 @@ static bool word_cell(struct graph_cell *cell, const struct bead_graph *graph, c
     cell->legend.entries = calloc(panel->series_count + panel->ruler_count + 1, sizeof *cell->legend.entries);
     if (!cell->words || !cell->labels || !cell->legend.entries)
         return false;
+    letter_of(index, letter, sizeof letter);
     for (size_t r = 0; r < panel->ruler_count; r++)
-        good = good && (!has(panel->rulers[r].label) || (cell->words[r].markup = bead_markup_new(panel->rulers[r].label)) != NULL);
+        good = good && make_word(&cell->words[r], panel->rulers[r].label, letter);
     for (size_t s = 0; s < panel->series_count; s++)
         good = good && (!has(panel->series[s].label) || (cell->labels[s] = bead_markup_new(panel->series[s].label)) != NULL);
-    letter_of(index, letter, sizeof letter);
     bool lettered = graph->letters && graph->panel_count > 1;
     return good && make_head(cell, lettered ? letter : index == 0 ? frame->letter : "");
 }
@@ -106,8 +119,10 @@ void graph_layout_free(struct graph_layout *l)
 {
     for (size_t p = 0; l->cells && p < l->graph->panel_count; p++) {
         struct graph_cell *cell = &l->cells[p];
-        for (size_t r = 0; cell->words && r < cell->panel->ruler_count; r++)
+        for (size_t r = 0; cell->words && r < cell->panel->ruler_count; r++) {
             free(cell->words[r].markup);
+            free(cell->words[r].lettered);
+        }
         for (size_t s = 0; cell->labels && s < cell->panel->series_count; s++)
             free(cell->labels[s]);
         free(cell->words);
@@ -337,7 +352,7 @@ static bool raise_axes(struct graph_layout *l, struct graph_cell *cell)
 {
     double air = 4 * graph_air(l->look), free = cell->plot.height;
     struct graph_legend legend = cell->legend;
-    bool own = l->graph->panel_count > 1 && !l->graph->share_y; /* outside nobody would know which panel it is of */
+    bool own = l->graph->panel_count > 1 && (!l->graph->share_y || cell->legend_outside); /* of this panel alone */
     if (!(l->part || own) || cell->raised || isfinite(cell->panel->y.high))
         return false;
     graph_legend_measure(&legend, l->look, 0.9 * cell->plot.width, 0);
@@ -371,7 +386,7 @@ static void move_words(struct graph_layout *l)
 static enum bead_error furnish(struct graph_layout *l, struct graph_cell *cell, bool *moved, struct bead_message *msg)
 {
     struct graph_mask mask;
-    if (cell->panel->ruler_count == 0 && (cell->legend.count == 0 || cell->legend_outside))
+    if (cell->panel->ruler_count == 0 && cell->legend.count == 0)
         return BEAD_OK;
     enum bead_error err = graph_mask_make(cell, l->look, &mask, msg);
     if (err)
@@ -379,8 +394,9 @@ static enum bead_error furnish(struct graph_layout *l, struct graph_cell *cell, 
     bool words = graph_words_place(cell, l->look, &mask);
     if (words)
         move_words(l);
-    if (!words && cell->legend.count > 0 && !cell->legend_outside && !graph_legend_place(&cell->legend, l->look, &mask)) {
-        cell->legend_outside = !raise_axes(l, cell);
+    if (!words && cell->legend.count > 0 && !graph_legend_place(&cell->legend, l->look, &mask)) {
+        bool *outside = cell->legend_outside ? &cell->rulers_outside : &cell->legend_outside;
+        *outside = !raise_axes(l, cell);
         words = true;
     }
     *moved = *moved || words;

@@ -33,7 +33,29 @@ static bool in_earlier(const struct graph_layout *l, size_t cell, const struct g
                 return true;
         }
     }
+    for (size_t i = 0; i < l->legend.count; i++) {
+        if (same_entry(&l->legend.entries[i], entry))
+            return true;
+    }
     return false;
+}
+
+/* What rulers say stays in its panel where there are several, or else has the letter of it: who would know which is meant? */
+static void move_outside(struct graph_layout *l, struct graph_cell *cell)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < cell->legend.count; i++) {
+        struct graph_entry entry = cell->legend.entries[i];
+        bool several = entry.ruler && l->graph->panel_count > 1;
+        if (several && !cell->rulers_outside) {
+            cell->legend.entries[kept++] = entry;
+            continue;
+        }
+        if (several && l->graph->letters)
+            entry.markup = cell->words[entry.ruler - cell->panel->rulers].lettered;
+        add_entry(&l->legend, entry);
+    }
+    cell->legend.count = kept;
 }
 
 void graph_gather_legends(struct graph_layout *l)
@@ -58,8 +80,8 @@ void graph_gather_legends(struct graph_layout *l)
             if (entry.markup && !in_earlier(l, p, &entry))
                 add_entry(&cell->legend, entry);
         }
-        for (size_t i = 0; cell->legend_outside && i < cell->legend.count; i++)
-            add_entry(&l->legend, cell->legend.entries[i]);
+        if (cell->legend_outside)
+            move_outside(l, cell);
     }
 }
 

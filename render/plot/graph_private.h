@@ -42,6 +42,7 @@ enum graph_word_state { GRAPH_WORD_NONE, GRAPH_WORD_PLACED, GRAPH_WORD_IN_LEGEND
 /* The word of a ruler. */
 struct graph_word {
     char *markup;
+    char *lettered; /* behind the letter of the panel, for places outside of it */
     enum graph_word_state state;
     struct graph_box box;
 };
@@ -56,10 +57,11 @@ struct graph_cell {
     char *head;                  /* markup of letter and title; NULL: none */
     struct graph_word *words;    /* [ruler_count] */
     char **labels;               /* [series_count], markup; NULL: none */
-    struct graph_legend legend;  /* inside */
+    struct graph_legend legend;  /* what is left inside */
     size_t most_points;          /* of the largest cloud of all panels: clouds have equal points */
     bool undashed;               /* lines are drawn whole: their gaps are no room for words */
-    bool legend_outside, raised; /* raised: the y axis ends higher, to have room for the legend */
+    bool legend_outside;         /* the curves' entries; of one panel, the rulers', too */
+    bool rulers_outside, raised; /* raised: the y axis ends higher, to have room for the legend */
 };
 
 /* A graph that is one of several panels. */

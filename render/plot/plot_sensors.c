@@ -43,9 +43,9 @@ static void name_axis(struct bead_plot_data *data)
     if (data->output->plot.normalise == BEAD_NORMALISE_NONE)
         snprintf(data->axis_title, sizeof data->axis_title, "%s", title);
     else if (data->output->plot.normalise == BEAD_NORMALISE_MAX)
-        snprintf(data->axis_title, sizeof data->axis_title, "%s *F*/*F*_{max}", title);
+        snprintf(data->axis_title, sizeof data->axis_title, "%s *F*/\u2060*F*_{max}", title);
     else
-        snprintf(data->axis_title, sizeof data->axis_title, "%s *F*/*F*_{max}(%s)", title, quoted);
+        snprintf(data->axis_title, sizeof data->axis_title, "%s *F*/\u2060*F*_{max}(%s)", title, quoted);
 }
 
 static void plot_sensors_make_axes(struct bead_plot_data *data)

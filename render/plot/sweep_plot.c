@@ -248,7 +248,7 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
     }
     struct bead_panel *shown = &plot->shown[index];
     shown->x = (struct bead_graph_axis){.title = "magnetism *M*", .unit = "", .low = -0.02, .high = 1.02};
-    shown->y = (struct bead_graph_axis){.title = "peak force *F*/*F*(*M* = 1)",
+    shown->y = (struct bead_graph_axis){.title = "peak force *F*/\u2060*F*(*M*\u00a0=\u00a01)",
                                         .unit = "",
                                         .low = isnan(asked->range[0]) ? 0 : asked->range[0],
                                         .high = asked->range[1],
@@ -335,7 +335,8 @@ static enum bead_error fill_decay(struct plot *plot, size_t place, struct bead_m
     struct bead_panel *shown = &plot->shown[place];
     const double last = (double)bead_sweep_panel(plot->sweep, index)->spec->last;
     shown->x = (struct bead_graph_axis){.title = "bead", .unit = "1", .low = 0, .high = last};
-    shown->y = (struct bead_graph_axis){.title = energy ? "energy of the front *E*/*E*(*M* = 1)" : "peak force *F*/*F*(*M* = 1)",
+    shown->y = (struct bead_graph_axis){.title = energy ? "energy of the front *E*/\u2060*E*(*M*\u00a0=\u00a01)"
+                                                        : "peak force *F*/\u2060*F*(*M*\u00a0=\u00a01)",
                                         .unit = "",
                                         .low = plot->output->plot.range[0],
                                         .high = plot->output->plot.range[1],

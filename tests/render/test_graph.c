@@ -54,7 +54,7 @@ static void assert_nothing_hidden(const struct graph_layout *layout, const char 
             if (cell->words[r].state == GRAPH_WORD_PLACED && graph_mask_covered(&mask, cell->words[r].box) > 0)
                 fail_msg("%s: the word '%s' hides something", what, cell->words[r].markup);
         }
-        if (cell->legend.count > 0 && !cell->legend_outside && graph_mask_covered(&mask, cell->legend.box) > 0)
+        if (cell->legend.count > 0 && graph_mask_covered(&mask, cell->legend.box) > 0)
             fail_msg("%s: the legend of panel %zu hides something", what, p);
         graph_mask_free(&mask);
         double width, height = 0;

@@ -13,8 +13,8 @@ enum { PAGES = sizeof pages / sizeof *pages, DPI = 300 };
 
 /* What has been seen of the figure being made. */
 static struct {
-    size_t legends, pages;
-    double largest; /* legend, in units of its plot or plots */
+    size_t legends, pages, astray; /* astray: words of a ruler outside of its panel, without the letter of it */
+    double largest;                /* legend, in units of its plot or plots */
 } seen;
 
 static void compare(const struct graph_box *legend, double plots)
@@ -31,11 +31,14 @@ static void measure(const struct graph_layout *layout)
         const struct graph_cell *cell = &layout->cells[p];
         double plot = (double)cell->plot.width * (double)cell->plot.height;
         all += plot;
-        if (cell->legend.count > 0 && !cell->legend_outside)
+        if (cell->legend.count > 0)
             compare(&cell->legend.box, plot);
     }
     if (layout->legend.count > 0)
         compare(&layout->legend.box, all);
+    for (size_t i = 0; i < layout->legend.count; i++)
+        seen.astray += layout->legend.entries[i].ruler && layout->graph->panel_count > 1 &&
+                       strncmp(layout->legend.entries[i].markup, "<b>(", 4) != 0;
     seen.pages++;
 }
 
@@ -84,6 +87,8 @@ static void test_legends_of_ready_figures(void **state)
             fail_msg("%s: only %zu legends on %zu pages", figure->scene, seen.legends, seen.pages);
         if (seen.largest > 1)
             fail_msg("%s: a legend takes the room of %.2f plots", figure->scene, seen.largest);
+        if (seen.astray > 0)
+            fail_msg("%s: %zu words about one panel stand outside of it without its letter", figure->scene, seen.astray);
     }
 }
 

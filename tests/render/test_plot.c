@@ -102,8 +102,8 @@ static void test_forces_are_divided_as_asked(void **state)
         }
         assert_string_equal(plain.panels[c].y.unit, "N");
         assert_string_equal(first.panels[c].y.unit, "");
-        assert_non_null(strstr(first.panels[c].y.title, "*F*/*F*_{max}(a\\_1)"));
-        assert_non_null(strstr(own.panels[c].y.title, "*F*/*F*_{max}"));
+        assert_non_null(strstr(first.panels[c].y.title, "*F*/\u2060*F*_{max}(a\\_1)"));
+        assert_non_null(strstr(own.panels[c].y.title, "*F*/\u2060*F*_{max}"));
     }
     release(&plain);
     release(&first);
