@@ -11,6 +11,17 @@ static const double log_span = 1e-4;
 static const double hides = 0.5, headroom = 1.05;
 /* Values of one sign may have a few of the other, by errors or small waves. */
 static const double ripple = 0.05;
+/* Samples seldom hit a maximum: so little below a round number, it may as well be that. */
+static const double nearly = 0.99;
+
+/* The next number of one digit (1, 2, ... 10 times a power of ten), if `size` is nearly that: the bar ends with a labelled tick. */
+static double rounded(double size)
+{
+    if (!(size > 0) || !isfinite(size))
+        return size;
+    double unit = pow(10, floor(log10(size))), above = ceil(size / unit) * unit;
+    return isfinite(above) && size > nearly * above ? above : size;
+}
 
 static void automatic(enum bead_scale scale, bool is_signed, double least, double largest, double *low, double *high)
 {
@@ -19,11 +30,11 @@ static void automatic(enum bead_scale scale, bool is_signed, double least, doubl
         *low = 0;
         *high = 1;
     } else if (least < 0 && largest > 0 && (is_signed || fmin(-least, largest) > ripple * size)) {
-        *low = -size;
-        *high = size;
+        *high = rounded(size);
+        *low = -*high;
     } else {
-        *low = fmin(0, least);
-        *high = fmax(0, largest);
+        *low = 0 - rounded(fmax(0, -least));
+        *high = rounded(fmax(0, largest));
     }
     if (scale == BEAD_SCALE_LOG) {
         *high = *high > 0 ? *high : 1;

@@ -30,6 +30,11 @@ static void test_ranges(void **state)
         {{-3, 40, 10}, true, {-10.5, 10.5, true, false, 40}},
         {{-40, 8, 10}, true, {-10.5, 10.5, false, true, 40}},
         {{0, 0, 0}, false, {0, 1, false, false, 0}},
+        /* nearly a round number */
+        {{0, 7.97, 7}, false, {0, 8, false, false, 0}},
+        {{0, 7.9, 7}, false, {0, 7.9, false, false, 0}},
+        {{-0.9996, 0.9995, 0.9}, true, {-1, 1, false, false, 0}},
+        {{-49.8, 0, 40}, false, {-50, 0, false, false, 0}},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct bead_colour_range found = bead_colour_range_find(&automatic, cases[i].signs, &cases[i].values);
