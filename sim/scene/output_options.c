@@ -166,7 +166,8 @@ const struct bead_option bead_range_row[1] = {
      .shape = "auto, or [low, high] in the unit of the field",
      .word = "auto",
      .word_value = NAN,
-     .help = "values at the ends of the colour bar; auto: the range of the data; images leave out a strike, short and narrow, that "
+     .help = "values at the ends of the colour bar; auto: the range of the data, up to 1 % more for a round number; images leave "
+             "out a strike, short and narrow, that "
              "would "
              "take more than half of it, and say beside the bar how high it is",
      .example = "[0, 45 N]",
