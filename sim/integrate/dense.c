@@ -88,16 +88,19 @@ static void quintic(double x, double h, double value[WEIGHTS], double rate[WEIGH
     memcpy(rate, v, sizeof v);
 }
 
+/* Those of velocities where they are asked for (rate is not NULL). */
 static void septic(double x, double h, double value[WEIGHTS], double rate[WEIGHTS])
 {
     const double h2 = h * h, h3 = h2 * h, x2 = x * x, x3 = x2 * x, x4 = x2 * x2, y = 1 - x, y2 = y * y, y3 = y2 * y, y4 = y2 * y2;
     const double one = x4 * (35 - 84 * x + 70 * x2 - 20 * x3), slope = 140 * x3 * y3 / h;
     const double u[WEIGHTS] = {-one, h * x * y4 * (1 + 4 * x + 10 * x2),    0.5 * h2 * x2 * y4 * (1 + 4 * x), h3 / 6 * x3 * y4,
                                one,  -h * x4 * y * (15 - 24 * x + 10 * x2), 0.5 * h2 * x4 * y2 * (5 - 4 * x), -h3 / 6 * x4 * y3};
+    memcpy(value, u, sizeof u);
+    if (!rate)
+        return;
     const double v[WEIGHTS] = {
         -slope, y3 * (1 + 3 * x + 6 * x2 - 70 * x3) - 1,   h * x * y3 * (1 + 3 * x - 14 * x2),   h2 / 6 * x2 * y3 * (3 - 7 * x),
         slope,  x3 * (-60 + 195 * x - 204 * x2 + 70 * x3), h * x3 * y * (10 - 25 * x + 14 * x2), h2 / 6 * x3 * y2 * (7 * x - 4)};
-    memcpy(value, u, sizeof u);
     memcpy(rate, v, sizeof v);
 }
 
@@ -127,14 +130,14 @@ static void combine_state(const struct bead_dense *dense, const struct bead_step
 
 void bead_dense_displacement(struct bead_dense *dense, const struct bead_stepper *s, double x, struct bead_part part, double *u)
 {
-    double value[WEIGHTS], rate[WEIGHTS];
+    double value[WEIGHTS];
     if (x <= same_time || x >= 1 - same_time) {
         const double *end = x <= same_time ? s->start.u : s->end.u;
         memcpy(u + part.from, end + part.from, (part.to - part.from) * sizeof *u);
         return;
     }
     update_jerks(dense, s);
-    septic(x, s->h, value, rate);
+    septic(x, s->h, value, NULL);
     combine_part(dense, s, value, s->start.u, part, u);
 }
 

@@ -17,7 +17,7 @@ struct care {
     double accuracy;
     struct bead_adjoint_care back;
 };
-static const struct care for_sensitivities = {2e-9, {1e-17, 1.6e-2}}, for_deviations = {1e-5, {1e-12, INFINITY}};
+static const struct care for_sensitivities = {2e-9, {1e-15, 1.6e-2}}, for_deviations = {1e-5, {1e-12, INFINITY}};
 /* So many peaks go back together. */
 enum { TOGETHER = 64 };
 
