@@ -10,7 +10,7 @@
 
 /* 17 digits identify every double; a text of 15 or fewer survives the way there and back, so that %.15g is the shortest wherever
  * it reads back. Denormal numbers have fewer digits. */
-enum { SURE = DBL_DIG, MOST = DBL_DECIMAL_DIG, ROOM = 40 };
+enum { SURE = DBL_DIG, MOST = DBL_DECIMAL_DIG, ROOM = BEAD_NUMBER_ROOM };
 
 /* Add one to the last digit of "d.ddde-dd"; false where that carries past the first. */
 static bool bump(char *text)
@@ -50,10 +50,17 @@ static void shortest(char *text, double value)
         snprintf(text, ROOM, "%.*g", MOST, value);
 }
 
+void bead_number_text(char text[BEAD_NUMBER_ROOM], double value)
+{
+    if (isnan(value))
+        memcpy(text, "nan", sizeof "nan");
+    else
+        shortest(text, value);
+}
+
 void bead_write_number(FILE *file, double value)
 {
-    char text[ROOM] = "nan";
-    if (!isnan(value))
-        shortest(text, value);
+    char text[BEAD_NUMBER_ROOM];
+    bead_number_text(text, value);
     fputs(text, file);
 }

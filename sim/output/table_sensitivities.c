@@ -2,6 +2,7 @@
 /* Tables of the derivatives of peak forces: a row for each of the contacts asked for and each bead. */
 #include <math.h>
 
+#include "sim/base/number.h"
 #include "sim/output/table.h"
 
 static void sensitivities_needs(const struct bead_sink *sink, struct bead_needs *needs)
@@ -23,11 +24,12 @@ static void sensitivities_header(struct bead_sink *sink)
 /* The striker's velocity is one of bead 0. */
 static void write_contact(struct bead_sink *sink, size_t chain, const struct bead_peak *peak, const struct bead_sensitivity *s)
 {
+    char force[BEAD_NUMBER_ROOM], time[BEAD_NUMBER_ROOM]; /* the same in all rows: writing numbers takes its time */
+    bead_number_text(force, peak->value);
+    bead_number_text(time, peak->time);
     for (size_t j = 0; j < bead_chain_beads(sink->context.chains[chain]); j++) {
         bead_table_chain_name(sink, chain);
-        fprintf(sink->file, "%zu", s->index);
-        bead_table_numbers(sink->file, 2, (const double[]){peak->value, peak->time});
-        fprintf(sink->file, ",%zu", j);
+        fprintf(sink->file, "%zu,%s,%s,%zu", s->index, force, time, j);
         bead_table_numbers(sink->file, 3, (const double[]){s->mass[j], s->radius[j], s->modulus[j]});
         if (j == 0)
             bead_table_numbers(sink->file, 1, &s->velocity);
