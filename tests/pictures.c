@@ -156,7 +156,7 @@ double pulse_down_the_chain(size_t bead, double time)
 static const struct bead_sink_type *sink_of(const struct bead_output *output)
 {
     for (const struct bead_sink_type *const *type = bead_render_sinks(); *type; type++) {
-        if ((*type)->kind == output->kind)
+        if ((*type)->kind == output->kind && !(*type)->one_frame)
             return *type;
     }
     return NULL;

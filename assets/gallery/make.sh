@@ -8,7 +8,7 @@ program=$(realpath "$1") to=$(realpath "$2")
 cd "$(dirname "$0")/../.."
 T=$(mktemp -d)
 trap 'rm -rf "$T"' EXIT
-beadreel() { "$program" "$@" --progress none -o "$T"; }
+beadreel() { "$program" "$@" --no-config --progress none -o "$T"; }
 while IFS= read -r line; do
     eval "$line" </dev/null
 done < <(sed -n '/^## Gallery/,/^## /p' README.md | grep '^beadreel ')
