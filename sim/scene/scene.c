@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "sim/base/fingerprint.h"
-#include "sim/scene/scene_config.h"
 #include "sim/scene/scene_output.h"
+#include "sim/scene/scene_private.h"
 #include "sim/scene/scene_words.h"
 #include "sim/scene/sweep_yaml.h"
 

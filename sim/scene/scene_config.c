@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A user's own settings: where their file is, and reading it. */
-#include "sim/scene/scene_config.h"
+#include "sim/scene/scene_private.h"
 
 #include <errno.h>
 #include <limits.h>

@@ -6,8 +6,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "sim/scene/scene_config.h"
 #include "sim/scene/scene_output.h"
+#include "sim/scene/scene_private.h"
 #include "sim/scene/sweep_yaml.h"
 
 enum { MOST_COLOURS = 1024 };
