@@ -191,11 +191,13 @@ static char *read_colours(const char *text, char *why, size_t size)
         const char *first = line + strspn(line, " \t\r");
         if (*first == '#' || *first == '\n' || !*first)
             continue;
-        if (count == MOST_COLOURS || !read_row(line, rgb[count++])) {
-            snprintf(why, size, count == MOST_COLOURS ? "line %zu: has more than 1024 colours" : "line %zu: %s", number, shape);
+        const char *wrong = count == MOST_COLOURS ? "has more than 1024 colours" : !read_row(line, rgb[count]) ? shape : NULL;
+        if (wrong) {
+            snprintf(why, size, "line %zu: %s", number, wrong);
             free(rgb);
             return NULL;
         }
+        count++;
     }
     if (rgb && count < 2)
         snprintf(why, size, "has %zu colours; must have from 2 to %d, a row each", count, MOST_COLOURS);

@@ -57,6 +57,12 @@ ok "a wrong material" wrong "$own/wrong.yaml:3:12: materials.carbide.modulus" "m
 printf '0 0 0\n1 2\n' >"$own/maps/short.txt"
 ok "a wrong colour" wrong "scene.yaml:5:48: outputs.0.colormap: $own/maps/short.txt: line 2: must be a row of red, green and blue" \
     "colormaps: {mine: maps/short.txt}" "materials: library.yaml"
+{ yes '0 0 0' | head -n 1023; echo 1 2; } >"$own/maps/long.txt"
+ok "a wrong colour in the last row that there may be" wrong "long.txt: line 1024: must be a row of red, green and blue" \
+    "colormaps: {mine: maps/long.txt}" "materials: library.yaml"
+yes '0 0 0' | head -n 1025 >"$own/maps/long.txt"
+ok "too many colours" wrong "long.txt: line 1025: has more than 1024 colours" \
+    "colormaps: {mine: maps/long.txt}" "materials: library.yaml"
 
 # ---- what it does ----
 
