@@ -4,6 +4,7 @@
 #define BEADREEL_TESTS_READY_FIGURES_H
 
 #include "beadreel/session.h"
+#include "render/plot/graph_private.h"
 #include "sessions.h"
 
 /* The plots of the ready scenes, with fewer points and configurations where there are many: what the curves are called and how they
@@ -42,5 +43,11 @@ static inline void play_figure(const struct ready_figure *figure, const char *di
         job.setting_count++;
     play_counts(job);
 }
+
+/* The layout of every graph passes through the wrapper of the test (see the Makefile), which calls the real function. */
+enum bead_error __real_graph_layout_make(const struct bead_graph *graph, const struct bead_look *look, double width, double height,
+                                         const struct graph_frame *frame, struct graph_layout *layout, struct bead_message *msg);
+enum bead_error __wrap_graph_layout_make(const struct bead_graph *graph, const struct bead_look *look, double width, double height,
+                                         const struct graph_frame *frame, struct graph_layout *layout, struct bead_message *msg);
 
 #endif

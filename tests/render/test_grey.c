@@ -108,11 +108,6 @@ static void look_at(const struct bead_panel *panel)
         cairo_surface_destroy(picture[i]);
 }
 
-enum bead_error __real_graph_layout_make(const struct bead_graph *graph, const struct bead_look *look, double width, double height,
-                                         const struct graph_frame *frame, struct graph_layout *layout, struct bead_message *msg);
-enum bead_error __wrap_graph_layout_make(const struct bead_graph *graph, const struct bead_look *look, double width, double height,
-                                         const struct graph_frame *frame, struct graph_layout *layout, struct bead_message *msg);
-
 enum bead_error __wrap_graph_layout_make(const struct bead_graph *graph, const struct bead_look *look, double width, double height,
                                          const struct graph_frame *frame, struct graph_layout *layout, struct bead_message *msg)
 {

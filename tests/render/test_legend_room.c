@@ -42,11 +42,6 @@ static void measure(const struct graph_layout *layout)
     seen.pages++;
 }
 
-enum bead_error __real_graph_layout_make(const struct bead_graph *graph, const struct bead_look *look, double width, double height,
-                                         const struct graph_frame *frame, struct graph_layout *layout, struct bead_message *msg);
-enum bead_error __wrap_graph_layout_make(const struct bead_graph *graph, const struct bead_look *look, double width, double height,
-                                         const struct graph_frame *frame, struct graph_layout *layout, struct bead_message *msg);
-
 /* On every page that has room for its panels at all. */
 static void measure_on_pages(const struct bead_graph *graph)
 {
