@@ -254,30 +254,31 @@ static void move_springs(size_t n, double scale, const double *r, const struct b
 
 /* Between its ends a rate r bends away from them by at most h |r'| / 2 of either; a compression outgrows both of its ends by less
  * than its fastest rate would take it. */
-static bool turns(size_t n, const struct bead_step_ends *ends, const double *least, unsigned char *mark)
+static bool turns(size_t n, const struct bead_step_ends *ends, const double *least, unsigned char *mark, unsigned char *high)
 {
     const double half = 0.5 * ends->h;
     bool any = false;
     for (size_t k = 0; k < n; k += LANES) {
         const lanes r0 = load_lanes(ends->v0 + k) - load_lanes(ends->v0 + k + 1);
         const lanes r1 = load_lanes(ends->v1 + k) - load_lanes(ends->v1 + k + 1);
-        lane_masks marked = ~(lane_masks){0};
-        if (least) {
-            const lanes d0 = load_lanes(ends->u0 + k) - load_lanes(ends->u0 + k + 1);
-            const lanes d1 = load_lanes(ends->u1 + k) - load_lanes(ends->u1 + k + 1);
-            const lanes bound = larger_lanes(d0, d1) + ends->h * larger_lanes(magnitude(r0), magnitude(r1));
-            marked = bound > load_lanes(least + k);
-        }
-        if (any_lane(marked)) {
+        const lanes d0 = load_lanes(ends->u0 + k) - load_lanes(ends->u0 + k + 1);
+        const lanes d1 = load_lanes(ends->u1 + k) - load_lanes(ends->u1 + k + 1);
+        const lanes bound = larger_lanes(d0, d1) + ends->h * larger_lanes(magnitude(r0), magnitude(r1));
+        const lane_masks above = bound > load_lanes(least + k);
+        lane_masks marked = above;
+        if (high || any_lane(above)) {
             const lanes b0 = half * (load_lanes(ends->a0 + k) - load_lanes(ends->a0 + k + 1));
             const lanes b1 = half * (load_lanes(ends->a1 + k) - load_lanes(ends->a1 + k + 1));
-            const lanes low = -larger_lanes(-r0, -r1), high = larger_lanes(r0, r1);
+            const lanes low = -larger_lanes(-r0, -r1), top = larger_lanes(r0, r1);
             const lanes most = larger_lanes(b1, -b0), lowest = -larger_lanes(-b1, b0);
-            marked &= ((r0 > 0) & (r1 <= 0)) | ((low > 0) & (b0 < 0) & (b1 > 0) & (low < most)) |
-                      ((high <= 0) & (b0 > 0) & (b1 < 0) & (high > lowest));
-            any = any || any_lane(marked);
+            marked = ((r0 > 0) & (r1 <= 0)) | ((low > 0) & (b0 < 0) & (b1 > 0) & (low < most)) |
+                     ((top <= 0) & (b0 > 0) & (b1 < 0) & (top > lowest));
+            marked = high ? marked : marked & above;
+            any = any || any_lane(high ? above : marked);
         }
-        *(lane_bytes *)(mark + k) = __builtin_convertvector(marked, lane_bytes) & 1;
+        store_marks(mark + k, marked);
+        if (high)
+            store_marks(high + k, above);
     }
     return any;
 }

@@ -3,6 +3,7 @@
  * KERNELS_PORTABLE nothing else is used: 128 bits are what most processors have. */
 #include <math.h>
 #include <stdint.h>
+#include <string.h>
 
 #if defined KERNELS_PORTABLE
 #define LANES            2
@@ -113,6 +114,17 @@ static inline lanes smaller_lanes(lanes x, lanes y)
 static inline bool any_lane(lane_masks x)
 {
     return BITS_OF(x) != 0;
+}
+
+/* Bytes 0 and 1. */
+static inline void store_marks(unsigned char *p, lane_masks x)
+{
+#if LANES == 8
+    *(lane_bytes *)p = __builtin_convertvector(x, lane_bytes) & 1;
+#else
+    const uint32_t bytes = BITS_OF(x) * 0x204081u & 0x01010101u; /* bit i goes to 8 i */
+    memcpy(p, &bytes, LANES);
+#endif
 }
 
 static inline lanes gather_lanes(const double *x, const size_t *at)

@@ -22,11 +22,10 @@ struct bead_peaks {
     bool of_beads;
     size_t first, count; /* first..count-1 are looked at */
     struct bead_peak *best;
-    unsigned char *mark;     /* [beads]: has a maximum in this step */
-    bool *late;              /* [beads]: was still rising at the limit */
-    double *least;           /* [beads]: compressions beyond the static one, m, that a higher maximum takes */
-    double *rate0, *rate1;   /* [beads]: of the bead forces at the ends of the step, N/s */
-    double *swing0, *swing1; /* [beads]: the same of both contact forces' magnitudes */
+    unsigned char *mark; /* [beads]: has a maximum in this step */
+    unsigned char *high; /* [beads]: contacts that may be compressed beyond `least` in this step; NULL: not needed */
+    bool *late;          /* [beads]: was still rising at the limit */
+    double *least;       /* [beads]: compressions beyond the static one, m, that a higher maximum takes */
 };
 
 /* Before anything moves: the static force, from the start; time NaN where there is none. */
@@ -37,10 +36,12 @@ static struct bead_peak static_peak(const struct bead_chain *chain, bool of_bead
     return (struct bead_peak){force, force > 0 ? 0 : NAN, false};
 }
 
-/* The compression beyond the static one, m, that a maximum above that at compression d takes in contact k, or a little less. */
-static double least_above(const struct bead_chain *chain, size_t k, double d)
+/* The compression of contact k beyond the static one, m, that a higher maximum takes, or a little less. No bead has a higher force
+ * before one of its contacts has one. */
+static double least_of(const struct bead_peaks *p, const struct bead_chain *chain, size_t k)
 {
-    return d * (1 - least_part) - chain->static_compression[k];
+    const double here = p->best[k].value, best = p->of_beads && k + 1 < chain->beads ? fmin(here, p->best[k + 1].value) : here;
+    return chain->law->compression(chain->stiffness[k], &chain->spec->law, best) * (1 - least_part) - chain->static_compression[k];
 }
 
 enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_beads, struct bead_span span,
@@ -55,24 +56,20 @@ enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_be
         p->count = span.last < p->count ? span.last + 1 : p->count;
         p->best = calloc(beads, sizeof *p->best);
         p->mark = calloc(beads + PADDING, 1);
+        p->high = of_beads ? calloc(beads + PADDING, 1) : NULL;
         p->late = calloc(beads, sizeof *p->late);
         p->least = calloc(beads + PADDING, sizeof(double));
-        p->rate0 = calloc(beads, sizeof(double));
-        p->rate1 = calloc(beads, sizeof(double));
-        p->swing0 = calloc(beads, sizeof(double));
-        p->swing1 = calloc(beads, sizeof(double));
     }
-    if (!p || !p->best || !p->mark || !p->late || !p->least || !p->rate0 || !p->rate1 || !p->swing0 || !p->swing1) {
+    if (!p || !p->best || !p->mark || (of_beads && !p->high) || !p->late || !p->least) {
         bead_peaks_destroy(p);
         *peaks = NULL;
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu beads", beads);
     }
-    for (size_t i = 0; i < beads; i++) {
-        const struct bead_chain *c = stepper->chain;
+    const struct bead_chain *c = stepper->chain;
+    for (size_t i = 0; i < beads; i++)
         p->best[i] = static_peak(c, of_beads, i);
-        if (i < c->contacts)
-            p->least[i] = c->law->one_sided ? least_above(c, i, c->static_compression[i]) : -INFINITY;
-    }
+    for (size_t k = 0; k < c->contacts; k++)
+        p->least[k] = c->law->one_sided ? least_of(p, c, k) : -INFINITY;
     return BEAD_OK;
 }
 
@@ -82,12 +79,9 @@ void bead_peaks_destroy(struct bead_peaks *peaks)
         return;
     free(peaks->best);
     free(peaks->mark);
+    free(peaks->high);
     free(peaks->late);
     free(peaks->least);
-    free(peaks->rate0);
-    free(peaks->rate1);
-    free(peaks->swing0);
-    free(peaks->swing1);
     free(peaks);
 }
 
@@ -99,7 +93,6 @@ const struct bead_peak *bead_peaks_found(const struct bead_peaks *peaks)
 /* Of a force within the step. */
 struct maximum {
     double x, value;
-    double compression; /* m, of a single contact */
 };
 
 /* Where contacts open or close nearby within the step, d'' has kinks that the septic smooths over: compressions and their rates at
@@ -132,7 +125,7 @@ static void sharpen(const struct bead_stepper *s, const struct bead_force_curve 
         force -= 0.5 * rate * rate / bend;
     if (!exact)
         return;
-    *most = (struct maximum){fmin(fmax(x - rate / bend, 0), 1), curve->part * force, d[0]};
+    *most = (struct maximum){fmin(fmax(x - rate / bend, 0), 1), curve->part * force};
 }
 
 /* An upper bound of the force within the step: no compression exceeds both ends by more than its fastest rate allows. Behind the
@@ -166,15 +159,15 @@ static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, siz
                          double rate0, double rate1, double limit)
 {
     const double x = part->from + part->length * bead_find_root(part_rate, part, rate0, rate1);
-    struct maximum most = {x, bead_force_curve_value(part->curve, x), bead_polynomial_value(&part->curve->compression[0], x)};
+    struct maximum most = {x, bead_force_curve_value(part->curve, x)};
     if (s->events && x > 0 && most.value > p->best[index].value * (1 - close_call))
         sharpen(s, part->curve, &most);
     double time = s->t0 + most.x * s->h;
     if (!(time <= limit && most.value > p->best[index].value))
         return;
     p->best[index] = (struct bead_peak){most.value, time, false};
-    if (!p->of_beads)
-        p->least[index] = least_above(s->chain, index, most.compression);
+    for (size_t k = p->of_beads && index > 0 ? index - 1 : index; k <= index && k < s->chain->contacts; k++)
+        p->least[k] = least_of(p, s->chain, k);
 }
 
 /* With damping the force may be largest as the contact closes. */
@@ -221,23 +214,24 @@ static void find_open(struct bead_peaks *p, const struct bead_stepper *s, size_t
         *best = (struct bead_peak){value, limit, true};
 }
 
+/* Contacts of the first to before bead or contact n. */
 static bool mark_contacts(struct bead_peaks *p, const struct bead_stepper *s, size_t n)
 {
-    const struct bead_step_ends ends = {s->start.u, s->start.v, s->start.a, s->end.u, s->end.v, s->end.a, s->h};
-    return s->kernels->turns(n, &ends, p->of_beads ? NULL : p->least, p->mark);
+    const struct bead_state *start = &s->start, *end = &s->end;
+    const size_t k = p->of_beads && p->first > 0 ? p->first - 1 : p->first, contacts = s->chain->contacts;
+    const struct bead_step_ends ends = {start->u + k, start->v + k, start->a + k, end->u + k, end->v + k, end->a + k, s->h};
+    return s->kernels->turns((n < contacts ? n : contacts) - k, &ends, p->least + k, p->mark + k, p->high ? p->high + k : NULL);
 }
 
-/* Rates of bead forces first..last - 1 in a state. */
-static void find_rates(const struct bead_stepper *s, const struct bead_state *state, size_t first, size_t last, double *rate,
-                       double *swing)
+/* The rate of bead j's force in a state, N/s, and that of both contact forces' magnitudes. */
+struct bead_slope {
+    double rate, swing;
+};
+
+static struct bead_slope slope_of(const struct bead_stepper *s, const struct bead_state *state, size_t j)
 {
-    double before = first > 0 ? bead_dense_force_rate(s, state, first - 1) : 0;
-    for (size_t j = first; j < last; j++) {
-        double here = bead_dense_force_rate(s, state, j);
-        rate[j] = 0.5 * (before + here);
-        swing[j] = 0.5 * (fabs(before) + fabs(here));
-        before = here;
-    }
+    const double before = j > 0 ? bead_dense_force_rate(s, state, j - 1) : 0, here = bead_dense_force_rate(s, state, j);
+    return (struct bead_slope){0.5 * (before + here), 0.5 * (fabs(before) + fabs(here))};
 }
 
 static double bead_force(const struct bead_stepper *s, const struct bead_state *state, size_t j)
@@ -265,34 +259,42 @@ static double bead_bend(const struct bead_stepper *s, const struct bead_state *s
 
 /* A bead's force changes little while that of one contact rises as the other falls: it may come back to a new maximum within the
  * step, falling (or rising) at both ends. At one of them it bends the other way then, by enough. */
-static bool may_swing(const struct bead_peaks *p, const struct bead_stepper *s, size_t j)
+static bool may_swing(const struct bead_peaks *p, const struct bead_stepper *s, size_t j, struct bead_slope at0,
+                      struct bead_slope at1)
 {
-    const double most = s->h * (p->swing0[j] > p->swing1[j] ? p->swing0[j] : p->swing1[j]), best = p->best[j].value;
+    const double most = s->h * (at0.swing > at1.swing ? at0.swing : at1.swing), best = p->best[j].value;
     if (!(bead_force(s, &s->start, j) + bead_force(s, &s->end, j) + most > 2 * best)) /* to and fro at the fastest rate */
         return false;
-    const double sign = p->rate0[j] > 0 ? 1 : -1, half = 0.5 * sign * s->h;
-    return sign * p->rate0[j] < -half * bead_bend(s, &s->start, j) || sign * p->rate1[j] < half * bead_bend(s, &s->end, j);
+    const double sign = at0.rate > 0 ? 1 : -1, half = 0.5 * sign * s->h;
+    return sign * at0.rate < -half * bead_bend(s, &s->start, j) || sign * at1.rate < half * bead_bend(s, &s->end, j);
 }
 
 /* A bead's force may turn where its rate changes sign, or where one of its contacts turns there and back, or where both change. */
+static bool may_turn(const struct bead_peaks *p, const struct bead_stepper *s, size_t j, bool contact_turns)
+{
+    if (force_bound(p, s, j) < p->best[j].value)
+        return false;
+    const struct bead_slope at0 = slope_of(s, &s->start, j), at1 = slope_of(s, &s->end, j);
+    if (contact_turns || (at0.rate > 0 && at1.rate <= 0))
+        return true;
+    /* Where neither contact turns and both rise, or both fall, so does their sum. */
+    const bool alike = at0.swing == fabs(at0.rate) && at1.swing == fabs(at1.rate) && (at0.rate > 0) == (at1.rate > 0);
+    return !alike && may_swing(p, s, j, at0, at1);
+}
+
 static bool mark_beads(struct bead_peaks *p, const struct bead_stepper *s, size_t n)
 {
-    mark_contacts(p, s, n < s->chain->contacts ? n : s->chain->contacts);
-    double *rate = p->rate0, *swing = p->swing0;
-    p->rate0 = p->rate1;
-    p->rate1 = rate;
-    p->swing0 = p->swing1;
-    p->swing1 = swing;
-    if (s->steps == 1)
-        find_rates(s, &s->start, p->first, n, p->rate0, p->swing0);
-    find_rates(s, &s->end, p->first, n, p->rate1, p->swing1);
+    const size_t contacts = s->chain->contacts;
     bool any = false;
-    unsigned char left = p->first > 0 ? p->mark[p->first - 1] : 0;
+    if (!mark_contacts(p, s, n))
+        return false;
+    unsigned char turns = p->first > 0 ? p->mark[p->first - 1] : 0, high = p->first > 0 ? p->high[p->first - 1] : 0;
     for (size_t j = p->first; j < n; j++) {
-        unsigned char here = j < s->chain->contacts ? p->mark[j] : 0;
-        p->mark[j] = left | here | (p->rate0[j] > 0 && p->rate1[j] <= 0) | may_swing(p, s, j);
+        const unsigned char turns_here = j < contacts ? p->mark[j] : 0, high_here = j < contacts ? p->high[j] : 0;
+        p->mark[j] = (high | high_here) && may_turn(p, s, j, turns | turns_here);
         any = any || p->mark[j];
-        left = here;
+        turns = turns_here;
+        high = high_here;
     }
     return any;
 }
@@ -323,10 +325,9 @@ void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double 
             find_peak(p, s, i, limit);
     }
     bool any = bead_stepper_damped(s) ? false : p->of_beads ? mark_beads(p, s, n) : mark_contacts(p, s, n);
-    for (size_t i = p->first; any && i < n; i++) {
-        if (p->mark[i])
-            find_peak(p, s, i, limit);
-    }
+    const unsigned char *mark = p->mark + p->first, *end = p->mark + n;
+    for (; any && (mark = memchr(mark, 1, (size_t)(end - mark))); mark++)
+        find_peak(p, s, (size_t)(mark - p->mark), limit);
     for (size_t i = p->first; limit <= s->t1 && i < n; i++) {
         find_open(p, s, i, limit);
         p->late[i] = p->best[i].open;
