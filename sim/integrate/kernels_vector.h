@@ -150,6 +150,12 @@ static inline size_t pack_numbers(unsigned bits, size_t k, size_t *out)
 #if LANES == 8
     const __m512i number = _mm512_add_epi64(_mm512_set1_epi64((long long)k), _mm512_set_epi64(7, 6, 5, 4, 3, 2, 1, 0));
     _mm512_storeu_si512(out, _mm512_maskz_compress_epi64((__mmask8)bits, number));
+#elif LANES == 4
+    /* A byte for each lane that is set, the lowest first. */
+    static const uint32_t lane[16] = {0, 0,     1,     0x100,   2,     0x200,   0x201,   0x20100,
+                                      3, 0x300, 0x301, 0x30100, 0x302, 0x30200, 0x30201, 0x3020100};
+    const __m256i number = _mm256_cvtepu8_epi64(_mm_cvtsi32_si128((int)lane[bits]));
+    _mm256_storeu_si256((__m256i *)out, _mm256_add_epi64(_mm256_set1_epi64x((long long)k), number));
 #else
     for (size_t i = 0, n = 0; i < LANES; n += bits >> i++ & 1)
         out[n] = k + i;
