@@ -141,19 +141,35 @@ static inline void drawn_answers(const struct drawn *d, double accuracy, double 
     free(still.peak);
 }
 
+/* Raises the uncertainties u to what a comparison run at `factor` times the accuracy says; returns whether that is doubtful. */
+static inline bool drawn_compare(const struct drawn *d, const struct peaks *got, double accuracy, double factor, double *u)
+{
+    struct peaks comparison = find_coarse(d->text, accuracy, factor);
+    double *found = calloc(got->count, sizeof *found);
+    if (!found)
+        GIVE_UP("out of memory");
+    const struct bead_uncertainty_of of = {accuracy, factor, d->damped, fmin(got->end, comparison.end)};
+    const struct bead_uncertain_peaks kinds[2] = {
+        {got->peak, comparison.peak, got->contacts, found},
+        {got->peak + got->contacts, comparison.peak + got->contacts, got->count - got->contacts, found + got->contacts}};
+    bead_uncertainty_find(&of, kinds);
+    for (size_t k = 0; k < got->count; k++)
+        u[k] = fmax(u[k], found[k]);
+    const bool doubtful = bead_uncertainty_is_doubtful(&of, kinds);
+    free(found);
+    free(comparison.peak);
+    return doubtful;
+}
+
 static inline struct kept drawn_ask(const struct drawn *d, double accuracy)
 {
     struct kept kept = {0};
-    const double factor = 30;
-    struct peaks got = find_coarse(d->text, accuracy, 0), comparison = find_coarse(d->text, accuracy, factor);
+    struct peaks got = find_coarse(d->text, accuracy, 0);
     double *u = calloc(got.count, sizeof *u), *answer = calloc(got.count, sizeof *answer);
     if (!u || !answer)
         GIVE_UP("out of memory");
-    const struct bead_uncertainty_of of = {accuracy, factor, d->damped, fmin(got.end, comparison.end)};
-    const struct bead_uncertain_peaks kinds[2] = {
-        {got.peak, comparison.peak, got.contacts, u},
-        {got.peak + got.contacts, comparison.peak + got.contacts, got.count - got.contacts, u + got.contacts}};
-    bead_uncertainty_find(&of, kinds);
+    if (drawn_compare(d, &got, accuracy, 30, u))
+        drawn_compare(d, &got, accuracy, 10, u);
     drawn_answers(d, accuracy, answer);
     for (size_t k = 0; k < got.count; k++) {
         const struct bead_peak *exact = &d->fine.peak[k];
@@ -171,7 +187,6 @@ static inline struct kept drawn_ask(const struct drawn *d, double accuracy)
     free(u);
     free(answer);
     free(got.peak);
-    free(comparison.peak);
     return kept;
 }
 

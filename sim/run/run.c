@@ -18,7 +18,7 @@
 #include "sim/run/step_control.h"
 
 /* What one contact that opens or closes may spoil of a velocity, of the accuracy asked times the striker's. */
-static const double event_part = 0.4;
+static const double event_part = 0.25;
 /* Steps between looks at how fast the contacts are, which say what may be left undone of each: so few that none turns between two
  * of them unseen. */
 enum { WEIGH_EVERY = 2 };

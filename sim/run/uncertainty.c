@@ -6,10 +6,12 @@
 
 /* Of a peak that is as it should be: so many times its part of the difference that the comparison run may make, in units of what
  * was asked, as the two runs may agree better by chance; and at most so much. With damping errors follow the tolerance. */
-static const double usual = 16, usual_most = 8, damped = 3;
-/* Peaks that answer too strongly are uncertain by so many times their difference, this part of it from one neighbour to the next.
- */
-static const double strong = 5, next = 0.75;
+static const double usual = 30, usual_most = 8, damped = 3;
+/* Peaks that differ by more than so many times what the comparison run may be off by answer too strongly. They are uncertain by so
+ * many times their difference, this part of it from one neighbour to the next. */
+static const double too_strong = 2, strong = 7, next = 0.75;
+/* Of what the comparison run may be off by, peaks that answer as they should show no more than this. */
+static const double doubtful = 4. / 30;
 /* Where differences are larger than this, and than so many times what was asked, they have stopped growing in proportion to the
  * errors: the chain is chaotic there, and nobody knows what the next difference would be. */
 static const double chaotic = 5e-3, chaotic_times = 100, chaos = 10;
@@ -25,13 +27,13 @@ static double difference(const struct bead_uncertainty_of *of, const struct bead
     return largest > 0 ? fabs(a->value - b->value) / fabs(a->value > 0 ? a->value : largest) : 0;
 }
 
-/* What peaks that answer too strongly, differing by more than `allowed`, say of themselves and their neighbours: into u. */
+/* What peaks that answer too strongly say of themselves and their neighbours: into u. */
 static void find_strong(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, double allowed)
 {
     const double limit = fmax(chaotic, chaotic_times * of->accuracy);
     for (size_t i = 0; i < p->count; i++) {
         const double d = difference(of, &p->peaks[i], &p->comparison[i]);
-        p->uncertainty[i] = of->damped || !(d > allowed) ? 0 : d > limit ? chaos * d : strong * d;
+        p->uncertainty[i] = of->damped || !(d > too_strong * allowed) ? 0 : d > limit ? chaos * d : strong * d;
     }
 }
 
@@ -48,6 +50,17 @@ static void spread(double *u, size_t count)
         u[i] = fmax(u[i], next * u[i - 1]);
     for (size_t i = count; i-- > 1;)
         u[i - 1] = fmax(u[i - 1], next * u[i]);
+}
+
+bool bead_uncertainty_is_doubtful(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
+{
+    const double bound = doubtful * of->accuracy * of->tolerance_factor;
+    bool any = false;
+    for (size_t kind = 0; kind < 2 && of->tolerance_factor > 1 && bound > 0 && !of->damped; kind++) {
+        for (size_t i = 0; i < kinds[kind].count; i++)
+            any = any || difference(of, &kinds[kind].peaks[i], &kinds[kind].comparison[i]) > bound;
+    }
+    return any;
 }
 
 void bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])

@@ -93,10 +93,15 @@ static bool wants_samples(const struct bead_driver *p)
 /* Runs that are compared for their peaks only may be coarser by this, and cheaper: what counts is how strongly peaks answer. */
 static const double coarser = 3;
 
-static double comparison_factor(const struct bead_driver *p)
+double bead_driver_comparison_factor(const struct bead_driver *p, bool samples, bool second)
 {
-    const bool free = !wants_samples(p) && !(p->simulate->step > 0) && p->tolerance_factor > p->refinement;
-    return free ? coarser * p->tolerance_factor : p->tolerance_factor;
+    const bool free = !(p->simulate->step > 0) && p->tolerance_factor > p->refinement;
+    return free && samples == second ? coarser * p->tolerance_factor : p->tolerance_factor;
+}
+
+static double comparison_factor(const struct bead_driver *p, bool second)
+{
+    return bead_driver_comparison_factor(p, wants_samples(p), second);
 }
 
 static bool wants_uncertainty(const struct bead_driver *p)
@@ -107,31 +112,36 @@ static bool wants_uncertainty(const struct bead_driver *p)
     return any;
 }
 
-/* A second run of each chain, if a consumer wants its samples, or compares its peaks. */
-static enum bead_error create_comparison_runs(struct pass *pass, struct bead_message *msg)
+static enum bead_error create_comparison_run(struct pass *pass, size_t chain, bool second, struct bead_message *msg)
 {
     const struct bead_driver *p = pass->driver;
-    struct bead_run_settings settings = {.simulate = p->simulate,
+    struct bead_run_settings settings = {.chain = p->chains[chain],
+                                         .simulate = p->simulate,
                                          .kernels = p->kernels,
                                          .end = p->end,
                                          .passage = p->passage ? BEAD_PASSAGE_OF_PULSE : BEAD_PASSAGE_NONE,
                                          .full_window = p->full_window,
-                                         .tolerance_factor = comparison_factor(p)};
+                                         .tolerance_factor = comparison_factor(p, second)};
     for (size_t i = 0; i < p->consumer_count; i++) {
         const struct bead_needs *needs = &p->consumers[i].needs;
         settings.contact_peaks |= needs->uncertainty && needs->contact_peaks;
         settings.bead_peaks |= needs->uncertainty && needs->bead_peaks;
     }
+    return bead_runner_create(&settings, &pass->passed->comparison_runs[chain + (second ? p->chain_count : 0)], msg);
+}
+
+/* Another run of each chain, if a consumer wants its samples, or compares its peaks. */
+static enum bead_error create_comparison_runs(struct pass *pass, struct bead_message *msg)
+{
+    const struct bead_driver *p = pass->driver;
     if (!wants_samples(p) && !wants_uncertainty(p))
         return BEAD_OK;
-    pass->passed->comparison_runs = calloc(p->chain_count, sizeof *pass->passed->comparison_runs);
+    pass->passed->comparison_runs = calloc(2 * p->chain_count, sizeof *pass->passed->comparison_runs);
     if (!pass->passed->comparison_runs)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu chains", p->chain_count);
     enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < p->chain_count; i++) {
-        settings.chain = p->chains[i];
-        err = bead_runner_create(&settings, &pass->passed->comparison_runs[i], msg);
-    }
+    for (size_t i = 0; !err && i < p->chain_count; i++)
+        err = create_comparison_run(pass, i, false, msg);
     return err;
 }
 
@@ -229,7 +239,9 @@ static enum bead_error complete(void *context, size_t job, bool calling, struct 
     struct pass *pass = context, quiet = {.driver = pass->driver, .passed = pass->passed, .quiet = true};
     struct pass *mine = calling ? pass : &quiet;
     const size_t chains = pass->driver->chain_count, chain = job % chains;
-    const struct bead_runner *runner = job < chains ? &pass->passed->runs[chain] : &pass->passed->comparison_runs[chain];
+    const struct bead_runner *runner = job < chains ? &pass->passed->runs[job] : &pass->passed->comparison_runs[job - chains];
+    if (!runner->run)
+        return BEAD_OK;
     double rest = fmin(pass->driver->end, pass->driver->needed);
     enum bead_error err = isfinite(rest) ? advance(mine, runner, rest, msg) : advance_past_pulse(mine, runner, chain, msg);
     if (!err)
@@ -257,44 +269,81 @@ static void note_worst(const struct bead_uncertain_peaks kinds[2], struct bead_o
     }
 }
 
-/* How well a chain's peaks are known, from its two runs. */
-static enum bead_error compare_peaks(struct pass *pass, size_t chain, struct bead_message *msg)
+/* How well a chain's peaks are known, from its run and a comparison run; whether that is doubtful. */
+static enum bead_error compare_peaks(struct pass *pass, size_t chain, bool second, bool *doubtful, struct bead_message *msg)
 {
     const struct bead_driver *p = pass->driver;
-    struct bead_passed *passed = pass->passed;
-    const struct bead_runner *comparison = &passed->comparison_runs[chain];
-    struct bead_outcome *outcome = &passed->outcomes[chain], other;
-    double **u = passed->uncertainty + 2 * chain;
+    const size_t contacts = bead_chain_contacts(p->chains[chain]), beads = bead_chain_beads(p->chains[chain]);
+    const struct bead_runner *comparison = &pass->passed->comparison_runs[chain + (second ? p->chain_count : 0)];
+    struct bead_outcome *outcome = &pass->passed->outcomes[chain], other;
+    double **u = pass->passed->uncertainty + 2 * chain, *found = calloc(contacts + beads, sizeof *found);
+    if (!found)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu beads", beads);
     comparison->kind->finish(comparison->run, outcome->end, &other);
     const double refinement = p->refinement > 0 ? p->refinement : 1, over = comparison->kind->over(comparison->run);
     const struct bead_uncertainty_of of = {
-        p->simulate->step > 0 ? 0 : p->simulate->accuracy * refinement, comparison_factor(p) / refinement,
+        p->simulate->step > 0 ? 0 : p->simulate->accuracy * refinement, comparison_factor(p, second) / refinement,
         bead_chain_spec(p->chains[chain])->damping_coefficient > 0, isnan(over) ? 0 : fmin(over, outcome->end)};
     struct bead_uncertain_peaks kinds[2] = {
-        {outcome->contact_peaks, other.contact_peaks, other.contact_peaks ? bead_chain_contacts(p->chains[chain]) : 0, NULL},
-        {outcome->bead_peaks, other.bead_peaks, other.bead_peaks ? bead_chain_beads(p->chains[chain]) : 0, NULL}};
-    for (size_t kind = 0; kind < 2; kind++) {
-        kinds[kind].uncertainty = u[kind] = kinds[kind].count ? calloc(kinds[kind].count, sizeof(double)) : NULL;
-        if (kinds[kind].count && !u[kind])
-            return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu beads",
-                             bead_chain_beads(p->chains[chain]));
-    }
+        {outcome->contact_peaks, other.contact_peaks, other.contact_peaks ? contacts : 0, found},
+        {outcome->bead_peaks, other.bead_peaks, other.bead_peaks ? beads : 0, found + contacts}};
     bead_uncertainty_find(&of, kinds);
+    *doubtful = bead_uncertainty_is_doubtful(&of, kinds);
+    for (size_t kind = 0; kind < 2; kind++) {
+        for (size_t i = 0; i < kinds[kind].count; i++)
+            u[kind][i] = fmax(u[kind][i], kinds[kind].uncertainty[i]);
+        kinds[kind].uncertainty = u[kind];
+    }
     note_worst(kinds, outcome);
-    outcome->contact_uncertainty = u[0];
-    outcome->bead_uncertainty = u[1];
+    outcome->contact_uncertainty = kinds[0].count ? u[0] : NULL;
+    outcome->bead_uncertainty = kinds[1].count ? u[1] : NULL;
+    free(found);
     return BEAD_OK;
+}
+
+/* Chains of more beads are compared once: where they are disordered some of their peaks are doubtful nearly always, and there the
+ * runs are what takes time. */
+static const size_t compared_twice = 200;
+
+/* Runs a second comparison run of one chain, where there is one. */
+static enum bead_error complete_second(void *context, size_t chain, bool calling, struct bead_message *msg)
+{
+    const struct pass *pass = context;
+    return complete(context, 2 * pass->driver->chain_count + chain, calling, msg);
+}
+
+static enum bead_error compare_doubtful(struct pass *pass, bool *doubtful, struct bead_message *msg)
+{
+    const size_t chains = pass->driver->chain_count;
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < chains; i++) {
+        doubtful[i] = doubtful[i] && bead_chain_beads(pass->driver->chains[i]) <= compared_twice;
+        pass->jobs += doubtful[i];
+        err = doubtful[i] ? create_comparison_run(pass, i, true, msg) : BEAD_OK;
+    }
+    if (!err)
+        err = bead_thread_pool_run(chains, pass->driver->threads, complete_second, pass, msg);
+    for (size_t i = 0; !err && i < chains; i++)
+        err = doubtful[i] ? compare_peaks(pass, i, true, &doubtful[i], msg) : BEAD_OK;
+    return err;
 }
 
 static enum bead_error compare_all_peaks(struct pass *pass, struct bead_message *msg)
 {
-    const size_t chains = pass->driver->chain_count;
+    const struct bead_driver *p = pass->driver;
+    bool *doubtful = calloc(p->chain_count, sizeof *doubtful);
+    double **u = pass->passed->uncertainty = calloc(2 * p->chain_count, sizeof *u);
     enum bead_error err = BEAD_OK;
-    pass->passed->uncertainty = calloc(2 * chains, sizeof *pass->passed->uncertainty);
-    if (!pass->passed->uncertainty)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu chains", chains);
-    for (size_t i = 0; !err && i < chains; i++)
-        err = compare_peaks(pass, i, msg);
+    bool all = doubtful && u;
+    for (size_t i = 0; all && i < 2 * p->chain_count; i++)
+        all = (u[i] = calloc(bead_chain_beads(p->chains[i / 2]), sizeof **u));
+    if (!all)
+        err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu chains", p->chain_count);
+    for (size_t i = 0; !err && i < p->chain_count; i++)
+        err = compare_peaks(pass, i, false, &doubtful[i], msg);
+    if (!err)
+        err = compare_doubtful(pass, doubtful, msg);
+    free(doubtful);
     return err;
 }
 
@@ -317,14 +366,19 @@ static void pass_finish(struct pass *pass)
         pass->counts->evaluations += kind->evaluations(run);
         pass->counts->state_hash += kind->hash(run) * (2 * i + 1);
     }
-    for (size_t i = 0; passed->comparison_runs && i < passed->count; i++) {
+    pass->counts->passes++;
+}
+
+static void count_comparisons(struct pass *pass)
+{
+    const struct bead_passed *passed = pass->passed;
+    for (size_t i = 0; passed->comparison_runs && i < 2 * passed->count; i++) {
         const struct bead_runner *comparison = &passed->comparison_runs[i];
         if (!comparison->run)
             continue;
         pass->counts->comparison_steps += comparison->kind->steps(comparison->run);
         pass->counts->comparison_evaluations += comparison->kind->evaluations(comparison->run);
     }
-    pass->counts->passes++;
 }
 
 enum bead_error bead_drive_simulation(const struct bead_driver *driver, struct bead_counts *counts, struct bead_passed *passed,
@@ -343,16 +397,19 @@ enum bead_error bead_drive_simulation(const struct bead_driver *driver, struct b
     pass.jobs = wants_uncertainty(driver) ? 2 * driver->chain_count : driver->chain_count;
     if (!err)
         err = bead_thread_pool_run(pass.jobs, driver->threads, complete, &pass, msg);
-    passed->stopped = err == BEAD_ERROR_STOPPED;
     pass_finish(&pass);
-    return err || !wants_uncertainty(driver) ? err : compare_all_peaks(&pass, msg);
+    if (!err && wants_uncertainty(driver))
+        err = compare_all_peaks(&pass, msg);
+    passed->stopped = err == BEAD_ERROR_STOPPED;
+    count_comparisons(&pass);
+    return err;
 }
 
 void bead_passed_free(struct bead_passed *passed)
 {
     for (size_t i = 0; passed->runs && i < passed->count; i++)
         bead_runner_destroy(&passed->runs[i]);
-    for (size_t i = 0; passed->comparison_runs && i < passed->count; i++)
+    for (size_t i = 0; passed->comparison_runs && i < 2 * passed->count; i++)
         bead_runner_destroy(&passed->comparison_runs[i]);
     for (size_t i = 0; passed->uncertainty && i < 2 * passed->count; i++)
         free(passed->uncertainty[i]);

@@ -137,9 +137,13 @@ static void plan_output(const struct bead_session *s, const struct bead_made *m,
 static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, struct bead_message *msg)
 {
     const struct bead_simulate *asked = &s->source->simulate;
+    const struct bead_driver driver = bead_session_driver(s, "planning");
     size_t count = 0;
+    bool samples = false, uncertainty = false;
     for (size_t i = 0; i < s->made_count; i++) {
         const struct bead_made *m = &s->made[i];
+        samples |= m->sink && m->needs.comparison;
+        uncertainty |= m->sink && m->needs.uncertainty;
         if (m->sink && (m->needs.comparison || m->needs.uncertainty))
             fprintf(out, "%s %s of %s", count++ ? "," : "comparison run:", m->needs.comparison ? "trust" : "uncertainties",
                     m->path);
@@ -147,13 +151,15 @@ static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, 
     if (count == 0)
         return BEAD_OK;
     struct bead_pace pace;
-    enum bead_error err = bead_run_kind_of(s->chains[0])->pace(s->chains[0], asked, s->tolerance_factor, &pace, msg);
+    const double factor = bead_driver_comparison_factor(&driver, samples, false);
+    enum bead_error err = bead_run_kind_of(s->chains[0])->pace(s->chains[0], asked, factor, &pace, msg);
     if (err)
         return err;
     fprintf(out, " needs all chains a second time, for comparison: ");
     if (!(asked->step > 0))
-        fprintf(out, "accuracy %.3g instead of %.3g, ", s->tolerance_factor * asked->accuracy, asked->accuracy);
-    fprintf(out, "steps of %s\n", time_words(s, pace.step, false).text);
+        fprintf(out, "accuracy %.3g instead of %.3g, ", factor * asked->accuracy, asked->accuracy);
+    fprintf(out, "steps of %s%s\n", time_words(s, pace.step, false).text,
+            uncertainty && !(asked->step > 0) ? "; short ones with peaks that answer strongly, a third time" : "");
     return BEAD_OK;
 }
 
