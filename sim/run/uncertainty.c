@@ -27,14 +27,17 @@ static double difference(const struct bead_uncertainty_of *of, const struct bead
     return largest > 0 ? fabs(a->value - b->value) / fabs(a->value > 0 ? a->value : largest) : 0;
 }
 
-/* What peaks that answer too strongly say of themselves and their neighbours: into u. */
-static void find_strong(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, double allowed)
+/* What peaks that answer too strongly say of themselves and their neighbours: into u. Returns whether one is chaotic. */
+static bool find_strong(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, double allowed)
 {
     const double limit = fmax(chaotic, chaotic_times * of->accuracy);
+    bool any = false;
     for (size_t i = 0; i < p->count; i++) {
         const double d = difference(of, &p->peaks[i], &p->comparison[i]);
+        any = any || (d > limit && !of->damped);
         p->uncertainty[i] = of->damped || !(d > too_strong * allowed) ? 0 : d > limit ? chaos * d : strong * d;
     }
+    return any;
 }
 
 /* Contact i is beside bead i: each takes what the other has. */
@@ -66,8 +69,11 @@ bool bead_uncertainty_is_doubtful(const struct bead_uncertainty_of *of, const st
 void bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
 {
     const double a = of->accuracy, allowed = a * fmax(of->tolerance_factor, 1);
+    bool shaken = false;
     for (size_t kind = 0; kind < 2 && a > 0; kind++)
-        find_strong(of, &kinds[kind], allowed);
+        shaken |= find_strong(of, &kinds[kind], allowed);
+    /* Nobody knows how hard a chaotic contact strikes the rest of the chain. */
+    const double least = shaken ? usual_most : 1;
     if (a > 0)
         share(kinds);
     for (size_t kind = 0; kind < 2; kind++) {
@@ -76,7 +82,8 @@ void bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct be
             spread(p->uncertainty, p->count);
         for (size_t i = 0; i < p->count; i++) {
             const double d = difference(of, &p->peaks[i], &p->comparison[i]), part = allowed > 0 ? d / allowed : 0;
-            const double own = a > 0 ? a * fmax(1, of->damped ? damped * part : fmin(usual * part, usual_most)) : fmax(d, rounding);
+            const double own =
+                a > 0 ? a * fmax(least, of->damped ? damped * part : fmin(usual * part, usual_most)) : fmax(d, rounding);
             const double near = a > 0 ? fmin(p->uncertainty[i], fmax(1, d)) : 0;
             p->uncertainty[i] = fmax(own, near) * fabs(p->peaks[i].value);
         }

@@ -4,7 +4,8 @@
  * A comparison run at f times the tolerance is off by up to f times what was asked, and the run itself by that less: where the two
  * differ by no more the peaks are as they should be. Peaks that differ by more answer too strongly, and their errors hardly follow
  * the tolerance: what drives them are the few ways in which the chain is unstable, which drive the peaks nearby as well, if by
- * chance not in these two runs. Damping takes that away.
+ * chance not in these two runs. Damping takes that away. Where contacts are chaotic they strike all others in a way that nobody
+ * knows, and no peak of the chain is as certain as usual.
  *
  * By chance two runs may also be off alike, and agree where neither is right. Where any peak answers strongly, a second comparison
  * run with another tolerance is worth its time: of two uncertainties the larger one holds. */
