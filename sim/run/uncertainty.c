@@ -9,7 +9,7 @@
 static const double usual = 30, usual_most = 8, damped = 3;
 /* Peaks that differ by more than so many times what the comparison run may be off by answer too strongly. They are uncertain by so
  * many times their difference, this part of it from one neighbour to the next. */
-static const double too_strong = 2, strong = 7, next = 0.75;
+static const double too_strong = 1.5, strong = 7, next = 0.75;
 /* Of what the comparison run may be off by, peaks that answer as they should show no more than this. */
 static const double doubtful = 4. / 30;
 /* Where differences are larger than this, and than so many times what was asked, they have stopped growing in proportion to the
