@@ -82,8 +82,8 @@ struct bead_kernels {
     void (*move_springs)(size_t n, double scale, const double *r, const struct bead_springs *springs, double *a);
     /* mark[k] = 1 where the compression u_k - u_{k+1} may have a maximum of more than least_k within the step: where its rate was
      * > 0 at the start and is <= 0 at the end, or has one sign at both ends and may have the other in between. With `high`, maxima
-     * of any height are marked, and high[k] = 1 where it may be more than least_k. Returns whether any is marked, or high. Whole
-     * vectors are read, and written. */
+     * of any height are marked, and high[k] = 1 where it may be more than least_k. Returns whether any is marked; with `high`,
+     * whether any is high. Whole vectors are read, and written. */
     bool (*turns)(size_t n, const struct bead_step_ends *ends, const double *least, unsigned char *mark, unsigned char *high);
     /* Contact events, see events_patch.h: which of contacts 0..n-1 have one that matters, and its effect. n is a multiple of 8
      * unless beads n, n + 1, ... are at rest; whole vectors are read, and written. Returns how many. */

@@ -59,7 +59,9 @@ bool bead_uncertainty_is_doubtful(const struct bead_uncertainty_of *of, const st
 {
     const double bound = doubtful * of->accuracy * of->tolerance_factor;
     bool any = false;
-    for (size_t kind = 0; kind < 2 && of->tolerance_factor > 1 && bound > 0 && !of->damped; kind++) {
+    if (of->damped || !(of->accuracy > 0) || !(of->tolerance_factor > 1))
+        return false;
+    for (size_t kind = 0; kind < 2; kind++) {
         for (size_t i = 0; i < kinds[kind].count; i++)
             any = any || difference(of, &kinds[kind].peaks[i], &kinds[kind].comparison[i]) > bound;
     }

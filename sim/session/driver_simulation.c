@@ -112,6 +112,11 @@ static bool wants_uncertainty(const struct bead_driver *p)
     return any;
 }
 
+static struct bead_runner *comparison_run(const struct pass *pass, size_t chain, bool second)
+{
+    return &pass->passed->comparison_runs[chain + (second ? pass->driver->chain_count : 0)];
+}
+
 static enum bead_error create_comparison_run(struct pass *pass, size_t chain, bool second, struct bead_message *msg)
 {
     const struct bead_driver *p = pass->driver;
@@ -127,7 +132,7 @@ static enum bead_error create_comparison_run(struct pass *pass, size_t chain, bo
         settings.contact_peaks |= needs->uncertainty && needs->contact_peaks;
         settings.bead_peaks |= needs->uncertainty && needs->bead_peaks;
     }
-    return bead_runner_create(&settings, &pass->passed->comparison_runs[chain + (second ? p->chain_count : 0)], msg);
+    return bead_runner_create(&settings, comparison_run(pass, chain, second), msg);
 }
 
 /* Another run of each chain, if a consumer wants its samples, or compares its peaks. */
@@ -274,7 +279,7 @@ static enum bead_error compare_peaks(struct pass *pass, size_t chain, bool secon
 {
     const struct bead_driver *p = pass->driver;
     const size_t contacts = bead_chain_contacts(p->chains[chain]), beads = bead_chain_beads(p->chains[chain]);
-    const struct bead_runner *comparison = &pass->passed->comparison_runs[chain + (second ? p->chain_count : 0)];
+    const struct bead_runner *comparison = comparison_run(pass, chain, second);
     struct bead_outcome *outcome = &pass->passed->outcomes[chain], other;
     double **u = pass->passed->uncertainty + 2 * chain, *found = calloc(contacts + beads, sizeof *found);
     if (!found)

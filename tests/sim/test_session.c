@@ -58,8 +58,8 @@ static void peaks_of_a_first_passage_need_no_scouting(void **state)
     assert_true(both.state_hash == counts.state_hash);
 }
 
-/* A second run says how well peaks are known, and costs less than the first; a third is made where one peak answers strongly to
- * errors, here behind a soft bead in 44, but not in long chains. */
+/* A second run says how well peaks are known, and takes fewer steps than the first. A third is made where a peak answers strongly
+ * to errors, but not in long chains. */
 static void only_doubtful_peaks_are_compared_twice(void **state)
 {
     (void)state;
