@@ -10,6 +10,7 @@
 
 #include "sim/base/random.h"
 #include "sim/run/uncertainty.h"
+#include "sim/session/driver.h"
 #include "tests/asked.h"
 
 enum { DRAWN_TEXT = 6000 };
@@ -141,24 +142,25 @@ static inline void drawn_answers(const struct drawn *d, double accuracy, double 
     free(still.peak);
 }
 
-/* Raises the uncertainties u to what a comparison run at `factor` times the accuracy says; returns whether that is doubtful. */
-static inline bool drawn_compare(const struct drawn *d, const struct peaks *got, double accuracy, double factor, double *u)
+/* The uncertainties u that a session's comparison run says. */
+static inline void drawn_compare(const struct drawn *d, const struct peaks *got, double accuracy, double *u)
 {
+    char simulate[64];
+    snprintf(simulate, sizeof simulate, "accuracy: %g", accuracy);
+    struct built built = build(d->text, simulate);
+    const struct bead_chain *const chains[] = {built.chain};
+    struct bead_driver driver = {.chains = chains, .chain_count = 1, .simulate = &built.scene->simulate};
+    driver.tolerance_factor = bead_run_tolerance_factor(chains, 1, driver.simulate);
+    const double factor = bead_driver_comparison_factor(&driver, false),
+                 coarsest = bead_run_coarsest_factor(built.chain, driver.simulate);
+    release(&built);
     struct peaks comparison = find_coarse(d->text, accuracy, factor);
-    double *found = calloc(got->count, sizeof *found);
-    if (!found)
-        GIVE_UP("out of memory");
-    const struct bead_uncertainty_of of = {accuracy, factor, d->damped, fmin(got->end, comparison.end)};
+    const struct bead_uncertainty_of of = {accuracy, fmin(factor, coarsest), d->damped, fmin(got->end, comparison.end)};
     const struct bead_uncertain_peaks kinds[2] = {
-        {got->peak, comparison.peak, got->contacts, found},
-        {got->peak + got->contacts, comparison.peak + got->contacts, got->count - got->contacts, found + got->contacts}};
+        {got->peak, comparison.peak, got->contacts, u},
+        {got->peak + got->contacts, comparison.peak + got->contacts, got->count - got->contacts, u + got->contacts}};
     bead_uncertainty_find(&of, kinds);
-    for (size_t k = 0; k < got->count; k++)
-        u[k] = fmax(u[k], found[k]);
-    const bool doubtful = bead_uncertainty_is_doubtful(&of, kinds);
-    free(found);
     free(comparison.peak);
-    return doubtful;
 }
 
 static inline struct kept drawn_ask(const struct drawn *d, double accuracy)
@@ -168,8 +170,7 @@ static inline struct kept drawn_ask(const struct drawn *d, double accuracy)
     double *u = calloc(got.count, sizeof *u), *answer = calloc(got.count, sizeof *answer);
     if (!u || !answer)
         GIVE_UP("out of memory");
-    if (drawn_compare(d, &got, accuracy, 30, u))
-        drawn_compare(d, &got, accuracy, 10, u);
+    drawn_compare(d, &got, accuracy, u);
     drawn_answers(d, accuracy, answer);
     for (size_t k = 0; k < got.count; k++) {
         const struct bead_peak *exact = &d->fine.peak[k];

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "sim/base/wide.h"
 #include "sim/integrate/stepper.h"
 #include "sim/run/method_choice.h"
 #include "sim/run/run.h"
@@ -26,6 +27,15 @@ double bead_run_tolerance_factor(const struct bead_chain *const *chains, size_t 
                               : bead_method_theta(&choice, 10 * asked->accuracy) < choice.cap);
     }
     return fixed ? (room ? 2 : 0.5) : (room ? 10 : 0.1);
+}
+
+double bead_run_coarsest_factor(const struct bead_chain *chain, const struct bead_simulate *asked)
+{
+    struct bead_method_choice choice;
+    struct bead_message msg;
+    if (bead_choose_method(chain, asked, &choice, &msg))
+        return INFINITY; /* the run itself says why */
+    return bead_pow(choice.cap / bead_method_theta(&choice, asked->accuracy), choice.order);
 }
 
 enum bead_error bead_run_comparison_stepping(const struct bead_chain *chain, const struct bead_simulate *asked,

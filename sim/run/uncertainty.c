@@ -5,16 +5,12 @@
 #include <math.h>
 
 /* Of a peak that is as it should be: so many times its part of the difference that the comparison run may make, in units of what
- * was asked, as the two runs may agree better by chance; and at most so much. With damping errors follow the tolerance. */
-static const double usual = 30, usual_most = 8, damped = 3;
+ * was asked, as the two runs may agree better by chance; so many times the largest part in the chain, as they may even agree where
+ * neither is right; and at most so much. With damping errors follow the tolerance. */
+static const double usual = 30, elsewhere = 20, usual_most = 9.5, damped = 3;
 /* Peaks that differ by more than so many times what the comparison run may be off by answer too strongly. They are uncertain by so
  * many times their difference, this part of it from one neighbour to the next. */
-static const double too_strong = 1.5, strong = 7, next = 0.75;
-/* Of what the comparison run may be off by, peaks that answer as they should show no more than this. */
-static const double doubtful = 4. / 30;
-/* Where differences are larger than this, and than so many times what was asked, they have stopped growing in proportion to the
- * errors: the chain is chaotic there, and nobody knows what the next difference would be. */
-static const double chaotic = 5e-3, chaotic_times = 100, chaos = 10;
+static const double too_strong = 1.5, strong = 5, next = 0.9;
 /* Rounding leaves this part of a peak. */
 static const double rounding = 1e-14;
 
@@ -27,17 +23,17 @@ static double difference(const struct bead_uncertainty_of *of, const struct bead
     return largest > 0 ? fabs(a->value - b->value) / fabs(a->value > 0 ? a->value : largest) : 0;
 }
 
-/* What peaks that answer too strongly say of themselves and their neighbours: into u. Returns whether one is chaotic. */
-static bool find_strong(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, double allowed)
+/* The largest difference, in units of what the comparison run may be off by; what peaks that answer too strongly say of themselves
+ * and their neighbours goes into their uncertainties. */
+static double find_strong(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, double allowed)
 {
-    const double limit = fmax(chaotic, chaotic_times * of->accuracy);
-    bool any = false;
+    double most = 0;
     for (size_t i = 0; i < p->count; i++) {
-        const double d = difference(of, &p->peaks[i], &p->comparison[i]);
-        any = any || (d > limit && !of->damped);
-        p->uncertainty[i] = of->damped || !(d > too_strong * allowed) ? 0 : d > limit ? chaos * d : strong * d;
+        const double d = difference(of, &p->peaks[i], &p->comparison[i]), part = d / allowed;
+        most = fmax(most, part);
+        p->uncertainty[i] = !of->damped && part > too_strong ? strong * d : 0;
     }
-    return any;
+    return most;
 }
 
 /* Contact i is beside bead i: each takes what the other has. */
@@ -55,27 +51,19 @@ static void spread(double *u, size_t count)
         u[i - 1] = fmax(u[i - 1], next * u[i]);
 }
 
-bool bead_uncertainty_is_doubtful(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
+/* In units of what was asked; `part`: the peak's difference in units of what the comparison run may be off by, `most`: the largest
+ * one of the chain. */
+static double usual_uncertainty(const struct bead_uncertainty_of *of, double part, double most)
 {
-    const double bound = doubtful * of->accuracy * of->tolerance_factor;
-    bool any = false;
-    if (of->damped || !(of->accuracy > 0) || !(of->tolerance_factor > 1))
-        return false;
-    for (size_t kind = 0; kind < 2; kind++) {
-        for (size_t i = 0; i < kinds[kind].count; i++)
-            any = any || difference(of, &kinds[kind].peaks[i], &kinds[kind].comparison[i]) > bound;
-    }
-    return any;
+    return fmax(1, of->damped ? damped * part : fmin(fmax(usual * part, elsewhere * most), usual_most));
 }
 
 void bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
 {
     const double a = of->accuracy, allowed = a * fmax(of->tolerance_factor, 1);
-    bool shaken = false;
+    double most = 0;
     for (size_t kind = 0; kind < 2 && a > 0; kind++)
-        shaken |= find_strong(of, &kinds[kind], allowed);
-    /* Nobody knows how hard a chaotic contact strikes the rest of the chain. */
-    const double least = shaken ? usual_most : 1;
+        most = fmax(most, find_strong(of, &kinds[kind], allowed));
     if (a > 0)
         share(kinds);
     for (size_t kind = 0; kind < 2; kind++) {
@@ -83,9 +71,8 @@ void bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct be
         if (a > 0)
             spread(p->uncertainty, p->count);
         for (size_t i = 0; i < p->count; i++) {
-            const double d = difference(of, &p->peaks[i], &p->comparison[i]), part = allowed > 0 ? d / allowed : 0;
-            const double own =
-                a > 0 ? a * fmax(least, of->damped ? damped * part : fmin(usual * part, usual_most)) : fmax(d, rounding);
+            const double d = difference(of, &p->peaks[i], &p->comparison[i]);
+            const double own = a > 0 ? a * usual_uncertainty(of, d / allowed, most) : fmax(d, rounding);
             const double near = a > 0 ? fmin(p->uncertainty[i], fmax(1, d)) : 0;
             p->uncertainty[i] = fmax(own, near) * fabs(p->peaks[i].value);
         }

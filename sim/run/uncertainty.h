@@ -4,11 +4,8 @@
  * A comparison run at f times the tolerance is off by up to f times what was asked, and the run itself by that less: where the two
  * differ by no more the peaks are as they should be. Peaks that differ by more answer too strongly, and their errors hardly follow
  * the tolerance: what drives them are the few ways in which the chain is unstable, which drive the peaks nearby as well, if by
- * chance not in these two runs. Damping takes that away. Where contacts are chaotic they strike all others in a way that nobody
- * knows, and no peak of the chain is as certain as usual.
- *
- * By chance two runs may also be off alike, and agree where neither is right. Where any peak answers strongly, a second comparison
- * run with another tolerance is worth its time: of two uncertainties the larger one holds. */
+ * chance not in these two runs. Damping takes that away. Two runs may also be off alike, and agree where neither is right, so that
+ * no peak is much more certain than the others of its chain. */
 #ifndef BEADREEL_SIM_RUN_UNCERTAINTY_H
 #define BEADREEL_SIM_RUN_UNCERTAINTY_H
 
@@ -31,9 +28,6 @@ struct bead_uncertain_peaks {
     size_t count;        /* 0: not known */
     double *uncertainty; /* N: out */
 };
-
-/* Whether some peaks differ by more than those that answer as they should, so that a second comparison run is worth its time. */
-bool bead_uncertainty_is_doubtful(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);
 
 /* Uncertainties of the peaks of a chain's contacts [0] and beads [1]. */
 void bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);

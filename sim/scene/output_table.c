@@ -39,8 +39,7 @@ static const struct bead_option table_rows[] = {
      .type = BEAD_OPTION_FLAG,
      .offset = BEAD_OF_OUTPUT(curves.uncertainty),
      .initial = "true",
-     .help = "tables of peaks: a column that says how well each is known, from a second, coarser run, and a third where peaks of a "
-             "chain of up to 200 beads answer strongly to errors; false: no such runs"},
+     .help = "tables of peaks: a column that says how well each is known, from a second, coarser run; false: no such run"},
 };
 static const struct bead_option_rows table_shared[] = {
     {BEAD_OPTIONS(bead_curves_rows)}, {BEAD_OPTIONS(bead_time_row)}, {BEAD_OPTIONS(bead_every_row)}, {NULL, 0}};

@@ -51,7 +51,7 @@ struct bead_driver {
 /* The runs of a pass stay, for their peaks, until bead_passed_free. */
 struct bead_passed {
     struct bead_runner *runs;
-    struct bead_runner *comparison_runs; /* [2 chains]: the first ones, and second ones of some; NULL if no consumer wants one */
+    struct bead_runner *comparison_runs; /* [chains]; NULL if no consumer wants one */
     struct bead_outcome *outcomes;       /* [chains] */
     double **uncertainty;                /* [2 chains]: of the peaks of contacts, and of beads; NULL if no consumer wants them */
     size_t count;
@@ -66,9 +66,8 @@ BEAD_CHECK enum bead_error bead_drive_simulation(const struct bead_driver *drive
 BEAD_CHECK enum bead_error bead_drive_trajectory(const struct bead_driver *driver, struct bead_trajectory *trajectory,
                                                  struct bead_counts *counts, struct bead_message *msg);
 void bead_passed_free(struct bead_passed *passed);
-/* What the runs' tolerance is multiplied by in the first comparison run of a chain, of which outputs show `samples` or compare
- * peaks only, or in the second. */
-double bead_driver_comparison_factor(const struct bead_driver *driver, bool samples, bool second);
+/* What the runs' tolerance is multiplied by in comparison runs, of which outputs show `samples` or compare peaks only. */
+double bead_driver_comparison_factor(const struct bead_driver *driver, bool samples);
 
 /* Takes samples of a scouting pass: widens consumer->range by the values of needs.range_field. */
 enum bead_error bead_consumer_scout(struct bead_consumer *consumer, const struct bead_sample *sample, struct bead_message *msg);

@@ -19,10 +19,11 @@ struct pass {
     struct bead_passed *passed;
     double told; /* s: the clock at the last report of progress */
     unsigned turn;
-    bool quiet;          /* in a thread that reports no progress */
-    double fraction;     /* reported last; never falls */
-    atomic_size_t *done; /* chains; NULL: they advance together */
-    size_t jobs;         /* so many are to be done */
+    bool quiet;               /* in a thread that reports no progress */
+    double fraction;          /* reported last; never falls */
+    atomic_size_t *done;      /* chains; NULL: they advance together */
+    size_t jobs;              /* so many are to be done */
+    double comparison_factor; /* of the comparison runs' tolerance */
 };
 
 static double now(void)
@@ -93,15 +94,10 @@ static bool wants_samples(const struct bead_driver *p)
 /* Runs that are compared for their peaks only may be coarser by this, and cheaper: what counts is how strongly peaks answer. */
 static const double coarser = 3;
 
-double bead_driver_comparison_factor(const struct bead_driver *p, bool samples, bool second)
+double bead_driver_comparison_factor(const struct bead_driver *p, bool samples)
 {
-    const bool free = !(p->simulate->step > 0) && p->tolerance_factor > p->refinement;
-    return free && samples == second ? coarser * p->tolerance_factor : p->tolerance_factor;
-}
-
-static double comparison_factor(const struct bead_driver *p, bool second)
-{
-    return bead_driver_comparison_factor(p, wants_samples(p), second);
+    const bool free = !samples && !(p->simulate->step > 0) && p->tolerance_factor > p->refinement;
+    return free ? coarser * p->tolerance_factor : p->tolerance_factor;
 }
 
 static bool wants_uncertainty(const struct bead_driver *p)
@@ -112,12 +108,7 @@ static bool wants_uncertainty(const struct bead_driver *p)
     return any;
 }
 
-static struct bead_runner *comparison_run(const struct pass *pass, size_t chain, bool second)
-{
-    return &pass->passed->comparison_runs[chain + (second ? pass->driver->chain_count : 0)];
-}
-
-static enum bead_error create_comparison_run(struct pass *pass, size_t chain, bool second, struct bead_message *msg)
+static enum bead_error create_comparison_run(struct pass *pass, size_t chain, struct bead_message *msg)
 {
     const struct bead_driver *p = pass->driver;
     struct bead_run_settings settings = {.chain = p->chains[chain],
@@ -126,13 +117,13 @@ static enum bead_error create_comparison_run(struct pass *pass, size_t chain, bo
                                          .end = p->end,
                                          .passage = p->passage ? BEAD_PASSAGE_OF_PULSE : BEAD_PASSAGE_NONE,
                                          .full_window = p->full_window,
-                                         .tolerance_factor = comparison_factor(p, second)};
+                                         .tolerance_factor = pass->comparison_factor};
     for (size_t i = 0; i < p->consumer_count; i++) {
         const struct bead_needs *needs = &p->consumers[i].needs;
         settings.contact_peaks |= needs->uncertainty && needs->contact_peaks;
         settings.bead_peaks |= needs->uncertainty && needs->bead_peaks;
     }
-    return bead_runner_create(&settings, comparison_run(pass, chain, second), msg);
+    return bead_runner_create(&settings, &pass->passed->comparison_runs[chain], msg);
 }
 
 /* Another run of each chain, if a consumer wants its samples, or compares its peaks. */
@@ -141,12 +132,13 @@ static enum bead_error create_comparison_runs(struct pass *pass, struct bead_mes
     const struct bead_driver *p = pass->driver;
     if (!wants_samples(p) && !wants_uncertainty(p))
         return BEAD_OK;
-    pass->passed->comparison_runs = calloc(2 * p->chain_count, sizeof *pass->passed->comparison_runs);
+    pass->passed->comparison_runs = calloc(p->chain_count, sizeof *pass->passed->comparison_runs);
     if (!pass->passed->comparison_runs)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu chains", p->chain_count);
+    pass->comparison_factor = bead_driver_comparison_factor(p, wants_samples(p));
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < p->chain_count; i++)
-        err = create_comparison_run(pass, i, false, msg);
+        err = create_comparison_run(pass, i, msg);
     return err;
 }
 
@@ -238,7 +230,7 @@ static enum bead_error give_samples(struct pass *pass, struct bead_message *msg)
     return err;
 }
 
-/* Runs one chain to its end after the last sample; behind the last chain, the comparison runs. */
+/* Runs one chain to its end after the last sample; behind the last chain, its comparison run. */
 static enum bead_error complete(void *context, size_t job, bool calling, struct bead_message *msg)
 {
     struct pass *pass = context, quiet = {.driver = pass->driver, .passed = pass->passed, .quiet = true};
@@ -274,81 +266,43 @@ static void note_worst(const struct bead_uncertain_peaks kinds[2], struct bead_o
     }
 }
 
-/* How well a chain's peaks are known, from its run and a comparison run; whether that is doubtful. */
-static enum bead_error compare_peaks(struct pass *pass, size_t chain, bool second, bool *doubtful, struct bead_message *msg)
+/* How well a chain's peaks are known, from its run and its comparison run. */
+static enum bead_error compare_peaks(struct pass *pass, size_t chain, struct bead_message *msg)
 {
     const struct bead_driver *p = pass->driver;
     const size_t contacts = bead_chain_contacts(p->chains[chain]), beads = bead_chain_beads(p->chains[chain]);
-    const struct bead_runner *comparison = comparison_run(pass, chain, second);
+    const struct bead_runner *comparison = &pass->passed->comparison_runs[chain];
     struct bead_outcome *outcome = &pass->passed->outcomes[chain], other;
-    double **u = pass->passed->uncertainty + 2 * chain, *found = calloc(contacts + beads, sizeof *found);
-    if (!found)
+    double **u = pass->passed->uncertainty + 2 * chain;
+    u[0] = calloc(contacts, sizeof **u);
+    u[1] = calloc(beads, sizeof **u);
+    if (!u[0] || !u[1])
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu beads", beads);
     comparison->kind->finish(comparison->run, outcome->end, &other);
     const double refinement = p->refinement > 0 ? p->refinement : 1, over = comparison->kind->over(comparison->run);
-    const struct bead_uncertainty_of of = {
-        p->simulate->step > 0 ? 0 : p->simulate->accuracy * refinement, comparison_factor(p, second) / refinement,
-        bead_chain_spec(p->chains[chain])->damping_coefficient > 0, isnan(over) ? 0 : fmin(over, outcome->end)};
-    struct bead_uncertain_peaks kinds[2] = {
-        {outcome->contact_peaks, other.contact_peaks, other.contact_peaks ? contacts : 0, found},
-        {outcome->bead_peaks, other.bead_peaks, other.bead_peaks ? beads : 0, found + contacts}};
+    const double factor = fmin(pass->comparison_factor, bead_run_coarsest_factor(p->chains[chain], p->simulate));
+    const struct bead_uncertainty_of of = {p->simulate->step > 0 ? 0 : p->simulate->accuracy * refinement, factor / refinement,
+                                           bead_chain_spec(p->chains[chain])->damping_coefficient > 0,
+                                           isnan(over) ? 0 : fmin(over, outcome->end)};
+    const struct bead_uncertain_peaks kinds[2] = {
+        {outcome->contact_peaks, other.contact_peaks, other.contact_peaks ? contacts : 0, u[0]},
+        {outcome->bead_peaks, other.bead_peaks, other.bead_peaks ? beads : 0, u[1]}};
     bead_uncertainty_find(&of, kinds);
-    *doubtful = bead_uncertainty_is_doubtful(&of, kinds);
-    for (size_t kind = 0; kind < 2; kind++) {
-        for (size_t i = 0; i < kinds[kind].count; i++)
-            u[kind][i] = fmax(u[kind][i], kinds[kind].uncertainty[i]);
-        kinds[kind].uncertainty = u[kind];
-    }
     note_worst(kinds, outcome);
     outcome->contact_uncertainty = kinds[0].count ? u[0] : NULL;
     outcome->bead_uncertainty = kinds[1].count ? u[1] : NULL;
-    free(found);
     return BEAD_OK;
-}
-
-/* Chains of more beads are compared once: where they are disordered some of their peaks are doubtful nearly always, and there the
- * runs are what takes time. */
-static const size_t compared_twice = 200;
-
-/* Runs a second comparison run of one chain, where there is one. */
-static enum bead_error complete_second(void *context, size_t chain, bool calling, struct bead_message *msg)
-{
-    const struct pass *pass = context;
-    return complete(context, 2 * pass->driver->chain_count + chain, calling, msg);
-}
-
-static enum bead_error compare_doubtful(struct pass *pass, bool *doubtful, struct bead_message *msg)
-{
-    const size_t chains = pass->driver->chain_count;
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < chains; i++) {
-        doubtful[i] = doubtful[i] && bead_chain_beads(pass->driver->chains[i]) <= compared_twice;
-        pass->jobs += doubtful[i];
-        err = doubtful[i] ? create_comparison_run(pass, i, true, msg) : BEAD_OK;
-    }
-    if (!err)
-        err = bead_thread_pool_run(chains, pass->driver->threads, complete_second, pass, msg);
-    for (size_t i = 0; !err && i < chains; i++)
-        err = doubtful[i] ? compare_peaks(pass, i, true, &doubtful[i], msg) : BEAD_OK;
-    return err;
 }
 
 static enum bead_error compare_all_peaks(struct pass *pass, struct bead_message *msg)
 {
-    const struct bead_driver *p = pass->driver;
-    bool *doubtful = calloc(p->chain_count, sizeof *doubtful);
-    double **u = pass->passed->uncertainty = calloc(2 * p->chain_count, sizeof *u);
+    const size_t chains = pass->driver->chain_count;
+    pass->passed->uncertainty = calloc(2 * chains, sizeof *pass->passed->uncertainty);
+    if (!pass->passed->uncertainty)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu chains", chains);
     enum bead_error err = BEAD_OK;
-    bool all = doubtful && u;
-    for (size_t i = 0; all && i < 2 * p->chain_count; i++)
-        all = (u[i] = calloc(bead_chain_beads(p->chains[i / 2]), sizeof **u));
-    if (!all)
-        err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu chains", p->chain_count);
-    for (size_t i = 0; !err && i < p->chain_count; i++)
-        err = compare_peaks(pass, i, false, &doubtful[i], msg);
-    if (!err)
-        err = compare_doubtful(pass, doubtful, msg);
-    free(doubtful);
+    for (size_t i = 0; !err && i < chains; i++)
+        err = compare_peaks(pass, i, msg);
     return err;
 }
 
@@ -377,7 +331,7 @@ static void pass_finish(struct pass *pass)
 static void count_comparisons(struct pass *pass)
 {
     const struct bead_passed *passed = pass->passed;
-    for (size_t i = 0; passed->comparison_runs && i < 2 * passed->count; i++) {
+    for (size_t i = 0; passed->comparison_runs && i < passed->count; i++) {
         const struct bead_runner *comparison = &passed->comparison_runs[i];
         if (!comparison->run)
             continue;
@@ -414,7 +368,7 @@ void bead_passed_free(struct bead_passed *passed)
 {
     for (size_t i = 0; passed->runs && i < passed->count; i++)
         bead_runner_destroy(&passed->runs[i]);
-    for (size_t i = 0; passed->comparison_runs && i < 2 * passed->count; i++)
+    for (size_t i = 0; passed->comparison_runs && i < passed->count; i++)
         bead_runner_destroy(&passed->comparison_runs[i]);
     for (size_t i = 0; passed->uncertainty && i < 2 * passed->count; i++)
         free(passed->uncertainty[i]);

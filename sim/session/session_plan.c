@@ -139,11 +139,10 @@ static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, 
     const struct bead_simulate *asked = &s->source->simulate;
     const struct bead_driver driver = bead_session_driver(s, "planning");
     size_t count = 0;
-    bool samples = false, uncertainty = false;
+    bool samples = false;
     for (size_t i = 0; i < s->made_count; i++) {
         const struct bead_made *m = &s->made[i];
         samples |= m->sink && m->needs.comparison;
-        uncertainty |= m->sink && m->needs.uncertainty;
         if (m->sink && (m->needs.comparison || m->needs.uncertainty))
             fprintf(out, "%s %s of %s", count++ ? "," : "comparison run:", m->needs.comparison ? "trust" : "uncertainties",
                     m->path);
@@ -151,15 +150,14 @@ static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, 
     if (count == 0)
         return BEAD_OK;
     struct bead_pace pace;
-    const double factor = bead_driver_comparison_factor(&driver, samples, false);
+    const double factor = bead_driver_comparison_factor(&driver, samples);
     enum bead_error err = bead_run_kind_of(s->chains[0])->pace(s->chains[0], asked, factor, &pace, msg);
     if (err)
         return err;
     fprintf(out, " needs all chains a second time, for comparison: ");
     if (!(asked->step > 0))
         fprintf(out, "accuracy %.3g instead of %.3g, ", factor * asked->accuracy, asked->accuracy);
-    fprintf(out, "steps of %s%s\n", time_words(s, pace.step, false).text,
-            uncertainty && !(asked->step > 0) ? "; short ones with peaks that answer strongly, a third time" : "");
+    fprintf(out, "steps of %s\n", time_words(s, pace.step, false).text);
     return BEAD_OK;
 }
 

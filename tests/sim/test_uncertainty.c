@@ -24,32 +24,47 @@ static void chains_drawn_at_random(void **state)
     }
 }
 
-/* One peak answers too strongly: it and its neighbours are uncertain, those far away are not. */
+/* One peak answers too strongly: it and its neighbours are uncertain, those far away as much as peaks that answer as they should
+ * may be. */
 static void strong_answers_spread(void **state)
 {
     (void)state;
-    struct bead_peak peaks[41], comparison[41];
-    double u[41];
-    for (size_t i = 0; i < 41; i++) {
+    struct bead_peak peaks[81], comparison[81];
+    double u[81];
+    for (size_t i = 0; i < 81; i++) {
         peaks[i] = (struct bead_peak){10, 1e-3, false};
         comparison[i] = (struct bead_peak){i == 0 ? 10 * (1 + 1e-3) : 10 * (1 + 1e-6), 1e-3, false};
     }
-    comparison[30].value = 10 * (1 + 3e-6); /* a tenth of what the comparison run may be off by */
     const struct bead_uncertainty_of of = {1e-6, 30, false, 0}, damped = {1e-6, 30, true, 0}, step = {0, 2, false, 0};
-    const struct bead_uncertain_peaks kinds[2] = {{peaks, comparison, 41, u}, {NULL, NULL, 0, NULL}};
+    const struct bead_uncertain_peaks kinds[2] = {{peaks, comparison, 81, u}, {NULL, NULL, 0, NULL}};
     bead_uncertainty_find(&of, kinds);
-    assert_near(u[0], 0.07, 1e-6);
-    assert_near(u[1], 0.75 * 0.07, 1e-6);
-    assert_near(u[30], 3e-5, 1e-10);
-    assert_true(bead_uncertainty_is_doubtful(&of, kinds));
-    assert_near(u[40], 1e-5, 1e-12);
+    assert_near(u[0], 0.05, 1e-6);
+    assert_near(u[1], 0.9 * 0.05, 1e-6);
+    assert_near(u[80], 9.5e-5, 1e-9);
     bead_uncertainty_find(&damped, kinds);
     assert_near(u[0], 1e-3, 1e-6);
     assert_near(u[1], 1e-5, 1e-12);
-    assert_false(bead_uncertainty_is_doubtful(&damped, kinds));
     bead_uncertainty_find(&step, kinds);
     assert_near(u[0], 1e-2, 1e-9);
     assert_near(u[1], 1e-5, 1e-9);
+}
+
+/* No peak answers too strongly: each is as uncertain as its own difference says, or a part of the largest of all. */
+static void usual_answers_do_not_spread(void **state)
+{
+    (void)state;
+    const struct bead_peak peaks[] = {{10, 1e-3, false}, {10, 1e-3, false}, {10, 1e-3, false}};
+    const struct bead_peak comparison[] = {{10, 1e-3, false}, {10 * (1 + 5e-6), 1e-3, false}, {10 * (1 + 3e-6), 1e-3, false}};
+    const struct bead_uncertainty_of of = {1e-6, 30, false, 0}, fine = {1e-4, 30, false, 0};
+    double u[3];
+    const struct bead_uncertain_peaks kinds[2] = {{peaks, comparison, 3, u}, {NULL, NULL, 0, NULL}};
+    bead_uncertainty_find(&of, kinds);
+    assert_near(u[0], 20. / 6 * 1e-5, 1e-9);
+    assert_near(u[1], 5e-5, 1e-9);
+    assert_near(u[2], 20. / 6 * 1e-5, 1e-9);
+    bead_uncertainty_find(&fine, kinds);
+    for (size_t i = 0; i < 3; i++)
+        assert_near(u[i], 1e-3, 1e-9);
 }
 
 /* A run that missed the end of the pulse has later maxima, which say nothing of the other's. */
@@ -67,14 +82,14 @@ static void what_comes_behind_the_end_of_either_is_not_compared(void **state)
 }
 
 /* In these chains one way of being unstable drives some peaks, and chance decides how strongly each run excites it: here a run and
- * the first comparison run are off alike, by several times what was asked. A second one is not. */
-static void peaks_that_agree_by_chance_are_compared_again(void **state)
+ * its comparison run are off alike at a peak, by several times what was asked. Others of the chain say so. */
+static void peaks_that_agree_by_chance_are_known_by_others(void **state)
 {
     (void)state;
     static const struct {
         uint64_t seed;
         double accuracy;
-    } cases[] = {{1036, 8e-9}, {1063, 1e-6}, {1225, 1.3e-6}};
+    } cases[] = {{1036, 8e-9}, {1225, 1.3e-6}, {1198, 1e-6}, {1324, 1e-5}, {2157, 1e-4}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct drawn drawn = drawn_make(cases[i].seed, 150);
         const struct kept kept = drawn_ask(&drawn, cases[i].accuracy);
@@ -103,9 +118,9 @@ static void slow_contacts_count_as_they_are(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(chains_drawn_at_random), cmocka_unit_test(strong_answers_spread),
-                                       cmocka_unit_test(what_comes_behind_the_end_of_either_is_not_compared),
-                                       cmocka_unit_test(slow_contacts_count_as_they_are),
-                                       cmocka_unit_test(peaks_that_agree_by_chance_are_compared_again)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(chains_drawn_at_random),          cmocka_unit_test(strong_answers_spread),
+        cmocka_unit_test(usual_answers_do_not_spread),     cmocka_unit_test(what_comes_behind_the_end_of_either_is_not_compared),
+        cmocka_unit_test(slow_contacts_count_as_they_are), cmocka_unit_test(peaks_that_agree_by_chance_are_known_by_others)};
     return cmocka_run_group_tests_name("uncertainty", tests, NULL, NULL);
 }
