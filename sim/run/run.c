@@ -106,7 +106,7 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
     if (!(settings->simulate->step > 0))
         r->stepper->event_tolerance = event_part * r->stepping.accuracy * fabs(settings->chain->spec->striker_velocity);
     r->control = bead_step_control_start(r->stepper, r->stepping.theta, r->stepping.omega);
-    r->drift_bound = drift_part * settings->simulate->accuracy;
+    r->drift_bound = drift_part * tolerance_factor * settings->simulate->accuracy;
     r->energy_start = bead_stepper_energy(r->stepper, &r->stepper->end);
     r->momentum_start = bead_stepper_momentum(r->stepper, &r->stepper->end);
     r->input = bead_chain_energy(settings->chain);
