@@ -230,7 +230,7 @@ static enum bead_error give_samples(struct pass *pass, struct bead_message *msg)
     return err;
 }
 
-/* Runs one chain to its end after the last sample; behind the last chain, its comparison run. */
+/* Runs one chain to its end after the last sample; behind the last chain, the comparison runs. */
 static enum bead_error complete(void *context, size_t job, bool calling, struct bead_message *msg)
 {
     struct pass *pass = context, quiet = {.driver = pass->driver, .passed = pass->passed, .quiet = true};

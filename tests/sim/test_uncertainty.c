@@ -38,8 +38,8 @@ static void strong_answers_spread(void **state)
     const struct bead_uncertainty_of of = {1e-6, 30, false, 0}, damped = {1e-6, 30, true, 0}, step = {0, 2, false, 0};
     const struct bead_uncertain_peaks kinds[2] = {{peaks, comparison, 81, u}, {NULL, NULL, 0, NULL}};
     bead_uncertainty_find(&of, kinds);
-    assert_near(u[0], 0.05, 1e-6);
-    assert_near(u[1], 0.9 * 0.05, 1e-6);
+    assert_near(u[0], 0.1, 1e-6);
+    assert_near(u[1], 0.9 * 0.1, 1e-6);
     assert_near(u[80], 9.5e-5, 1e-9);
     bead_uncertainty_find(&damped, kinds);
     assert_near(u[0], 1e-3, 1e-6);
@@ -118,9 +118,12 @@ static void slow_contacts_count_as_they_are(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(chains_drawn_at_random),          cmocka_unit_test(strong_answers_spread),
-        cmocka_unit_test(usual_answers_do_not_spread),     cmocka_unit_test(what_comes_behind_the_end_of_either_is_not_compared),
-        cmocka_unit_test(slow_contacts_count_as_they_are), cmocka_unit_test(peaks_that_agree_by_chance_are_known_by_others)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(chains_drawn_at_random),
+                                       cmocka_unit_test(strong_answers_spread),
+                                       cmocka_unit_test(usual_answers_do_not_spread),
+                                       cmocka_unit_test(what_comes_behind_the_end_of_either_is_not_compared),
+                                       cmocka_unit_test(slow_contacts_count_as_they_are),
+
+                                       cmocka_unit_test(peaks_that_agree_by_chance_are_known_by_others)};
     return cmocka_run_group_tests_name("uncertainty", tests, NULL, NULL);
 }
