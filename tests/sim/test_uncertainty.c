@@ -101,6 +101,20 @@ static void peaks_that_agree_by_chance_are_known_by_others(void **state)
     }
 }
 
+/* The force at the last contact has a minimum and a maximum so close to each other that both lie within a step, or do not: the
+ * first pulse ends there whatever the steps. */
+static void pulses_that_hardly_part_do(void **state)
+{
+    (void)state;
+    struct drawn drawn = drawn_make(7169, 150);
+    for (size_t i = 0; i < ASKED; i++) {
+        struct peaks got = find_coarse(drawn.text, asked[i], 0);
+        assert_near(got.end / drawn.fine.end, 1, asked[i]);
+        free(got.peak);
+    }
+    drawn_end(&drawn);
+}
+
 /* Heavy beads that a light striker leaves with a hundredth of its speed: what their contacts owe to openings counts by how fast
  * they are, from the first opening on. Chance decides how much is left, so that several accuracies are asked for. */
 static void slow_contacts_count_as_they_are(void **state)
@@ -123,7 +137,7 @@ int main(void)
                                        cmocka_unit_test(usual_answers_do_not_spread),
                                        cmocka_unit_test(what_comes_behind_the_end_of_either_is_not_compared),
                                        cmocka_unit_test(slow_contacts_count_as_they_are),
-
+                                       cmocka_unit_test(pulses_that_hardly_part_do),
                                        cmocka_unit_test(peaks_that_agree_by_chance_are_known_by_others)};
     return cmocka_run_group_tests_name("uncertainty", tests, NULL, NULL);
 }
