@@ -10,7 +10,7 @@
 static const double usual = 30, elsewhere = 20, usual_most = 9.5, damped = 3;
 /* Peaks that differ by more than so many times what the comparison run may be off by answer too strongly. They are uncertain by so
  * many times their difference, this part of it from one neighbour to the next. */
-static const double too_strong = 1.5, strong = 10, next = 0.82;
+static const double too_strong = 1.5, strong = 20, next = 0.82;
 /* Rounding leaves this part of a peak. */
 static const double rounding = 1e-14;
 

@@ -38,8 +38,8 @@ static void strong_answers_spread(void **state)
     const struct bead_uncertainty_of of = {1e-6, 30, false, 0}, damped = {1e-6, 30, true, 0}, step = {0, 2, false, 0};
     const struct bead_uncertain_peaks kinds[2] = {{peaks, comparison, 81, u}, {NULL, NULL, 0, NULL}};
     bead_uncertainty_find(&of, kinds);
-    assert_near(u[0], 0.1, 1e-6);
-    assert_near(u[1], 0.82 * 0.1, 1e-6);
+    assert_near(u[0], 0.2, 1e-6);
+    assert_near(u[1], 0.82 * 0.2, 1e-6);
     assert_near(u[80], 9.5e-5, 1e-9);
     bead_uncertainty_find(&damped, kinds);
     assert_near(u[0], 1e-3, 1e-6);
