@@ -152,10 +152,10 @@ static inline void drawn_compare(const struct drawn *d, const struct peaks *got,
     struct bead_driver driver = {.chains = chains, .chain_count = 1, .simulate = &built.scene->simulate};
     driver.tolerance_factor = bead_run_tolerance_factor(chains, 1, driver.simulate);
     const double factor = bead_driver_comparison_factor(&driver, false),
-                 coarsest = bead_run_coarsest_factor(built.chain, driver.simulate);
+                 effective = bead_run_effective_factor(built.chain, driver.simulate, factor);
     release(&built);
     struct peaks comparison = find_coarse(d->text, accuracy, factor);
-    const struct bead_uncertainty_of of = {accuracy, fmin(factor, coarsest), d->damped, fmin(got->end, comparison.end)};
+    const struct bead_uncertainty_of of = {accuracy, effective, d->damped, fmin(got->end, comparison.end)};
     const struct bead_uncertain_peaks kinds[2] = {
         {got->peak, comparison.peak, got->contacts, u},
         {got->peak + got->contacts, comparison.peak + got->contacts, got->count - got->contacts, u + got->contacts}};

@@ -59,3 +59,14 @@ double bead_force_curve_rate(const struct bead_force_curve *curve, double x)
     }
     return rate;
 }
+
+static double part_rate(const void *context, double x)
+{
+    const struct bead_curve_part *part = context;
+    return bead_force_curve_rate(part->curve, part->from + x * part->length);
+}
+
+double bead_curve_part_turn(const struct bead_curve_part *part, double rate0, double rate1)
+{
+    return part->from + part->length * bead_find_root(part_rate, part, rate0, rate1);
+}

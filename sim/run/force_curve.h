@@ -26,4 +26,14 @@ double bead_force_curve_value(const struct bead_force_curve *curve, double x);
 /* Has the sign of the force's rate. */
 double bead_force_curve_rate(const struct bead_force_curve *curve, double x);
 
+/* Where the force falls at both ends of a step, or rises, it may turn twice in between: so many parts are looked at. */
+enum { BEAD_CURVE_PARTS = 8 };
+/* The step from x = `from` on, or all of it: 0, 1. */
+struct bead_curve_part {
+    const struct bead_force_curve *curve;
+    double from, length;
+};
+/* The x where the force turns, whose rates at the ends of the part have different signs. */
+double bead_curve_part_turn(const struct bead_curve_part *part, double rate0, double rate1);
+
 #endif

@@ -14,11 +14,6 @@ enum { SUBSTEPS = 8, REFINEMENTS = 3 };
 /* A force at the end of a step below this part of the largest so far was no new record within the step either. */
 static const double near_record = 0.5;
 
-static double rate(const void *curve, double x)
-{
-    return bead_force_curve_rate(curve, x);
-}
-
 /* The maximum of contact k's force within the step just made, less the static part; 0 where it has none. */
 static double peak_within(const struct bead_stepper *s, size_t k)
 {
@@ -26,7 +21,8 @@ static double peak_within(const struct bead_stepper *s, size_t k)
     const double at0 = bead_force_curve_rate(&curve, 0), at1 = bead_force_curve_rate(&curve, 1);
     if (!(at0 > 0 && at1 <= 0))
         return 0;
-    return bead_force_curve_value(&curve, bead_find_root(rate, &curve, at0, at1)) - s->chain->static_force[k];
+    const struct bead_curve_part whole = {&curve, 0, 1};
+    return bead_force_curve_value(&curve, bead_curve_part_turn(&whole, at0, at1)) - s->chain->static_force[k];
 }
 
 /* Only the contact that was strongest at one end of the step can set a new record. */

@@ -28,14 +28,11 @@ void bead_passing_begin(struct bead_passing *p, const struct bead_chain *chain)
     *sensor = (struct bead_passing_place){{last - 1, last}, last < chain->contacts ? 2 : 1, 0, NAN};
 }
 
-/* Where the force falls at both ends of a step, or rises, it may do otherwise in between: so many parts are looked at. */
-enum { PARTS = 8 };
-
-/* A place within the step just made, or a part of it; forces are less `level`. */
+/* A place within the step just made; forces are less `level`. */
 struct stretch {
     const struct bead_passing_place *place;
     struct bead_force_curve both, single[2]; /* of the place, and of each of its contacts */
-    double level, from, length;              /* of the step */
+    double level;
 };
 
 static double force_at(const void *context, double x)
@@ -45,12 +42,6 @@ static double force_at(const void *context, double x)
     for (size_t i = 0; i < p->place->contacts; i++)
         force += bead_force_curve_value(&p->single[i], x) - p->both.stepper->chain->static_force[p->place->contact[i]];
     return force;
-}
-
-static double rate_at(const void *context, double x)
-{
-    const struct stretch *p = context;
-    return bead_force_curve_rate(&p->both, p->from + x * p->length);
 }
 
 /* Where in the step the force falls below its level; 1 where it does not. */
@@ -64,25 +55,19 @@ static double find_fall(const struct stretch *p)
 static double largest_within(const struct stretch *p, double rate0, double rate1)
 {
     const double end = force_at(p, 1);
-    return rate0 > 0 && rate1 < 0 ? fmax(force_at(p, bead_find_root(rate_at, p, rate0, rate1)), end) : end;
-}
-
-/* Where the step, or its part, has a minimum; NaN: nowhere. */
-static double turn_within(const struct stretch *p, double rate0, double rate1)
-{
-    return rate0 < 0 && rate1 > 0 ? p->from + p->length * bead_find_root(rate_at, p, rate0, rate1) : NAN;
+    const struct bead_curve_part whole = {&p->both, 0, 1};
+    return rate0 > 0 && rate1 < 0 ? fmax(force_at(p, bead_curve_part_turn(&whole, rate0, rate1)), end) : end;
 }
 
 /* Where it has a minimum that parts pulses; NaN: nowhere. */
 static double find_minimum(const struct stretch *p, double rate0, double rate1)
 {
-    double x = turn_within(p, rate0, rate1), before = rate0;
-    struct stretch part = *p;
-    part.length = 1.0 / PARTS;
-    for (int i = 0; i < PARTS && isnan(x); i++) {
-        part.from = i * part.length;
-        const double after = i + 1 < PARTS ? rate_at(&part, 1) : rate1;
-        x = turn_within(&part, before, after);
+    const int parts = rate0 < 0 && rate1 > 0 ? 1 : BEAD_CURVE_PARTS;
+    double x = NAN, before = rate0;
+    for (int i = 1; i <= parts && isnan(x); i++) {
+        const struct bead_curve_part part = {&p->both, (i - 1) / (double)parts, 1.0 / parts};
+        const double after = i == parts ? rate1 : bead_force_curve_rate(&p->both, part.from + part.length);
+        x = before < 0 && after > 0 ? bead_curve_part_turn(&part, before, after) : NAN;
         before = after;
     }
     return force_at(p, x) < parted * p->place->most ? x : NAN;
@@ -95,11 +80,11 @@ static void watch_place(struct bead_passing_place *place, double largest, const 
         force += place->contact[i] < s->active ? s->end.f[place->contact[i]] : 0;
     if (!(fmax(place->most, force) > come * largest))
         return;
-    struct stretch p = {.place = place, .length = 1};
+    struct stretch p = {.place = place, .level = 0};
     for (size_t i = 0; i < place->contacts; i++)
         p.single[i] = bead_force_curve_of(s, place->contact[i], false);
     p.both = place->contacts == 1 ? p.single[0] : bead_force_curve_of(s, place->contact[1], true);
-    const double rate0 = rate_at(&p, 0), rate1 = rate_at(&p, 1);
+    const double rate0 = bead_force_curve_rate(&p.both, 0), rate1 = bead_force_curve_rate(&p.both, 1);
     place->most = fmax(place->most, largest_within(&p, rate0, rate1));
     double x = find_minimum(&p, rate0, rate1);
     p.level = over * place->most;

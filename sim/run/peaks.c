@@ -142,23 +142,11 @@ static double force_bound(const struct bead_peaks *p, const struct bead_stepper 
     return p->of_beads ? 0.5 * force : force;
 }
 
-/* Part of the step, from x = from on. */
-struct curve_part {
-    const struct bead_force_curve *curve;
-    double from, length;
-};
-
-static double part_rate(const void *context, double x)
-{
-    const struct curve_part *part = context;
-    return bead_force_curve_rate(part->curve, part->from + x * part->length);
-}
-
 /* The maximum within a part of the step that the force rises into and falls out of. */
-static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct curve_part *part,
+static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct bead_curve_part *part,
                          double rate0, double rate1, double limit)
 {
-    const double x = part->from + part->length * bead_find_root(part_rate, part, rate0, rate1);
+    const double x = bead_curve_part_turn(part, rate0, rate1);
     struct maximum most = {x, bead_force_curve_value(part->curve, x)};
     if (s->events && x > 0 && most.value > p->best[index].value * (1 - close_call))
         sharpen(s, part->curve, &most);
@@ -179,10 +167,7 @@ static void find_jump(struct bead_peaks *p, const struct bead_stepper *s, size_t
         p->best[index] = (struct bead_peak){value, s->t0, false};
 }
 
-/* Where the rate has one sign at both ends, it is looked at in between; a bead's, of two contacts, may have more than one maximum.
- */
-enum { PARTS = 8 };
-
+/* A bead's force, of two contacts, may have more than one maximum within a step. */
 static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
     if (!bead_stepper_damped(s) && force_bound(p, s, index) < p->best[index].value)
@@ -191,10 +176,10 @@ static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t
     if (bead_stepper_damped(s))
         find_jump(p, s, index, &curve, limit);
     double rate0 = bead_force_curve_rate(&curve, 0), end = bead_force_curve_rate(&curve, 1);
-    const int parts = rate0 > 0 && end <= 0 && !p->of_beads ? 1 : PARTS;
+    const int parts = rate0 > 0 && end <= 0 && !p->of_beads ? 1 : BEAD_CURVE_PARTS;
     for (int i = 1; i <= parts; i++) {
-        struct curve_part part = {&curve, (i - 1) / (double)parts, 1.0 / parts};
-        double rate1 = i == parts ? end : part_rate(&part, 1);
+        struct bead_curve_part part = {&curve, (i - 1) / (double)parts, 1.0 / parts};
+        double rate1 = i == parts ? end : bead_force_curve_rate(&curve, part.from + part.length);
         if (rate0 > 0 && rate1 <= 0)
             find_in_part(p, s, index, &part, rate0, rate1, limit);
         rate0 = rate1;

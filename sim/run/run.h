@@ -65,8 +65,9 @@ BEAD_CHECK enum bead_error bead_run_comparison_stepping(const struct bead_chain 
 /* The tolerance factor of a comparison run of all these chains: 10 times the accuracy, or 2 times the step asked for; a
  * tenth or half where the method has no room for that. */
 double bead_run_tolerance_factor(const struct bead_chain *const *chains, size_t count, const struct bead_simulate *asked);
-/* The tolerance factor beyond which steps are no longer. */
-double bead_run_coarsest_factor(const struct bead_chain *chain, const struct bead_simulate *asked);
+/* What a run at `factor` times the tolerance may be off by, in units of what was asked: less than that where its steps are the
+ * longest that the method may take. */
+double bead_run_effective_factor(const struct bead_chain *chain, const struct bead_simulate *asked, double factor);
 
 /* In words, that a step given is too long for peaks worth having; "" where it is not, or none is given. */
 struct bead_long_step {

@@ -29,13 +29,13 @@ double bead_run_tolerance_factor(const struct bead_chain *const *chains, size_t 
     return fixed ? (room ? 2 : 0.5) : (room ? 10 : 0.1);
 }
 
-double bead_run_coarsest_factor(const struct bead_chain *chain, const struct bead_simulate *asked)
+double bead_run_effective_factor(const struct bead_chain *chain, const struct bead_simulate *asked, double factor)
 {
     struct bead_method_choice choice;
     struct bead_message msg;
     if (bead_choose_method(chain, asked, &choice, &msg))
-        return INFINITY; /* the run itself says why */
-    return bead_pow(choice.cap / bead_method_theta(&choice, asked->accuracy), choice.order);
+        return factor; /* the run itself says why */
+    return fmin(factor, bead_pow(choice.cap / bead_method_theta(&choice, asked->accuracy), choice.order));
 }
 
 enum bead_error bead_run_comparison_stepping(const struct bead_chain *chain, const struct bead_simulate *asked,

@@ -280,7 +280,7 @@ static enum bead_error compare_peaks(struct pass *pass, size_t chain, struct bea
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu beads", beads);
     comparison->kind->finish(comparison->run, outcome->end, &other);
     const double refinement = p->refinement > 0 ? p->refinement : 1, over = comparison->kind->over(comparison->run);
-    const double factor = fmin(pass->comparison_factor, bead_run_coarsest_factor(p->chains[chain], p->simulate));
+    const double factor = bead_run_effective_factor(p->chains[chain], p->simulate, pass->comparison_factor);
     const struct bead_uncertainty_of of = {p->simulate->step > 0 ? 0 : p->simulate->accuracy * refinement, factor / refinement,
                                            bead_chain_spec(p->chains[chain])->damping_coefficient > 0,
                                            isnan(over) ? 0 : fmin(over, outcome->end)};
